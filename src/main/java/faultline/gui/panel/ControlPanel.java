@@ -232,6 +232,11 @@ public final class ControlPanel extends JPanel {
         sensors.selectSensor(null);
     }
 
+    /** Prepares for another scenario, of which the first sensor will be selected. */
+    public void startScenario() {
+        sensorDetails.startScenario();
+    }
+
     /** Adds a listener for the ids of sensors selected by the user. */
     public void addSelectionListener(Consumer<String> listener) {
         sensors.addSelectionListener(listener);

@@ -91,6 +91,11 @@ public final class SensorDetailsPanel extends JPanel {
         listeners.add(listener);
     }
 
+    /** Prepares for another scenario, of which the first sensor will be selected. */
+    void startScenario() {
+        ids = List.of();
+    }
+
     /** Shows the sensors and their faults, in the robot's order. */
     public void setSensors(List<SensorSnapshot> sensors) {
         assert EventQueue.isDispatchThread();

@@ -33,7 +33,7 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mousePressed(MouseEvent event) {
-        if (!view.isEnabled()) {
+        if (!view.isEnabled() || event.getY() < view.rulerTop() + view.lanes().top()) {
             return;
         }
         view.requestFocusInWindow();

@@ -51,7 +51,7 @@ final class LanePainter {
         if (!view.isEnabled()) {
             return;
         }
-        paintRuler();
+        paintTicks();
         for (int i = 0; i < lanes.items().size(); i++) {
             paintItem(i);
         }
@@ -59,6 +59,7 @@ final class LanePainter {
             paintHint();
         }
         paintNow();
+        paintRuler();
         view.preview().ifPresent(this::paintTimes);
     }
 
@@ -67,9 +68,9 @@ final class LanePainter {
             int y = lanes.laneTop(lane);
             if (lane == view.lane() && view.isFocusOwner()) {
                 g.setColor(theme.colours().hover());
-                g.fillRect(0, y, view.getWidth(), lanes.rowHeight());
+                g.fillRect(0, y, view.getWidth(), lanes.laneHeight(lane));
                 g.setColor(theme.colours().accent());
-                g.fillRect(0, y, 3, lanes.rowHeight());
+                g.fillRect(0, y, 3, lanes.laneHeight(lane));
             }
             g.setColor(theme.palette().grid());
             g.fillRect(0, y, view.getWidth(), 1);
@@ -77,7 +78,7 @@ final class LanePainter {
             double room = lanes.axis().left() - 3 * LABEL_ROOM - SWATCH;
             Color colour =
                     view.isEnabled() ? theme.palette().text() : theme.palette().muted();
-            paintText(name, 2.0 * LABEL_ROOM + SWATCH, lane, room, colour);
+            paintText(name, 2.0 * LABEL_ROOM + SWATCH, y, lanes.rowHeight(), room, colour);
             if (lanes.lanes().get(lane) instanceof Lane.OfSensor) {
                 paintSwatch(lane);
             }
@@ -95,8 +96,8 @@ final class LanePainter {
         g.draw(swatch);
     }
 
-    /** Paints a text in a lane, shortened to a width. */
-    private void paintText(String text, double x, int lane, double width, Color colour) {
+    /** Paints a text in a row, shortened to a width. */
+    private void paintText(String text, double x, double top, double height, double width, Color colour) {
         g.setFont(font);
         FontMetrics metrics = g.getFontMetrics();
         String shown = SwingUtilities.layoutCompoundLabel(
@@ -112,27 +113,38 @@ final class LanePainter {
                 new Rectangle(),
                 0);
         g.setColor(colour);
-        g.drawString(shown, (float) x, baseline(lanes.laneTop(lane), lanes.rowHeight(), metrics));
+        g.drawString(shown, (float) x, baseline(top, height, metrics));
     }
 
     private static float baseline(double top, double height, FontMetrics metrics) {
         return (float) (top + (height + metrics.getAscent() - metrics.getDescent()) / 2);
     }
 
+    private void paintTicks() {
+        g.setColor(theme.palette().gridMajor());
+        for (double tick : lanes.axis().ticks().ticks()) {
+            g.fill(new Rectangle2D.Double(
+                    lanes.axis().x(tick),
+                    lanes.top(),
+                    1,
+                    lanes.laneTop(lanes.lanes().size()) - lanes.top()));
+        }
+    }
+
+    /** Paints the labels of the times over what is below them. */
     private void paintRuler() {
         g.setFont(font);
         FontMetrics metrics = g.getFontMetrics();
         double last = Double.NEGATIVE_INFINITY;
+        g.setColor(theme.palette().canvas());
+        g.fillRect(0, view.rulerTop(), view.getWidth(), lanes.top());
         for (double tick : lanes.axis().ticks().ticks()) {
             double x = lanes.axis().x(tick);
-            g.setColor(theme.palette().gridMajor());
-            g.fill(new Rectangle2D.Double(
-                    x, lanes.top(), 1, (double) lanes.lanes().size() * lanes.rowHeight()));
             String text = Axis.formatTick(tick) + " s";
             double left = Math.min(x - metrics.stringWidth(text) / 2.0, view.getWidth() - metrics.stringWidth(text));
             if (left - last >= LABEL_ROOM && x - last >= MIN_TICK_DISTANCE - metrics.stringWidth(text)) {
                 g.setColor(theme.palette().muted());
-                g.drawString(text, (float) left, baseline(0, lanes.top(), metrics));
+                g.drawString(text, (float) left, baseline(view.rulerTop(), lanes.top(), metrics));
                 last = left + metrics.stringWidth(text);
             }
         }
@@ -144,6 +156,7 @@ final class LanePainter {
         boolean selected = view.preview().map(item::equals).orElse(index == view.selection());
         if (item.isInterval()) {
             paintBar(item, bounds, selected);
+            paintLabel(item, bounds, lanes.labelEnd(index, view.getWidth()));
         } else {
             paintMark(bounds, selected);
         }
@@ -162,7 +175,6 @@ final class LanePainter {
             paintHandle(bounds.getMinX(), bounds);
             paintHandle(bounds.getMaxX(), bounds);
         }
-        paintLabel(item, bounds);
     }
 
     private void paintHandle(double x, Rectangle2D bounds) {
@@ -170,16 +182,16 @@ final class LanePainter {
                 x - HANDLE / 2.0 - 0.5, bounds.getCenterY() - HANDLE, HANDLE + 1.0, 2.0 * HANDLE));
     }
 
-    private void paintLabel(TimelineItem item, Rectangle2D bounds) {
-        int lane = lanes.laneOf(item);
-        double room = bounds.getWidth() - 2 * LABEL_ROOM;
+    private void paintLabel(TimelineItem item, Rectangle2D bounds, double end) {
+        double room = end - bounds.getX() - 2 * LABEL_ROOM;
         g.setFont(font);
         if (bounds.getHeight() >= lanes.rowHeight() / 2.0 + 2
                 && g.getFontMetrics().stringWidth("mm…") < room) {
             paintText(
                     TimelineText.label(item),
                     bounds.getX() + LABEL_ROOM,
-                    lane,
+                    bounds.getY(),
+                    bounds.getHeight(),
                     room,
                     theme.palette().text());
         }
@@ -205,7 +217,8 @@ final class LanePainter {
         paintText(
                 Messages.get("timeline.hint"),
                 x,
-                lane,
+                lanes.laneTop(lane),
+                lanes.rowHeight(),
                 view.getWidth() - x,
                 theme.palette().muted());
     }
@@ -229,8 +242,8 @@ final class LanePainter {
         double width = metrics.stringWidth(text) + 2.0 * LABEL_ROOM;
         double left = Math.max(0, Math.min(view.getWidth() - width, (from + to - width) / 2));
         g.setColor(theme.colours().accent());
-        g.fill(new RoundRectangle2D.Double(left, 0, width, lanes.top(), 5, 5));
+        g.fill(new RoundRectangle2D.Double(left, view.rulerTop(), width, lanes.top(), 5, 5));
         g.setColor(theme.colours().onAccent());
-        g.drawString(text, (float) (left + LABEL_ROOM), baseline(0, lanes.top(), metrics));
+        g.drawString(text, (float) (left + LABEL_ROOM), baseline(view.rulerTop(), lanes.top(), metrics));
     }
 }

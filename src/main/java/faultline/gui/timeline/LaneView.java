@@ -28,6 +28,11 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     private final transient TimelineEditor editor;
     private transient List<Lane> allLanes = List.of(Lane.OTHER);
+    /** Whether the lanes of another scenario will be shown next. */
+    private boolean newScenario;
+    /** The number of rows that the lanes take. */
+    private int rowCount = 1;
+
     private transient TimeAxis axis = new TimeAxis(0, 1, 1);
     private transient TimelineModel model = TimelineModel.EMPTY;
     private double now;
@@ -73,11 +78,9 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     /** Shows lanes without items before there is a scenario. */
     void setEmptyLanes(List<Lane> newLanes, TimeAxis newAxis) {
-        if (newLanes.size() != allLanes.size()) {
-            revalidate();
-        }
         allLanes = List.copyOf(newLanes);
         axis = newAxis;
+        countRows();
     }
 
     /** Shows the scenario's timeline in lanes. */
@@ -89,16 +92,48 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
             if (newest != model && preview == null) {
                 selection = LaneLayout.NONE;
             }
-            boolean lanesChanged = newLanes.size() != allLanes.size();
+            boolean rowsChanged = newest != model || !newLanes.equals(allLanes);
             model = newest;
             allLanes = List.copyOf(newLanes);
             axis = newAxis;
             now = newNow;
             lane = Math.min(lane, allLanes.size() - 1);
-            if (lanesChanged) {
-                revalidate();
+            if (rowsChanged) {
+                countRows();
             }
             repaint();
+        }
+        if (newScenario) {
+            newScenario = false;
+            // When the lanes have their new height.
+            EventQueue.invokeLater(this::showFirstItem);
+        }
+    }
+
+    /** Prepares for the lanes of another scenario, of which the first one with an item will be the uppermost. */
+    void startScenario() {
+        lane = 0;
+        selection = LaneLayout.NONE;
+        newScenario = true;
+    }
+
+    private void showFirstItem() {
+        LaneLayout lanes = lanes();
+        int first = model.items().stream().mapToInt(lanes::laneOf).min().orElse(0);
+        scrollRectToVisible(new Rectangle(0, lanes.laneTop(first) - lanes.top(), 1, getVisibleRect().height));
+    }
+
+    /** Returns the y coordinate of the upper edge of the ruler, which stays where it is when the lanes scroll. */
+    int rulerTop() {
+        return getVisibleRect().y;
+    }
+
+    /** Changes the height of the lanes with the number of items that overlap. */
+    private void countRows() {
+        int count = LaneLayout.rowCount(allLanes, shownItems());
+        if (count != rowCount) {
+            rowCount = count;
+            revalidate();
         }
     }
 
@@ -121,7 +156,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     }
 
     private int rowHeight() {
-        int available = (getHeight() - TextSize.scaled(RULER_HEIGHT)) / allLanes.size();
+        int available = (getHeight() - TextSize.scaled(RULER_HEIGHT)) / rowCount;
         return Math.max(TextSize.scaled(MIN_ROW_HEIGHT), Math.min(TextSize.scaled(MAX_ROW_HEIGHT), available));
     }
 
@@ -162,6 +197,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     /** Sets what the selected item, or a new one if none is selected, will be when a drag ends; null ends the drag. */
     void setPreview(TimelineItem newPreview) {
         preview = newPreview;
+        countRows();
         repaint();
     }
 
@@ -176,6 +212,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     void select(TimelineItem item) {
         preview = null;
         model = editor.model();
+        countRows();
         selection = model.items().lastIndexOf(item);
         if (selection != LaneLayout.NONE) {
             lane = lanes().laneOf(item);
@@ -192,7 +229,10 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
                                 "timeline.lane",
                                 selectedLane().label(),
                                 Integer.toString(lanes().itemsIn(lane).size()))));
-        scrollRectToVisible(new Rectangle(0, lanes().laneTop(lane), 1, lanes().rowHeight()));
+        LaneLayout lanes = lanes();
+        // The ruler covers what is at the upper edge.
+        scrollRectToVisible(
+                new Rectangle(0, lanes.laneTop(lane) - lanes.top(), 1, lanes.top() + lanes.laneHeight(lane)));
         repaint();
     }
 
@@ -227,8 +267,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     }
 
     private Dimension height(int rowHeight) {
-        return new Dimension(
-                0, TextSize.scaled(RULER_HEIGHT) + Math.max(3, allLanes.size()) * TextSize.scaled(rowHeight));
+        return new Dimension(0, TextSize.scaled(RULER_HEIGHT) + Math.max(3, rowCount) * TextSize.scaled(rowHeight));
     }
 
     @Override

@@ -23,6 +23,7 @@ import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JViewport;
 import javax.swing.ScrollPaneConstants;
 
 /** The time line: the slider of the run, and below it the lanes, whose times are aligned with the slider. */
@@ -61,6 +62,8 @@ public final class TimelinePanel extends JPanel {
                 lanes,
                 ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
                 ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        // The ruler stays while the lanes scroll below it.
+        scroll.getViewport().setScrollMode(JViewport.SIMPLE_SCROLL_MODE);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         setBorder(SeparatorBorder.above(3, 14, 3));
         add(bar, BorderLayout.NORTH);
@@ -136,6 +139,11 @@ public final class TimelinePanel extends JPanel {
         return result;
     }
 
+    /** Prepares for another scenario. */
+    public void startScenario() {
+        lanes.startScenario();
+    }
+
     /** Returns the height of the time line in a window where there is little room, pixels. */
     public int minHeight(int windowHeight) {
         return sliderHeight() + (scroll.isVisible() ? (int) (MIN_WINDOW_SHARE * windowHeight) : 0);
@@ -157,7 +165,10 @@ public final class TimelinePanel extends JPanel {
     private int maxLanesHeight() {
         int stage = getParent().getHeight();
         int window = getRootPane() == null ? stage : getRootPane().getHeight();
-        return Math.max((int) (MIN_WINDOW_SHARE * window), stage - sliderHeight() - (window + 1) / 2);
+        int least = (int) (MIN_WINDOW_SHARE * window);
+        int room = stage - sliderHeight() - (window + 1) / 2;
+        // Beside large instruments the canvas has less than half anyway; then the lanes grow with their text.
+        return room >= least ? room : TextSize.scaled(least);
     }
 
     private int sliderHeight() {

@@ -144,6 +144,15 @@ final class MainPanel extends JPanel {
         return shownFrame;
     }
 
+    /** Prepares for another scenario: neither notes nor selections of the one before remain. */
+    void startScenario(Scenario scenario) {
+        instruments.startScenario(scenario.setup().controller());
+        timeline.startScenario();
+        canvas.tools().clearSelection();
+        controlPanel.startScenario();
+        statusBar.clearNote();
+    }
+
     /** Shows the progress of the run of a scenario, whose furthest tick is given, and at its end the verdict. */
     void setRun(SessionFrame frame, Session.Status now, Scenario scenario, long furthestTick) {
         SimulationSetup setup = scenario.setup();

@@ -362,9 +362,7 @@ public final class MainWindow extends JFrame {
         @Override
         public void scenarioOpened() {
             undoController.clear();
-            workspace.scenario().ifPresent(open -> mainPanel
-                    .instruments()
-                    .startScenario(open.setup().controller()));
+            workspace.scenario().ifPresent(mainPanel::startScenario);
             workspace.file().ifPresent(preferences.recentFiles()::add);
         }
 

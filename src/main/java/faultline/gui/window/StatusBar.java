@@ -101,8 +101,14 @@ final class StatusBar extends JPanel {
             shownRefusals = status.refusals();
             status.lastRefusal().map(RefusalText::format).ifPresent(this::showNote);
         } else if (noteFramesLeft > 0 && --noteFramesLeft == 0) {
-            note.setText("");
+            clearNote();
         }
+    }
+
+    /** Removes a note that is shown. */
+    void clearNote() {
+        note.setText("");
+        noteFramesLeft = 0;
     }
 
     /** Shows a sentence for as long as it takes to read. */

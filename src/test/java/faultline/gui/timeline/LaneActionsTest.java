@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.Await;
@@ -16,6 +17,7 @@ import faultline.world.Command;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.swing.JScrollPane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -81,6 +83,34 @@ class LaneActionsTest {
     void aDuplicateFollowsAtWholeTicks() {
         runOnEdt(actions::duplicate);
         assertEquals(List.of(START, END, 9.46, 14.79), times());
+    }
+
+    @Test
+    void theLanesOfAnotherScenarioBeginWithTheFirstThatHasAnItemBelowTheRuler() {
+        List<Lane> ten = Stream.of("1", "2", "3", "4", "5", "left", "7", "8", "9", "10", "11", "12")
+                .<Lane>map(Lane.OfSensor::new)
+                .toList();
+        JScrollPane scroll = callOnEdt(() -> {
+            JScrollPane pane = new JScrollPane(view);
+            pane.setSize(400, 70);
+            view.startScenario();
+            view.update(ten, view.axis(), 0);
+            for (int pass = 0; pass < 2; pass++) {
+                pane.doLayout();
+                pane.getViewport().doLayout();
+            }
+            return pane;
+        });
+        runOnEdt(() -> {
+            LaneLayout lanes = view.lanes();
+            assertEquals(5, lanes.laneAt(view.rulerTop() + lanes.top() + 1.0));
+            assertTrue(view.rulerTop() > 0);
+            view.select(11, LaneLayout.NONE);
+            assertTrue(view.getVisibleRect().contains(1, lanes.laneTop(11) + lanes.laneHeight(11) - 1));
+            view.select(2, LaneLayout.NONE);
+            assertTrue(lanes.laneTop(2) >= view.rulerTop() + lanes.top(), "not below the ruler");
+        });
+        assertEquals(scroll.getViewport(), callOnEdt(view::getParent));
     }
 
     @Test

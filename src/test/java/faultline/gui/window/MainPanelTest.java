@@ -3,6 +3,7 @@ package faultline.gui.window;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
@@ -37,6 +38,8 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineEditor;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -199,6 +202,30 @@ class MainPanelTest {
         Messages.setLanguage(language);
         actions = new ActionRegistry();
         build();
+    }
+
+    @Test
+    void neitherNotesNorSelectionsAreKeptForAnotherScenario() throws ScenarioException {
+        Scenario next = Scenario.load(Path.of("scenarios/office.xml"));
+        runOnEdt(() -> {
+            JLabel note = ComponentFinder.find(mainPanel, JLabel.class, "Note");
+            mainPanel.statusBar().showNote("Saved as a.xml");
+            canvas.tools().selectSensor("rear");
+            canvas.tools().selectAll();
+            assertEquals("rear", chosenSensor());
+            assertFalse(canvas.tools().selected().isEmpty());
+            mainPanel.startScenario(next);
+            mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED);
+            assertEquals("", note.getText());
+            assertFalse(mainPanel.statusBar().isNoteShown());
+            assertEquals("front", chosenSensor());
+            assertTrue(canvas.tools().selected().isEmpty());
+        });
+    }
+
+    private Object chosenSensor() {
+        return ComponentFinder.find(mainPanel.controlPanel().sensorDetails(), JComboBox.class, "Sensor")
+                .getSelectedItem();
     }
 
     @Test

@@ -131,7 +131,7 @@ public final class Screenshots {
         runOnEdt(() -> {
             ComponentFinder.find(driver.window(), JComboBox.class, "Sensor").setSelectedItem(sensor);
             ComponentFinder.find(driver.window(), JButton.class, "Inject").doClick(0);
-            driver.canvas().tools().clearSensorSelection();
+            driver.canvas().tools().clearSelection();
         });
     }
 

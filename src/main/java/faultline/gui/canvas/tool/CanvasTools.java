@@ -212,9 +212,10 @@ public final class CanvasTools {
                 .id()));
     }
 
-    /** Selects no sensor. */
-    public void clearSensorSelection() {
+    /** Selects no obstacle and no sensor. */
+    public void clearSelection() {
         assert EventQueue.isDispatchThread();
+        context.model().select(Set.of());
         context.model().sensor().set(Optional.empty());
     }
 

@@ -1,0 +1,73 @@
+package faultline.gui.timeline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+/** Lanes of items that overlap in time. */
+class LaneLayoutTest {
+
+    private static final List<Lane> LANES =
+            List.of(new Lane.OfSensor("front"), new Lane.OfSensor("left"), new Lane.OfSensor("rear"), Lane.OTHER);
+    private static final int TOP = 14;
+    private static final int ROW = 12;
+
+    private static TimelineItem item(String sensor, double from, double to) {
+        return new TimelineItem(new Command.InjectFault(sensor, new Fault.Stuck(from)), from, to);
+    }
+
+    private static LaneLayout layout(TimelineItem... items) {
+        return new LaneLayout(LANES, List.of(items), new TimeAxis(80, 480, 40), TOP, ROW);
+    }
+
+    @Test
+    void itemsThatOverlapHaveRowsWithRoomForTheirLabels() {
+        LaneLayout lanes = layout(item("left", 0, 20), item("left", 10, 30), item("left", 20, 40), item("rear", 5, 9));
+        for (int i = 0; i < 4; i++) {
+            assertEquals(ROW - 2, lanes.bounds(i).getHeight());
+            Rectangle2D bounds = lanes.bounds(i);
+            IntStream.range(0, i).forEach(other -> assertFalse(bounds.intersects(lanes.bounds(other))));
+        }
+        assertEquals(lanes.bounds(0).getY(), lanes.bounds(2).getY(), "its row is free again");
+        assertEquals(List.of(ROW, 2 * ROW, ROW, ROW), heights(lanes));
+    }
+
+    private static List<Integer> heights(LaneLayout lanes) {
+        return IntStream.range(0, LANES.size()).mapToObj(lanes::laneHeight).toList();
+    }
+
+    @Test
+    void aLabelMayReachToTheNextItemOfItsRow() {
+        LaneLayout lanes = layout(item("left", 0, 5), item("left", 20, 40), item("left", 30, 40), item("rear", 6, 7));
+        assertEquals(lanes.bounds(1).getMinX(), lanes.labelEnd(0, 500));
+        assertEquals(500, lanes.labelEnd(1, 500));
+        assertEquals(500, lanes.labelEnd(3, 500));
+    }
+
+    @Test
+    void aPointIsInTheLaneThatIsDrawnThere() {
+        LaneLayout lanes = layout(item("left", 0, 20), item("left", 10, 30));
+        int[] expected = {-1, 0, 1, 1, 2, 3, -1};
+        for (int i = 0; i < expected.length; i++) {
+            assertEquals(expected[i], lanes.laneAt(TOP + (i - 0.5) * ROW));
+        }
+        assertEquals(new LaneLayout.Hit(1, LaneLayout.Part.BODY), lanes.hit(80 + 150, TOP + 2.5 * ROW));
+    }
+
+    @Test
+    void manyItemsShareFourRows() {
+        TimelineItem[] items =
+                IntStream.range(0, 7).mapToObj(i -> item("front", i, 30 + i)).toArray(TimelineItem[]::new);
+        LaneLayout lanes = layout(items);
+        assertEquals(4 * ROW, lanes.laneHeight(0));
+        assertTrue(lanes.bounds(6).getMaxY() <= lanes.laneTop(1));
+        assertEquals(4 + 3, LaneLayout.rowCount(LANES, List.of(items)));
+    }
+}
