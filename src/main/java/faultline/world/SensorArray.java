@@ -29,12 +29,18 @@ final class SensorArray {
     private static final double MAX_TURN = 0.25;
 
     private final double dt;
-    private final MountedSensor[] sensors;
+    private final SensorSignal[] signals;
+    /** The cones of the sensors without faults. */
+    private final SensorCone[] soundCones;
+    /** The cones with the faults of the optics; the same objects where there are none. */
+    private final SensorCone[] actualCones;
+
     private final CandidateBuffer candidates = new CandidateBuffer();
     private final CandidateBuffer farCandidates = new CandidateBuffer();
     private final List<MovingObstacle> movingNear = new ArrayList<>();
     private final double[] truth;
     private final double[] reported;
+    private RobotSpec robot;
     private double sensingRadius;
     private double maxTravel;
 
@@ -48,31 +54,43 @@ final class SensorArray {
 
     SensorArray(RobotSpec robot, long seed, double dt) {
         this.dt = dt;
-        sensors = robot.sensors().stream()
-                .map(spec -> new MountedSensor(spec, seed))
-                .toArray(MountedSensor[]::new);
-        truth = new double[sensors.length];
-        reported = new double[sensors.length];
+        signals = robot.sensors().stream()
+                .map(spec -> new SensorSignal(spec, seed))
+                .toArray(SensorSignal[]::new);
+        soundCones = new SensorCone[signals.length];
+        actualCones = new SensorCone[signals.length];
+        truth = new double[signals.length];
+        reported = new double[signals.length];
         configure(robot);
     }
 
     /** Applies changed settings of the sensors or the platform. */
-    void configure(RobotSpec robot) {
+    void configure(RobotSpec newRobot) {
+        robot = newRobot;
         double longest =
                 robot.sensors().stream().mapToDouble(SensorSpec::range).max().orElse(0);
         maxTravel = Math.max(MIN_TRAVEL, Math.min(MAX_TRAVEL, TRAVEL_PER_RANGE * longest));
         sensingRadius = 0;
-        for (int i = 0; i < sensors.length; i++) {
+        for (int i = 0; i < signals.length; i++) {
             SensorSpec spec = robot.sensors().get(i);
-            sensors[i].configure(spec, robot, maxTravel, MAX_TURN);
+            signals[i].configure(spec);
+            soundCones[i] = new SensorCone(spec, Obstacle.MATT, robot, maxTravel, MAX_TURN);
+            actualCones[i] = createActualCone(i);
             sensingRadius = Math.max(sensingRadius, spec.mountPosition().length() + spec.range());
         }
         sensingRadius *= 1 + 1e-12;
         version = -1;
     }
 
+    private SensorCone createActualCone(int sensor) {
+        SensorSignal signal = signals[sensor];
+        return signal.changesOptics()
+                ? new SensorCone(signal.faultySpec(), signal.specularAngle(), robot, maxTravel, MAX_TURN)
+                : soundCones[sensor];
+    }
+
     List<Fault> faults(int sensor) {
-        return sensors[sensor].faults();
+        return signals[sensor].faults();
     }
 
     double truth(int sensor) {
@@ -91,7 +109,8 @@ final class SensorArray {
     /** Reads all sensors, then lets their faults act: step 6 of a tick. */
     void sense(ObstacleSet obstacles, RobotBody body, long tick) {
         for (int i = 0; i < truth.length; i++) {
-            if (sensors[i].updateFaults(tick, dt, reported[i], maxTravel, MAX_TURN)) {
+            if (signals[i].update(tick, dt, reported[i])) {
+                actualCones[i] = createActualCone(i);
                 version = -1;
             }
         }
@@ -100,13 +119,12 @@ final class SensorArray {
         }
         collectMoving(obstacles, body);
         for (int i = 0; i < truth.length; i++) {
-            truth[i] = measure(sensors[i], sensors[i].soundCone(), obstacles, body);
+            truth[i] = measure(soundCones[i], obstacles, body);
         }
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor sensor = sensors[i];
-            boolean sound = sensor.actualCone() == sensor.soundCone();
-            double seen = sound ? truth[i] : measure(sensor, sensor.actualCone(), obstacles, body);
-            reported[i] = sensor.report(seen, truth[i + 1 < truth.length ? i + 1 : 0], tick);
+            boolean sound = actualCones[i] == soundCones[i];
+            double seen = sound ? truth[i] : measure(actualCones[i], obstacles, body);
+            reported[i] = signals[i].report(seen, truth[i + 1 < truth.length ? i + 1 : 0], tick);
         }
     }
 
@@ -125,22 +143,16 @@ final class SensorArray {
         regionSin = body.sin();
         double radius = 0;
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor sensor = sensors[i];
-            sensor.soundCone().setHorizon(truth[i]);
-            sensor.actualCone().setHorizon(truth[i]);
-            radius = Math.max(
-                    radius,
-                    Math.max(
-                            sensor.soundCone().searchRadius(),
-                            sensor.actualCone().searchRadius()));
+            soundCones[i].setHorizon(truth[i]);
+            actualCones[i].setHorizon(truth[i]);
+            radius = Math.max(radius, Math.max(soundCones[i].searchRadius(), actualCones[i].searchRadius()));
         }
         candidates.clear();
         obstacles.findStaticNear(regionX, regionY, radius, candidates);
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor sensor = sensors[i];
-            collect(sensor.soundCone(), candidates);
-            if (sensor.actualCone() != sensor.soundCone()) {
-                collect(sensor.actualCone(), candidates);
+            collect(soundCones[i], candidates);
+            if (actualCones[i] != soundCones[i]) {
+                collect(actualCones[i], candidates);
             }
         }
     }
@@ -159,8 +171,8 @@ final class SensorArray {
         }
     }
 
-    private double measure(MountedSensor sensor, SensorCone cone, ObstacleSet obstacles, RobotBody body) {
-        if (sensor.isOutsideBody() && isInsideSolid(new Vector2(cone.apexX(body), cone.apexY(body)))) {
+    private double measure(SensorCone cone, ObstacleSet obstacles, RobotBody body) {
+        if (cone.isOutsideBody() && isInsideSolid(new Vector2(cone.apexX(body), cone.apexY(body)))) {
             return 0;
         }
         double distance = cone.measure(body, movingNear);
@@ -194,20 +206,20 @@ final class SensorArray {
 
     /** Returns all sensors as values, with the points where their cones' outlines meet obstacles' outlines. */
     List<SensorSnapshot> snapshots(ObstacleSet obstacles, RobotBody body) {
-        RigidMotion robot = body.frame();
+        RigidMotion frame = body.frame();
         CandidateBuffer shapes = new CandidateBuffer();
         obstacles.findNear(body.x(), body.y(), sensingRadius, shapes);
         List<SensorSnapshot> snapshots = new ArrayList<>();
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor sensor = sensors[i];
-            Sector sector = sensor.soundCone().sector(robot);
+            SensorSpec spec = robot.sensors().get(i);
+            Sector sector = soundCones[i].sector(frame);
             snapshots.add(new SensorSnapshot(
-                    sensor.spec(),
+                    spec,
                     sector,
                     new Reading(truth[i]),
                     new Reading(reported[i]),
-                    sensor.spec().on() ? intersections(shapes, sector) : List.of(),
-                    sensor.faults()));
+                    spec.on() ? intersections(shapes, sector) : List.of(),
+                    signals[i].faults()));
         }
         return snapshots;
     }

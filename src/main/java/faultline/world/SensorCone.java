@@ -6,6 +6,7 @@ import faultline.geometry.RigidMotion;
 import faultline.geometry.Sector;
 import faultline.geometry.SectorDistance;
 import faultline.geometry.Vector2;
+import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import java.util.List;
 
@@ -31,6 +32,7 @@ final class SensorCone {
     private final double sinHalf;
     private final double specularTangent;
     private final RigidMotion mount;
+    private final boolean outsideBody;
     private final SectorDistance cone;
 
     // A wider cone, set back, that contains all cones of this sensor while the robot stays near a pose.
@@ -46,15 +48,17 @@ final class SensorCone {
      *
      * @param spec the sensor
      * @param specularAngle the greatest angle of incidence at which any flat surface is sensed, radians
+     * @param robot the robot that carries it
      * @param maxTravel how far the robot moves before {@link #collect} is called again, metres
      * @param maxTurn how far it turns before that, radians
      */
-    SensorCone(SensorSpec spec, double specularAngle, double maxTravel, double maxTurn) {
+    SensorCone(SensorSpec spec, double specularAngle, RobotSpec robot, double maxTravel, double maxTurn) {
         Vector2 position = spec.mountPosition();
         range = spec.range();
         cosHalf = StrictMath.cos(spec.cone() / 2);
         sinHalf = StrictMath.sin(spec.cone() / 2);
         specularTangent = ShapeOwner.tangent(specularAngle);
+        outsideBody = Math.abs(position.x()) > robot.length() / 2 || Math.abs(position.y()) > robot.width() / 2;
         mount = RigidMotion.of(new Pose(position.x(), position.y(), spec.bearing()));
         cone = new SectorDistance(sector(RigidMotion.IDENTITY));
         mountDistance = position.length();
@@ -69,6 +73,11 @@ final class SensorCone {
     /** Returns the cone in the world. */
     Sector sector(RigidMotion robot) {
         return new Sector(robot.after(mount), cosHalf, sinHalf, range);
+    }
+
+    /** Returns whether the sensor is mounted beside the robot's body. */
+    boolean isOutsideBody() {
+        return outsideBody;
     }
 
     double apexX(RobotBody body) {

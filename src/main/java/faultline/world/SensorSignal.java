@@ -1,0 +1,132 @@
+package faultline.world;
+
+import faultline.sensor.Fault;
+import faultline.sensor.FaultContext;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorRandom;
+import faultline.sensor.SensorSpec;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What one sensor reports: its readings with noise and faults. Confined to the world's thread. */
+final class SensorSignal {
+
+    private record ActiveFault(Fault fault, FaultContext context) {}
+
+    private final long streamKey;
+    private final List<Fault> faults = new ArrayList<>();
+    private List<ActiveFault> active = new ArrayList<>();
+    private SensorSpec spec;
+
+    SensorSignal(SensorSpec spec, long seed) {
+        this.streamKey = SensorRandom.streamKey(seed, spec.id());
+        this.spec = spec;
+    }
+
+    /** Applies changed settings. */
+    void configure(SensorSpec newSpec) {
+        spec = newSpec;
+    }
+
+    /** Returns the sensor's faults, oldest first; changes of the list take effect at the next {@link #update}. */
+    List<Fault> faults() {
+        return faults;
+    }
+
+    /**
+     * Lets added faults set in and removed ones end; those that continue keep their state. Returns whether the optics
+     * may have changed.
+     */
+    boolean update(long tick, double dt, double lastReported) {
+        if (isCurrent()) {
+            return false;
+        }
+        boolean before = changesOptics();
+        List<ActiveFault> old = new ArrayList<>(active);
+        List<ActiveFault> now = new ArrayList<>();
+        for (Fault fault : faults) {
+            now.add(take(old, fault, new FaultContext(tick, dt, lastReported)));
+        }
+        active = now;
+        return before || changesOptics();
+    }
+
+    private boolean isCurrent() {
+        boolean current = faults.size() == active.size();
+        for (int i = 0; i < faults.size() && current; i++) {
+            current = active.get(i).fault().equals(faults.get(i));
+        }
+        return current;
+    }
+
+    private static ActiveFault take(List<ActiveFault> before, Fault fault, FaultContext fresh) {
+        for (ActiveFault old : before) {
+            if (old.fault().equals(fault)) {
+                before.remove(old);
+                return old;
+            }
+        }
+        return new ActiveFault(fault, fresh);
+    }
+
+    /** Returns whether a fault changes what the sensor sees, and not only what it reports. */
+    boolean changesOptics() {
+        for (ActiveFault each : active) {
+            if (each.fault().kind().changesOptics()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Returns the sensor as its faults change it. */
+    SensorSpec faultySpec() {
+        SensorSpec changed = spec;
+        for (ActiveFault each : active) {
+            changed = each.fault().optics(changed);
+        }
+        return changed;
+    }
+
+    /** Returns the greatest angle of incidence at which any flat surface is sensed, radians. */
+    double specularAngle() {
+        double angle = StrictMath.PI / 2;
+        for (ActiveFault each : active) {
+            angle = Math.min(angle, each.fault().specularAngle());
+        }
+        return angle;
+    }
+
+    /**
+     * Returns the reported reading: noise is added, then the faults act in their order, up to the first that silences
+     * the sensor.
+     *
+     * @param seen the reading of the cone with its faults
+     * @param neighbour the true reading of the next sensor
+     * @param tick the tick
+     */
+    double report(double seen, double neighbour, long tick) {
+        if (!spec.on()) {
+            return Reading.OFF;
+        }
+        if (spec.noise() == 0 && faults.isEmpty()) {
+            return seen;
+        }
+        SensorRandom random = SensorRandom.forTick(streamKey, tick);
+        double result = addNoise(seen, random);
+        for (ActiveFault each : active) {
+            if (Reading.isOff(result)) {
+                break;
+            }
+            result = each.fault().apply(result, each.context().at(tick, spec.range(), neighbour, random));
+        }
+        return result;
+    }
+
+    /** Adds noise to a distance, limited below by 0; beyond the range nothing is sensed. Nothing has no noise. */
+    private double addNoise(double seen, SensorRandom random) {
+        double noise = spec.noise() * random.nextGaussian();
+        double reading = Math.max(0, seen + noise);
+        return reading <= spec.range() ? reading : Reading.NOTHING;
+    }
+}
