@@ -8,29 +8,23 @@ import faultline.gui.panel.TextListener;
 import faultline.gui.panel.TitledSection;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.sensor.SensorSpec;
 import java.awt.BorderLayout;
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.GridBagLayout;
 import java.awt.GridLayout;
-import java.awt.Rectangle;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.stream.Stream;
-import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 
 /** The fields of a batch: seeds, times, controller, sensors and faults. */
@@ -41,7 +35,6 @@ final class BatchForm extends JPanel {
     /** The greatest seed of a plan. */
     private static final double MAX_SEED = 1e12;
 
-    private static final int WHEEL_STEP = 16;
     private static final double EARLIEST_SHARE = 0.1;
     private static final double LATEST_SHARE = 0.5;
 
@@ -75,11 +68,7 @@ final class BatchForm extends JPanel {
                         new TitledSection("batch.section.sensors", createSensorFields())),
                 BorderLayout.LINE_START);
         columns.add(atTop(new TitledSection("batch.section.faults", faults)), BorderLayout.CENTER);
-        JScrollPane scroll = new JScrollPane(columns);
-        scroll.setBorder(BorderFactory.createEmptyBorder());
-        scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
-        add(scroll, BorderLayout.CENTER);
-        showFocused(columns);
+        add(ScreenFit.scrolling(columns), BorderLayout.CENTER);
         RefreshSteps.add(count, label -> updateCount());
     }
 
@@ -152,21 +141,6 @@ final class BatchForm extends JPanel {
         JPanel top = new JPanel(new BorderLayout());
         top.add(column, BorderLayout.NORTH);
         return top;
-    }
-
-    /** Scrolls to the field that has the focus. */
-    private static void showFocused(Container fields) {
-        for (Component part : fields.getComponents()) {
-            if (part instanceof JComponent field) {
-                field.addFocusListener(new FocusAdapter() {
-                    @Override
-                    public void focusGained(FocusEvent event) {
-                        field.scrollRectToVisible(new Rectangle(field.getSize()));
-                    }
-                });
-                showFocused(field);
-            }
-        }
     }
 
     private void updateCount() {

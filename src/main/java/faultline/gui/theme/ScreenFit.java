@@ -1,19 +1,28 @@
 package faultline.gui.theme;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JRootPane;
+import javax.swing.JScrollPane;
 
 /**
- * Limits packed dialogs to the screen, so that their buttons stay visible. A dialog that the user has not resized is
- * packed again when its text changes its size.
+ * Limits packed dialogs to the screen, so that their buttons stay visible and their fields scroll. A dialog that the
+ * user has not resized is packed again when its text changes its size.
  */
 public final class ScreenFit {
 
     /** Room for the title bar and the borders that a window manager adds, pixels. */
     private static final Dimension DECORATION = new Dimension(16, 48);
+
+    private static final int WHEEL_STEP = 16;
 
     private static final String PACKED_SIZE = "faultline.packedSize";
 
@@ -47,6 +56,30 @@ public final class ScreenFit {
                 Math.max(preferred.height, (int) Math.round(factor * dialog.getHeight())));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         dialog.setSize(limit(wanted, screen.getSize()));
+    }
+
+    /** Returns a scroll pane without borders around the fields of a dialog, which shows the field with the focus. */
+    public static JScrollPane scrolling(JComponent fields) {
+        JScrollPane scroll = new JScrollPane(fields);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
+        showFocused(fields);
+        return scroll;
+    }
+
+    private static void showFocused(Container fields) {
+        for (Component part : fields.getComponents()) {
+            if (part instanceof JComponent field) {
+                field.addFocusListener(new FocusAdapter() {
+                    @Override
+                    public void focusGained(FocusEvent event) {
+                        // A text field would scroll only its own text.
+                        ((JComponent) field.getParent()).scrollRectToVisible(field.getBounds());
+                    }
+                });
+                showFocused(field);
+            }
+        }
     }
 
     static Dimension limit(Dimension size, Dimension screen) {

@@ -1,0 +1,72 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.GuiRobot;
+import faultline.gui.panel.FormDialog;
+import faultline.gui.theme.Theme;
+import java.awt.Component;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.GridLayout;
+import java.awt.Rectangle;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** A form that is larger than the screen, as many are on small screens and with large text. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
+class FormDialogRobotTest {
+
+    private final GuiRobot robot = new GuiRobot();
+
+    @Test
+    void aFormThatIsTooLargeScrollsBetweenItsButtonsAndTheTitle() {
+        List<JTextField> fields = callOnEdt(() -> {
+            Theme.LIGHT.install();
+            return Stream.generate(() -> new JTextField(12)).limit(80).toList();
+        });
+        AtomicBoolean accepted = new AtomicBoolean();
+        EventQueue.invokeLater(() -> {
+            JPanel form = new JPanel(new GridLayout(0, 1));
+            fields.forEach(form::add);
+            accepted.set(FormDialog.showDialog(null, "Tall", form, fields.get(0)));
+        });
+        robot.waitFor("the first field has the focus", fields.get(0)::isFocusOwner);
+        Window dialog =
+                callOnEdt(() -> fields.get(0).getFocusCycleRootAncestor() instanceof Window window ? window : null);
+        Rectangle screen = callOnEdt(
+                () -> GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds());
+        robot.waitFor("the dialog is on the screen", () -> screen.contains(dialog.getBounds()));
+        assertTrue(callOnEdt(() -> ComponentFinder.findAll(dialog, JButton.class)
+                .filter(button -> "OK".equals(button.getText()))
+                .allMatch(FormDialogRobotTest::isWhole)));
+        JTextField last = fields.get(fields.size() - 1);
+        runOnEdt(() -> fields.get(fields.size() - 2).requestFocusInWindow());
+        robot.waitFor("the last field but one has the focus", fields.get(fields.size() - 2)::isFocusOwner);
+        robot.pressKeys(KeyEvent.VK_TAB);
+        robot.waitFor("the last field shows", () -> last.isFocusOwner() && isWhole(last));
+        robot.pressKeys(KeyEvent.VK_ENTER);
+        robot.waitFor("the form is accepted", accepted::get);
+    }
+
+    private static boolean isWhole(Component part) {
+        return ((JComponent) part).getVisibleRect().getSize().equals(part.getSize());
+    }
+}
