@@ -32,6 +32,9 @@ final class RunOutputs implements AutoCloseable {
 
     private static final int IMAGE_WIDTH = 1200;
 
+    /** Rows of a trace that are written at a time, if someone may watch a run at its pace. */
+    private static final int MAX_PACED_ROWS = 25;
+
     private final Map<Output, AtomicFile> files = new EnumMap<>(Output.class);
     /** Null unless there is a trace. */
     private TraceWriter traceWriter;
@@ -66,7 +69,9 @@ final class RunOutputs implements AutoCloseable {
     List<TickObserver> observers() throws IOException {
         List<TickObserver> observers = new ArrayList<>();
         if (files.containsKey(Output.TRACE)) {
-            traceWriter = new TraceWriter(traceStream(), options.traceFormat());
+            traceWriter = Double.isFinite(pace)
+                    ? new TraceWriter(traceStream(), options.traceFormat(), MAX_PACED_ROWS)
+                    : new TraceWriter(traceStream(), options.traceFormat());
             observers.add(traceWriter);
         }
         if (files.containsKey(Output.TRACE_HEADER)) {
@@ -138,6 +143,9 @@ final class RunOutputs implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
+        if (traceWriter != null) {
+            traceWriter.close();
+        }
         IOException failure = null;
         for (AtomicFile file : files.values()) {
             try {

@@ -24,18 +24,6 @@ final class ControllerCells implements TraceCells {
             new TraceColumn("left_motor_faults", "", "active faults of the left motors"),
             new TraceColumn("right_motor_faults", "", "active faults of the right motors"));
 
-    private final NumberText leftVolts = new NumberText();
-    private final NumberText rightVolts = new NumberText();
-    private final NumberText wanted = new NumberText();
-    private final NumberText measured = new NumberText();
-    private final NumberText proportional = new NumberText();
-    private final NumberText derivative = new NumberText();
-    private final NumberText tF3 = new NumberText();
-    private final NumberText tF4 = new NumberText();
-    private final NumberText tP = new NumberText();
-    private final WordText rung = new WordText();
-    private final WordText leftFaults = new WordText();
-    private final WordText rightFaults = new WordText();
     private MotorFaults faults = MotorFaults.NONE;
     private String leftText = "";
     private String rightText = "";
@@ -46,25 +34,26 @@ final class ControllerCells implements TraceCells {
     }
 
     @Override
-    public void append(Simulation simulation, TraceBlock row) {
-        leftVolts.appendCell(simulation.leftVolts(), row);
-        rightVolts.appendCell(simulation.rightVolts(), row);
+    @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
+    public void append(Simulation simulation, TraceRows rows) {
+        rows.append(simulation.leftVolts());
+        rows.append(simulation.rightVolts());
         Telemetry telemetry = simulation.telemetry();
-        wanted.appendCell(telemetry.wall().wantedDistance(), row);
-        measured.appendCell(telemetry.wall().measuredDistance(), row);
-        proportional.appendCell(telemetry.wall().proportional(), row);
-        derivative.appendCell(telemetry.wall().derivative(), row);
-        tF3.appendCell(telemetry.edges().tF3(), row);
-        tF4.appendCell(telemetry.edges().tF4(), row);
-        tP.appendCell(telemetry.edges().tP(), row);
-        rung.appendCell(telemetry.diagnosis().rung(), row);
-        if (!simulation.motorFaults().equals(faults)) {
+        rows.append(telemetry.wall().wantedDistance());
+        rows.append(telemetry.wall().measuredDistance());
+        rows.append(telemetry.wall().proportional());
+        rows.append(telemetry.wall().derivative());
+        rows.append(telemetry.edges().tF3());
+        rows.append(telemetry.edges().tF4());
+        rows.append(telemetry.edges().tP());
+        rows.append(telemetry.diagnosis().rung());
+        if (simulation.motorFaults() != faults) {
             faults = simulation.motorFaults();
             leftText = text(faults.left());
             rightText = text(faults.right());
         }
-        leftFaults.appendCell(leftText, row);
-        rightFaults.appendCell(rightText, row);
+        rows.append(leftText);
+        rows.append(rightText);
     }
 
     /** Returns faults as words, such as {@code weak=0.7 dead}. */

@@ -24,16 +24,6 @@ final class MotionCells implements TraceCells {
             new TraceColumn("collided", "", "true from the first contact on"));
 
     private final boolean exactTimes;
-    private final NumberText t = new NumberText();
-    private final NumberText x = new NumberText();
-    private final NumberText y = new NumberText();
-    private final NumberText heading = new NumberText();
-    private final NumberText v = new NumberText();
-    private final NumberText omega = new NumberText();
-    private final NumberText left = new NumberText();
-    private final NumberText right = new NumberText();
-    private final WordText state = new WordText();
-    private final WordText collided = new WordText();
 
     /**
      * Creates the cells of one trace.
@@ -50,22 +40,20 @@ final class MotionCells implements TraceCells {
     }
 
     @Override
-    public void append(Simulation simulation, TraceBlock row) {
-        row.append(simulation.ticks());
-        row.endCell();
-        double time = exactTimes ? simulation.setup().timeOf(simulation.ticks()) : simulation.time();
-        t.appendCell(time, row);
+    public void append(Simulation simulation, TraceRows rows) {
+        rows.append(simulation.ticks());
+        rows.append(exactTimes ? simulation.setup().timeOf(simulation.ticks()) : simulation.time());
         Pose pose = simulation.pose();
-        x.appendCell(pose.x(), row);
-        y.appendCell(pose.y(), row);
-        heading.appendCell(StrictMath.toDegrees(Angles.normalize(pose.heading())), row);
+        rows.append(pose.x());
+        rows.append(pose.y());
+        rows.append(StrictMath.toDegrees(Angles.normalize(pose.heading())));
         Velocity velocity = simulation.velocity();
-        v.appendCell(velocity.linear(), row);
-        omega.appendCell(velocity.angular(), row);
+        rows.append(velocity.linear());
+        rows.append(velocity.angular());
         WheelSpeeds wheels = simulation.wheelSpeeds();
-        left.appendCell(wheels.left(), row);
-        right.appendCell(wheels.right(), row);
-        state.appendCell(simulation.telemetry().state().name(), row);
-        collided.appendCell(simulation.collision().isPresent() ? "true" : "false", row);
+        rows.append(wheels.left());
+        rows.append(wheels.right());
+        rows.append(simulation.telemetry().state().name());
+        rows.append(simulation.collision().isPresent() ? "true" : "false");
     }
 }

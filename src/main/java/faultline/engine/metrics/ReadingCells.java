@@ -11,15 +11,14 @@ import java.util.List;
 final class ReadingCells implements TraceCells {
 
     private final List<TraceColumn> columns = new ArrayList<>();
-    /** One for both cells of a sensor, which are equal unless there is noise or a fault. */
-    private final List<NumberText> numbers = new ArrayList<>();
+    private final int sensors;
 
     ReadingCells(RobotSpec robot) {
+        sensors = robot.sensors().size();
         robot.sensors().forEach(sensor -> {
             String id = MessageText.cell(sensor.id());
             columns.add(new TraceColumn(id + ".true", "", ""));
             columns.add(new TraceColumn(id + ".reading", "", ""));
-            numbers.add(new NumberText());
         });
     }
 
@@ -29,21 +28,18 @@ final class ReadingCells implements TraceCells {
     }
 
     @Override
-    public void append(Simulation simulation, TraceBlock row) {
-        for (int i = 0; i < numbers.size(); i++) {
-            append(simulation.trueReading(i), numbers.get(i), row);
-            append(simulation.reportedReading(i), numbers.get(i), row);
+    public void append(Simulation simulation, TraceRows rows) {
+        for (int i = 0; i < sensors; i++) {
+            append(simulation.trueReading(i), rows);
+            append(simulation.reportedReading(i), rows);
         }
     }
 
-    private static void append(double reading, NumberText number, TraceBlock row) {
-        if (Double.isFinite(reading)) {
-            number.appendCell(reading, row);
-            return;
-        }
+    private static void append(double reading, TraceRows rows) {
         if (Reading.isOff(reading)) {
-            row.append("off");
+            rows.append("off");
+        } else {
+            rows.append(reading);
         }
-        row.endCell();
     }
 }

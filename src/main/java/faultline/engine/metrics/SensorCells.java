@@ -14,16 +14,10 @@ final class SensorCells implements TraceCells {
 
     private final int sensor;
     private final List<TraceColumn> columns;
-    /** For both distances, which are equal unless there is noise or a fault. */
-    private final NumberText distance = new NumberText();
 
-    private final WordText faults = new WordText();
     private List<Fault> lastFaults = List.of();
     private String faultText = "";
 
-    private final WordText trust = new WordText();
-    private final WordText finding = new WordText();
-    private final NumberText evidence = new NumberText();
     private SensorHealth lastHealth;
     private String trustText = "";
     private String findingText = "";
@@ -53,37 +47,38 @@ final class SensorCells implements TraceCells {
     }
 
     @Override
-    public void append(Simulation simulation, TraceBlock row) {
+    public void append(Simulation simulation, TraceRows rows) {
         double reading = simulation.reportedReading(sensor);
-        distance.appendCell(simulation.trueReading(sensor), row);
-        distance.appendCell(reading, row);
-        row.append(Reading.isOff(reading) ? '0' : '1');
-        row.endCell();
-        if (!simulation.faults(sensor).equals(lastFaults)) {
-            lastFaults = List.copyOf(simulation.faults(sensor));
+        rows.append(simulation.trueReading(sensor));
+        rows.append(reading);
+        rows.append(Reading.isOff(reading) ? "0" : "1");
+        List<Fault> active = simulation.faults(sensor);
+        // The comparison of two empty lists takes as long as all other cells.
+        if (!(active.isEmpty() && lastFaults.isEmpty()) && !active.equals(lastFaults)) {
+            lastFaults = List.copyOf(active);
             faultText = text(lastFaults);
         }
-        faults.appendCell(faultText, row);
+        rows.append(faultText);
         List<SensorHealth> health = simulation.telemetry().diagnosis().health();
         if (health.isEmpty()) {
-            row.endCell();
-            row.endCell();
-            row.endCell();
+            rows.append("");
+            rows.append("");
+            rows.append("");
         } else {
-            appendHealth(health.get(sensor), row);
+            appendHealth(health.get(sensor), rows);
         }
     }
 
     @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
-    private void appendHealth(SensorHealth health, TraceBlock row) {
+    private void appendHealth(SensorHealth health, TraceRows rows) {
         if (health != lastHealth) {
             lastHealth = health;
             trustText = health.trust().name().toLowerCase(Locale.ROOT);
             findingText = health.finding().name().toLowerCase(Locale.ROOT);
         }
-        trust.appendCell(trustText, row);
-        finding.appendCell(findingText, row);
-        evidence.appendCell(health.evidence(), row);
+        rows.append(trustText);
+        rows.append(findingText);
+        rows.append(health.evidence());
     }
 
     /** Returns faults as words, such as {@code stuck=0.4 noise=0.01}. */

@@ -10,5 +10,5 @@ interface TraceCells {
     List<TraceColumn> columns();
 
     /** Appends a cell of this moment for each column. */
-    void append(Simulation simulation, TraceBlock row);
+    void append(Simulation simulation, TraceRows rows);
 }

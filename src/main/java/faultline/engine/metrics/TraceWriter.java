@@ -6,47 +6,111 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 
 /**
  * Writes the trace: a header, then a CSV row for tick 0 and after every tick. Numbers are the shortest that read back
  * to the same bits.
+ *
+ * <p>Used by the thread of the run, which only collects values. A thread of the trace turns them into text and writes
+ * it, a block of rows at a time; the run waits when a block is full before the last one has been written.
  */
-public final class TraceWriter implements TickObserver {
+public final class TraceWriter implements TickObserver, AutoCloseable {
+
+    /** The size of a block, cells. */
+    private static final int MAX_CELLS = 1 << 14;
 
     private final OutputStream out;
     private final TraceFormat format;
-    private final TraceBlock block = new TraceBlock();
+    private int maxRows;
+    private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> {
+        Thread thread = new Thread(task, "faultline-trace");
+        thread.setDaemon(true);
+        return thread;
+    });
+
     private List<TraceCells> cells = List.of();
+    private TraceText text;
+    private TraceRows rows;
+    private CompletableFuture<Void> writing = CompletableFuture.completedFuture(null);
 
     /**
-     * Creates a trace on a stream, which the caller closes.
+     * Creates a trace on a stream, which the caller closes after this.
      *
-     * @param out where the rows go, many at a time
+     * @param out where the rows go, many at a time, on another thread
      * @param format which columns it has
      */
     public TraceWriter(OutputStream out, TraceFormat format) {
+        this(out, format, MAX_CELLS);
+    }
+
+    /**
+     * Creates a trace whose rows are written soon, although the run is slow.
+     *
+     * @param out where the rows go, many at a time, on another thread
+     * @param format which columns it has
+     * @param maxRows how many rows are written at a time at most
+     */
+    public TraceWriter(OutputStream out, TraceFormat format, int maxRows) {
         this.out = out;
         this.format = format;
+        this.maxRows = maxRows;
     }
 
     /**
      * Adds the row of this moment.
      *
-     * @throws UncheckedIOException if the stream fails
+     * @throws UncheckedIOException if the stream has failed
      */
     @Override
     public void observe(Simulation simulation) {
         if (cells.isEmpty()) {
-            cells = format.cells(simulation.robot());
-            cells.forEach(some -> some.columns().forEach(column -> block.append(column.name() + ",")));
-            block.endRow();
+            begin(simulation);
         }
         for (int i = 0; i < cells.size(); i++) {
-            cells.get(i).append(simulation, block);
+            cells.get(i).append(simulation, rows);
         }
-        block.endRow();
+        if (rows.isFull()) {
+            handOver();
+        }
+    }
+
+    private void begin(Simulation simulation) {
+        cells = format.cells(simulation.robot());
+        List<String> header = cells.stream()
+                .flatMap(group -> group.columns().stream())
+                .map(TraceColumn::name)
+                .toList();
+        text = new TraceText(header.size());
+        text.append(header);
+        maxRows = Math.max(1, Math.min(maxRows, MAX_CELLS / header.size()));
+        rows = new TraceRows(header.size(), maxRows);
+    }
+
+    private void handOver() {
+        throwFailure();
+        TraceRows full = rows;
+        // Not the block before again: to write where another processor has just read takes several times as long.
+        rows = new TraceRows(full.columns(), maxRows);
+        writing = CompletableFuture.runAsync(() -> write(full), writer);
+    }
+
+    /** Waits until the rows that were handed over have been written. */
+    private void throwFailure() {
         try {
-            block.writeIfLong(out);
+            writing.join();
+        } catch (CompletionException failed) {
+            throw failed.getCause() instanceof UncheckedIOException e ? e : failed;
+        }
+    }
+
+    private void write(TraceRows block) {
+        try {
+            text.append(block);
+            text.write(out);
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
@@ -58,7 +122,21 @@ public final class TraceWriter implements TickObserver {
      * @throws IOException if the stream fails
      */
     public void flush() throws IOException {
-        block.write(out);
+        try {
+            throwFailure();
+            if (!cells.isEmpty()) {
+                write(rows);
+            }
+        } catch (UncheckedIOException failed) {
+            throw failed.getCause();
+        }
         out.flush();
+    }
+
+    /** Ends the thread of the trace; the stream is not used any more, nor are rows that have not been written. */
+    @Override
+    public void close() {
+        writer.shutdown();
+        writing.handle((done, failed) -> null).join();
     }
 }

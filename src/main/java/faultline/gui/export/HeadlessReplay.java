@@ -42,9 +42,10 @@ final class HeadlessReplay {
     /** Writes one row for every tick of a scenario, as {@code run --trace} does. */
     static void writeTrace(CompletableFuture<Scenario> scenario, OutputStream out, TaskProgress progress)
             throws IOException {
-        TraceWriter trace = new TraceWriter(out, TraceFormat.ONE);
-        run(scenario, trace::observe, progress);
-        trace.flush();
+        try (TraceWriter trace = new TraceWriter(out, TraceFormat.ONE)) {
+            run(scenario, trace::observe, progress);
+            trace.flush();
+        }
     }
 
     private static Scenario join(CompletableFuture<Scenario> scenario) throws IOException {

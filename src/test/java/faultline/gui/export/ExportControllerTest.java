@@ -161,11 +161,14 @@ class ExportControllerTest {
     @Test
     void anExportedTraceEqualsThatOfAHeadlessRun() throws Exception {
         ByteArrayOutputStream expected = new ByteArrayOutputStream();
-        TraceWriter trace = new TraceWriter(expected, TraceFormat.ONE);
         Scenario scenario = Scenario.load(Path.of("scenarios/office.xml"));
-        HeadlessRun.run(
-                scenario.setup().withDuration(STEPS * scenario.setup().dt()), ControllerMode.DIRECT, List.of(trace));
-        trace.flush();
+        try (TraceWriter trace = new TraceWriter(expected, TraceFormat.ONE)) {
+            HeadlessRun.run(
+                    scenario.setup().withDuration(STEPS * scenario.setup().dt()),
+                    ControllerMode.DIRECT,
+                    List.of(trace));
+            trace.flush();
+        }
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         TaskProgress progress = new TaskProgress();
         HeadlessReplay.writeTrace(callOnEdt(() -> workspace.replayScenario().orElseThrow()), out, progress);
