@@ -9,6 +9,7 @@ import faultline.gui.canvas.cache.PathLayer;
 import faultline.gui.canvas.tool.CanvasModel;
 import faultline.gui.canvas.tool.DragGesture;
 import faultline.gui.edit.ShapeHandles;
+import faultline.paint.scene.CornerChoice;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.PathStyle;
 import faultline.paint.scene.ReferenceOverlay;
@@ -20,6 +21,8 @@ import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
 import faultline.world.Snapshot;
 import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
@@ -33,6 +36,7 @@ final class CachedSceneRenderer {
     private final CachedLayer<GroundLayer> ground = new CachedLayer<>();
     private final CachedLayer<PathLayer> path = new CachedLayer<>();
     private final CachedLayer<PathLayer> referencePath = new CachedLayer<>();
+    private final CornerChoice captionCorner = ReferenceOverlayPainter.createCornerChoice();
     private final LongSupplier clock;
     private FrameBudget budget;
     private boolean complete = true;
@@ -46,8 +50,15 @@ final class CachedSceneRenderer {
         budget = new FrameBudget(clock);
     }
 
-    /** Paints a frame at the resolution of the device of the graphics. */
-    void paint(Graphics2D graphics, Camera camera, Palette palette, Set<Layer> layers, Frame frame, CanvasModel scene) {
+    /** Paints a frame at the resolution of the device of the graphics; {@code covered} will be hidden, pixels. */
+    void paint(
+            Graphics2D graphics,
+            Camera camera,
+            Palette palette,
+            Set<Layer> layers,
+            Frame frame,
+            CanvasModel scene,
+            List<Rectangle2D> covered) {
         LayerBuffer.View view =
                 new LayerBuffer.View(camera, palette, graphics.getTransform().getScaleX());
         ScenePainter painter = new ScenePainter(layers, LocalizedLabels.create());
@@ -83,7 +94,8 @@ final class CachedSceneRenderer {
                 .forEach(obstacle -> SelectionPainter.paintOutline(context, obstacle));
         paintHandles(context, scene);
         painter.paintOverlays(context, frame.snapshot());
-        reference.ifPresent(earlier -> ReferenceOverlayPainter.paintAnnotations(context, earlier));
+        reference.ifPresent(earlier ->
+                ReferenceOverlayPainter.paintAnnotations(context, earlier, frame.snapshot(), captionCorner, covered));
     }
 
     /** Otherwise the image of the last world would be shown until that of a new, large one is complete. */

@@ -17,20 +17,25 @@ import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.paint.export.RenderRequest;
+import faultline.paint.scene.CornerChoice;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.ReferenceOverlay;
 import faultline.paint.scene.ScenePainter;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.stream.Stream;
 import javax.accessibility.AccessibleRole;
 
 /**
@@ -213,11 +218,24 @@ public final class SimulationCanvas extends AccessibleComponent {
         focusRing.paint(graphics);
     }
 
+    /** Returns the bounds of the components on top of the canvas. */
+    private List<Rectangle2D> covered() {
+        return Stream.of(getComponents())
+                .filter(Component::isVisible)
+                .<Rectangle2D>map(Component::getBounds)
+                .toList();
+    }
+
+    /** Returns where the robot is and where it is heading, pixels; empty before the first frame. */
+    public Optional<Rectangle2D> robotArea() {
+        return frame().map(Frame::snapshot).map(world -> CornerChoice.robotArea(camera(), world.robot(), world.pose()));
+    }
+
     private void paintScene(Graphics2D graphics) {
         graphics.setColor(palette.canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
         model.frame().ifPresent(frame -> {
-            renderer.paint(graphics, camera(), palette, layers, frame, model);
+            renderer.paint(graphics, camera(), palette, layers, frame, model, covered());
             mouse.paint(new DrawContext(graphics, camera(), palette).withFont(LocalizedLabels.font()));
         });
         if (!renderer.isComplete()) {

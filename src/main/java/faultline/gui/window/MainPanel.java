@@ -53,6 +53,7 @@ final class MainPanel extends JPanel {
     private final TimelinePanel timeline;
     private final ObstaclePanel obstacles;
     private final VerdictBanner banner;
+    private final transient CanvasOverlays overlays;
     private final PositionedSplitPane dockSplit;
     private final PositionedSplitPane panelSplit;
     private final transient FocusAreas focusAreas;
@@ -85,8 +86,7 @@ final class MainPanel extends JPanel {
         timeline = new TimelinePanel(jump, canvas::setFrame, timelineEditor);
         focusAreas = new FocusAreas(List.of(canvas, timeline.bar(), timeline.lanes(), instruments, controlPanel));
         banner = new VerdictBanner(jump);
-        canvas.setLayout(new BorderLayout());
-        canvas.add(banner, BorderLayout.NORTH);
+        overlays = new CanvasOverlays(canvas, banner);
         JPanel stage = new JPanel(new BorderLayout());
         stage.add(canvas, BorderLayout.CENTER);
         stage.add(timeline, BorderLayout.SOUTH);
@@ -127,6 +127,7 @@ final class MainPanel extends JPanel {
         if (!timeline.bar().isAdjusting() && shownFrame != frame) {
             shownFrame = frame;
             canvas.setFrame(frame.frame());
+            overlays.update();
         }
         instruments.setItems(timeline.items());
         if (instruments.isVisible()) {
@@ -185,7 +186,7 @@ final class MainPanel extends JPanel {
                         new TourCard.Step("timeline", timeline.lanes()),
                         new TourCard.Step("ghost", ghostMenu)),
                 marker::setTarget);
-        canvas.add(card, BorderLayout.SOUTH);
+        overlays.addCard(card);
         return card;
     }
 

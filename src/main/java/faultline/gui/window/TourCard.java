@@ -2,11 +2,13 @@ package faultline.gui.window;
 
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Container;
+import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.awt.Rectangle;
 import java.awt.event.MouseAdapter;
@@ -29,7 +31,8 @@ import javax.swing.SwingUtilities;
 final class TourCard extends JPanel {
 
     private static final int GAP = 8;
-    private static final int MIN_WIDTH = 240;
+    /** The width where there is room, at the normal text size, pixels. */
+    private static final int WIDTH = 420;
 
     /**
      * A step of the tour.
@@ -105,12 +108,19 @@ final class TourCard extends JPanel {
         getParent().revalidate();
     }
 
+    /** Returns the size that shows all texts within a width, pixels. */
+    Dimension sizeWithin(int available) {
+        int width = Math.min(TextSize.scaled(WIDTH), available);
+        // The height of a text that wraps depends on its width.
+        text.setSize(width - getInsets().left - getInsets().right, Short.MAX_VALUE);
+        return new Dimension(width, getPreferredSize().height);
+    }
+
     private void updateTexts() {
         Step now = steps.get(shown);
         String name = Messages.get("tour." + now.key());
         title.setText(Messages.get("tour.title", Integer.toString(shown + 1), Integer.toString(steps.size()), name));
         text.setText(Messages.get("tour." + now.key() + ".text"));
-        text.setSize(Math.max(MIN_WIDTH, getParent().getWidth() - 4 * GAP), Short.MAX_VALUE);
         getAccessibleContext().setAccessibleName(title.getText());
         getAccessibleContext().setAccessibleDescription(text.getText());
     }

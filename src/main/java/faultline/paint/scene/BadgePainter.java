@@ -22,14 +22,19 @@ final class BadgePainter {
         return context.scaleToFont(LINE_HEIGHT) * lines + PADDING;
     }
 
-    /** Paints a badge with its upper left corner at a point; returns the middle of the left edge of the symbol. */
-    static Vector2 paint(
-            DrawContext context, Vector2 corner, List<String> lines, double symbolWidth, Color edge, double edgeWidth) {
+    /** Returns the width of a badge, pixels. */
+    static double width(DrawContext context, List<String> lines, double symbolWidth) {
         double text = lines.stream()
                 .mapToDouble(line -> context.measureText(line).getWidth())
                 .max()
                 .orElse(0);
-        double width = Math.ceil(text + symbolWidth + 3 * PADDING);
+        return Math.ceil(text + symbolWidth + 3 * PADDING);
+    }
+
+    /** Paints a badge with its upper left corner at a point; returns the middle of the left edge of the symbol. */
+    static Vector2 paint(
+            DrawContext context, Vector2 corner, List<String> lines, double symbolWidth, Color edge, double edgeWidth) {
+        double width = width(context, lines, symbolWidth);
         Shape frame = new RoundRectangle2D.Double(
                 corner.x() + 0.5, corner.y() + 0.5, width, height(context, lines.size()), 8, 8);
         context.fill(frame, context.palette().canvas());

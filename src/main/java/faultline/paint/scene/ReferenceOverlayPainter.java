@@ -11,6 +11,7 @@ import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.List;
 
 /** Paints a reference run: its path, its robot as a dashed outline, a mark at the first difference, and a caption. */
@@ -22,6 +23,9 @@ public final class ReferenceOverlayPainter {
     private static final double MARGIN = 8;
     /** From a mark up to the middle of its label, pixels. */
     private static final double LABEL_GAP = 8.5;
+
+    /** The least height of the description of a collision, and by how much its text adds to it, pixels. */
+    private static final double BADGE_HEIGHT = 20;
 
     private static final double SAMPLE_LENGTH = 26;
 
@@ -52,15 +56,40 @@ public final class ReferenceOverlayPainter {
         context.draw(context.toScreen(arrow(robot), frame), colour, SOLID_STROKE);
     }
 
-    /** Paints the marks and the caption. */
-    public static void paintAnnotations(DrawContext context, ReferenceOverlay reference) {
+    /** Returns a new choice of the corner of a caption. The robot's collision is described in the upper left one. */
+    public static CornerChoice createCornerChoice() {
+        return new CornerChoice(
+                CornerChoice.Corner.LOWER_LEFT, CornerChoice.Corner.UPPER_RIGHT, CornerChoice.Corner.LOWER_RIGHT);
+    }
+
+    /**
+     * Paints the marks, and the caption in a corner that hides neither robot.
+     *
+     * @param context the target
+     * @param reference the reference run
+     * @param world the world of the run beside it
+     * @param corner chooses the corner
+     * @param covered what hides parts of the picture, pixels
+     */
+    public static void paintAnnotations(
+            DrawContext context,
+            ReferenceOverlay reference,
+            Snapshot world,
+            CornerChoice corner,
+            List<Rectangle2D> covered) {
         for (ReferenceOverlay.Mark mark : reference.marks()) {
             paintMark(
                     context,
                     mark.label(),
                     context.camera().toScreen(reference.run().pose(mark.tick()).position()));
         }
-        paintCaption(context, reference);
+        List<Rectangle2D> avoided = new ArrayList<>(covered);
+        avoided.add(CornerChoice.robotArea(context.camera(), world.robot(), world.pose()));
+        avoided.add(CornerChoice.robotArea(context.camera(), world.robot(), reference.poseAt(world.time())));
+        world.collision()
+                .ifPresent(collision -> avoided.add(new Rectangle2D.Double(
+                        0, 0, context.camera().width(), BADGE_HEIGHT + context.scaleToFont(BADGE_HEIGHT))));
+        paintCaption(context, reference, corner, avoided);
     }
 
     private static Shape arrow(RobotSpec robot) {
@@ -83,12 +112,29 @@ public final class ReferenceOverlayPainter {
         context.drawLabel(text, at.x(), at.y() - MARK_RADIUS - context.scaleToFont(LABEL_GAP), colour);
     }
 
-    /** Paints the caption in the lower left corner, with a sample of the robot's outline. */
-    private static void paintCaption(DrawContext context, ReferenceOverlay reference) {
+    /** Paints the caption with a sample of the robot's outline. */
+    private static void paintCaption(
+            DrawContext context, ReferenceOverlay reference, CornerChoice corner, List<Rectangle2D> avoided) {
         Color colour = context.palette().reference();
         List<String> caption = reference.caption();
-        double top = Math.rint(context.camera().height() - MARGIN - BadgePainter.height(context, caption.size()));
-        Vector2 start = BadgePainter.paint(context, new Vector2(MARGIN, top), caption, SAMPLE_LENGTH, colour, 1);
+        Rectangle2D size = new Rectangle2D.Double(
+                0,
+                0,
+                BadgePainter.width(context, caption, SAMPLE_LENGTH),
+                BadgePainter.height(context, caption.size()));
+        Rectangle2D picture = context.camera().bounds();
+        Rectangle2D place = corner.place(
+                new Rectangle2D.Double(
+                        MARGIN, MARGIN, picture.getWidth() - 2 * MARGIN, picture.getHeight() - 2 * MARGIN),
+                size,
+                avoided);
+        Vector2 start = BadgePainter.paint(
+                context,
+                new Vector2(Math.rint(place.getX()), Math.rint(place.getY())),
+                caption,
+                SAMPLE_LENGTH,
+                colour,
+                1);
         Shape sample = Shapes.polyline(List.of(start, start.plus(new Vector2(SAMPLE_LENGTH, 0))));
         context.draw(sample, colour, DASHED_STROKE);
     }

@@ -35,7 +35,8 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         references.forEach(reference -> paintReference(context, reference, world));
         paintDynamic(context, frame, byMotion.get(true), 0);
         paintOverlays(context, world);
-        references.forEach(reference -> ReferenceOverlayPainter.paintAnnotations(context, reference));
+        references.forEach(reference -> ReferenceOverlayPainter.paintAnnotations(
+                context, reference, world, ReferenceOverlayPainter.createCornerChoice(), List.of()));
     }
 
     private void paintReference(DrawContext context, ReferenceOverlay reference, Snapshot world) {
