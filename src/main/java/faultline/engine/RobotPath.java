@@ -1,6 +1,8 @@
 package faultline.engine;
 
+import faultline.geometry.Vector2;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
 
 /**
  * The robot's path up to one moment. Any thread may read it. A later path of the same run begins with the same points
@@ -47,6 +49,18 @@ public final class RobotPath {
      */
     public int tag(int index) {
         return points.chunk(index).tag(points.offset(index));
+    }
+
+    /**
+     * {@return the points in order without those that are hardly off a line through the others, the first and the last
+     * one included}
+     *
+     * @param tolerance how far a point that is left out may be from the lines between the others, metres
+     */
+    public List<Vector2> simplified(double tolerance) {
+        return PathThinner.select(this, 0, tolerance).stream()
+                .map(index -> new Vector2(x(index), y(index)))
+                .toList();
     }
 
     /**

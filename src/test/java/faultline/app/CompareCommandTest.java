@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -93,7 +94,9 @@ class CompareCommandTest {
         String html = Files.readString(page());
         assertFalse(html.matches("(?s).*(src|href)=.*"), "the page refers to something else");
         assertTrue(html.contains("<code>wall-follower</code>"));
-        assertEquals(2 * 3, html.split("stroke-linejoin=\"round\" d=\"M", -1).length - 1 - legendLines(html), "paths");
+        String picture = html.substring(html.indexOf("<svg"), html.indexOf("</svg>"));
+        assertEquals(2 * 3, count("<circle [^>]* r=\"3\"", picture), "the end of every run");
+        assertEquals(3, count("d=\"M[^\"]*\" fill=\"none\" stroke=\"#0b4f79\"", picture), "one robot drives");
         assertTrue(html.length() < 300_000, () -> html.length() + " characters");
     }
 
@@ -155,12 +158,8 @@ class CompareCommandTest {
         assertEquals(0, shell.waitFor());
     }
 
-    /** The lines of the legends, and those of the intervals, which are drawn like paths. */
-    private static int legendLines(String html) {
-        return html.split("stroke-linejoin=\"round\" d=\"M2 5H32", -1).length
-                - 1
-                + html.split("stroke-width=\"5.0\"", -1).length
-                - 1;
+    private static long count(String pattern, String text) {
+        return Pattern.compile(pattern).matcher(text).results().count();
     }
 
     @Test

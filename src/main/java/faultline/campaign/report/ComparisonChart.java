@@ -1,143 +1,125 @@
 package faultline.campaign.report;
 
 import faultline.engine.RobotPath;
-import faultline.paint.scene.ObstacleOutlines;
-import faultline.world.Obstacle;
-import faultline.world.WorldSpec;
-import java.awt.Shape;
-import java.awt.geom.PathIterator;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Vector2;
+import faultline.io.XmlText;
+import faultline.paint.chart.Axis;
+import faultline.paint.chart.Series;
+import faultline.paint.scene.PlanView;
+import faultline.paint.surface.LineStyle;
+import faultline.paint.surface.PixelRectangle;
+import faultline.paint.surface.Shapes;
+import faultline.paint.surface.SvgSurface;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
-/** The charts of a comparison as inline SVG. Each controller has a colour and a dash pattern. */
+/** The pictures of a comparison. Each controller has the colour and the dash pattern of a series. */
 final class ComparisonChart {
 
-    /** The colours of Okabe and Ito without yellow and black, which colour-blind readers tell apart. */
-    private static final List<String> COLOURS =
-            List.of("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9");
+    private static final double MAX_WIDTH = 900;
+    private static final double MAX_HEIGHT = 760;
+    private static final double MARGIN = 14;
+    private static final double FIRST_WIDTH = 2.2;
+    private static final double OTHER_WIDTH = 1;
+    private static final double END_RADIUS = 3;
 
-    private static final List<String> DASHES = List.of("", "7 3", "2 3", "9 3 2 3", "4 2", "1 2");
-    private static final double WIDTH = 900;
-    private static final int SPREAD_WIDTH = 340;
-    private static final int ROW = 26;
-    private static final int MARGIN = 16;
+    /** How far a path may be from the one of the run, pixels. */
+    private static final double TOLERANCE = 0.25;
+
+    private static final double START_OPACITY = 0.4;
+
+    /** Half the height of the bar of an interval, in rows. */
+    private static final double HALF_BAR = 0.2;
+
+    /** The least span of an axis, relative to its greatest value and in its unit. */
+    private static final double MIN_SPAN = 1e-3;
 
     private ComparisonChart() {}
 
-    private static String colour(int controller) {
-        return COLOURS.get(controller % COLOURS.size());
+    private static LineStyle style(int controller) {
+        return ReportCharts.STYLE.lineStyle(controller);
     }
 
-    private static String stroke(int controller, double width) {
-        return Html.format(
-                "fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\" stroke-dasharray=\"%s\" stroke-linejoin=\"round\"",
-                colour(controller), width, DASHES.get(controller / COLOURS.size() % DASHES.size()));
-    }
-
-    /** Returns the world with the paths of all runs over each other. */
-    static String paths(WorldSpec world, List<ControllerRuns> controllers) {
-        double scale = WIDTH / world.width();
-        int height = (int) Math.ceil(world.height() * scale);
-        StringBuilder out = new StringBuilder(Svg.open((int) WIDTH, height, "Paths of the controllers"));
-        out.append(Html.format("<g transform=\"translate(0 %d) scale(1 -1)\">", height));
-        out.append(Html.format(
-                "<rect x=\"0\" y=\"0\" width=\"%.1f\" height=\"%d\" fill=\"none\" class=\"axis\"/>", WIDTH, height));
-        for (Obstacle obstacle : world.obstacles()) {
-            out.append("<path fill-rule=\"evenodd\" fill=\"var(--line)\" stroke=\"var(--muted)\" d=\"")
-                    .append(outline(ObstacleOutlines.worldShape(obstacle), scale))
-                    .append("\"/>\n");
-        }
+    /** Returns the world with the paths of all runs over each other, their common start, and their ends. */
+    static String paths(SimulationSetup setup, List<ControllerRuns> controllers) {
+        double width = setup.world().width();
+        double height = setup.world().height();
+        double scale = Math.min((MAX_WIDTH - 2 * MARGIN) / width, (MAX_HEIGHT - 2 * MARGIN) / height);
+        SvgSurface surface = new SvgSurface(
+                (int) Math.ceil(width * scale + 2 * MARGIN), (int) Math.ceil(height * scale + 2 * MARGIN));
+        PlanView plan = new PlanView(
+                surface,
+                new PixelRectangle(MARGIN, MARGIN, width * scale, height * scale),
+                new Rectangle2D.Double(0, 0, width, height),
+                ReportCharts.STYLE);
+        plan.drawWorld(setup.world());
+        plan.drawRobot(setup.robot(), setup.start(), START_OPACITY);
         for (int i = 0; i < controllers.size(); i++) {
             List<ControllerRuns.Run> runs = controllers.get(i).runs();
             for (int j = runs.size() - 1; j >= 0; j--) {
-                out.append("<path ")
-                        .append(stroke(i, j == 0 ? 2.4 : 0.8))
-                        .append(" d=\"")
-                        .append(line(runs.get(j).path(), scale))
-                        .append("\"/>\n");
+                RobotPath path = runs.get(j).path();
+                List<Vector2> points = path.simplified(TOLERANCE / scale);
+                plan.drawLine(points, style(i).withWidth(j == 0 ? FIRST_WIDTH : OTHER_WIDTH));
+                Vector2 end = plan.toPicture(points.get(points.size() - 1));
+                surface.fill(Shapes.circle(end, END_RADIUS), style(i).colour());
             }
         }
-        return out.append("</g></svg>\n").toString();
+        return surface.toHtml("chart", "Paths of the controllers");
     }
 
-    private static String outline(Shape shape, double scale) {
-        StringBuilder out = new StringBuilder();
-        double[] points = new double[6];
-        for (PathIterator path = shape.getPathIterator(null, 0.002); !path.isDone(); path.next()) {
-            switch (path.currentSegment(points)) {
-                case PathIterator.SEG_MOVETO ->
-                    out.append(Html.format("M%.1f %.1f", points[0] * scale, points[1] * scale));
-                case PathIterator.SEG_LINETO ->
-                    out.append(Html.format("L%.1f %.1f", points[0] * scale, points[1] * scale));
-                default -> out.append('Z');
-            }
-        }
-        return out.toString();
-    }
-
-    /** Returns a path without points that are less than a unit of the chart from the one before. */
-    private static String line(RobotPath path, double scale) {
-        StringBuilder out = new StringBuilder();
-        double lastX = Double.NaN;
-        double lastY = Double.NaN;
-        for (int i = 0; i < path.size(); i++) {
-            double x = path.x(i) * scale;
-            double y = path.y(i) * scale;
-            if (!(StrictMath.hypot(x - lastX, y - lastY) < 1) || i == path.size() - 1) {
-                out.append(out.isEmpty() ? "M" : "L").append(Html.format("%.1f %.1f", x, y));
-                lastX = x;
-                lastY = y;
-            }
-        }
-        return out.toString();
-    }
-
-    /** Returns which line is which controller's. */
+    /** Returns which number and which line are which controller's. */
     static String legend(List<ControllerRuns> controllers) {
-        StringBuilder out = new StringBuilder("<p>");
+        StringBuilder out = new StringBuilder("<ol class=\"legend\">\n");
         for (int i = 0; i < controllers.size(); i++) {
-            out.append("<svg width=\"34\" height=\"10\" aria-hidden=\"true\"><path d=\"M2 5H32\" ")
-                    .append(stroke(i, 2.4))
-                    .append("/></svg> <code>")
-                    .append(Html.escape(controllers.get(i).controller()))
-                    .append("</code>&emsp;");
+            SvgSurface sample = new SvgSurface(34, 10);
+            Vector2 left = new Vector2(2, 5);
+            sample.draw(Shapes.polyline(List.of(left, left.plus(new Vector2(30, 0)))), style(i).withWidth(FIRST_WIDTH));
+            String name = XmlText.escapeAttribute(controllers.get(i).controller());
+            out.append("<li>" + sample.toHtml("sample", "") + " <code>" + name + "</code></li>\n");
         }
-        return out.append("</p>\n").toString();
+        return out.append("</ol>\n").toString();
     }
 
-    /** Returns a row for each controller: a dot for each run, and the interval of the mean. */
+    /** Returns a row for each controller: a mark for each run, and the interval of the mean. */
     static String spread(Metric metric, List<ControllerRuns> controllers) {
-        double[] all = controllers.stream()
-                .flatMapToDouble(controller -> Arrays.stream(metric.values(controller.runs())))
-                .toArray();
-        boolean share = metric == Metric.COLLISION;
-        double low = share ? 0 : Arrays.stream(all).min().orElse(0);
-        double high = share ? 1 : Math.max(Arrays.stream(all).max().orElse(1), low + 1e-9);
-        double scale = (SPREAD_WIDTH - 2 * MARGIN) / (high - low);
-        int height = ROW * controllers.size() + 2 * ROW;
-        StringBuilder out = new StringBuilder(Svg.open(SPREAD_WIDTH, height, metric.meaning()));
-        out.append(Svg.text("label", "middle", SPREAD_WIDTH / 2.0, 14, metric.meaning()));
+        List<Series> series = new ArrayList<>();
+        DoubleStream.Builder shown = DoubleStream.builder();
         for (int i = 0; i < controllers.size(); i++) {
             double[] values = metric.values(controllers.get(i).runs());
-            int y = ROW + ROW * i + ROW / 2;
-            out.append(Svg.path("grid", Html.format("M%d %dH%d", MARGIN, y, SPREAD_WIDTH - MARGIN)));
+            int row = controllers.size() - 1 - i;
             if (values.length > 1) {
                 Interval mean = metric.interval(values);
-                out.append(Html.format(
-                        "<path %s d=\"M%.1f %dH%.1f\"/>",
-                        stroke(i, 5),
-                        MARGIN + (Math.max(low, mean.low()) - low) * scale,
-                        y,
-                        MARGIN + (Math.min(high, mean.high()) - low) * scale));
+                shown.add(mean.low()).add(mean.high());
+                series.add(new Series.Band("", edge(mean, row + HALF_BAR), edge(mean, row - HALF_BAR), i));
             }
-            for (double value : values) {
-                out.append(Html.format(
-                        "<circle cx=\"%.1f\" cy=\"%d\" r=\"4\" fill=\"%s\" fill-opacity=\"0.6\"/>",
-                        MARGIN + (value - low) * scale, y, colour(i)));
-            }
+            Arrays.stream(values).forEach(shown);
+            series.add(new Series.Points(
+                    "",
+                    Arrays.stream(values)
+                            .mapToObj(value -> new Vector2(value, row))
+                            .toList(),
+                    i));
         }
-        out.append(Svg.text("tick", "start", MARGIN, height - 8, metric.format(low)));
-        out.append(Svg.text("tick", "end", SPREAD_WIDTH - MARGIN, height - 8, metric.format(high)));
-        return out.append("</svg>\n").toString();
+        if (metric == Metric.COLLISION) {
+            shown.add(0).add(1);
+        }
+        double[] covered = shown.build().toArray();
+        double most = Arrays.stream(covered).map(Math::abs).max().orElse(1);
+        return ReportCharts.rows(
+                metric.meaning(),
+                Axis.covering(metric.meaning(), Arrays.stream(covered), MIN_SPAN * Math.max(1, most)),
+                IntStream.rangeClosed(1, controllers.size())
+                        .mapToObj(Integer::toString)
+                        .toList(),
+                series);
+    }
+
+    private static List<Vector2> edge(Interval interval, double y) {
+        return List.of(new Vector2(interval.low(), y), new Vector2(interval.high(), y));
     }
 }

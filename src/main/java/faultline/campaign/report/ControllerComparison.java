@@ -109,8 +109,8 @@ public final class ControllerComparison {
     private String paths() {
         return Html.section(
                 "Paths",
-                Html.paragraph("Thick: the first seed. Thin: the others.")
-                        + ComparisonChart.paths(scenario.setup().world(), controllers)
+                Html.paragraph("Thick: the first seed. Thin: the others. Robot: the start. Dots: the ends.")
+                        + ComparisonChart.paths(scenario.setup(), controllers)
                         + ComparisonChart.legend(controllers));
     }
 
@@ -133,7 +133,10 @@ public final class ControllerComparison {
         for (Metric metric : Metric.values()) {
             charts.append(ComparisonChart.spread(metric, controllers));
         }
-        return Html.section("Spread", charts + "</div>\n" + ComparisonChart.legend(controllers));
+        return Html.section(
+                "Spread",
+                Html.paragraph("Marks: the runs. Bars: the 95 % confidence intervals of the means.") + charts
+                        + "</div>\n" + ComparisonChart.legend(controllers));
     }
 
     private String inTheWindow() {

@@ -102,7 +102,7 @@ final class FaultSections {
                 "Detection delays",
                 Html.paragraph(DELAYS_EXPLAINED)
                         + table(faults.get(), diagnosed, FaultSections::delayCell)
-                        + Svg.histogram("detection delay (s)", delays(diagnosed), 24));
+                        + ReportCharts.histogram("detection delay (s)", delays(diagnosed)));
     }
 
     private static String delayCell(List<RunRow> rows) {

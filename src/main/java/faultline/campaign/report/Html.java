@@ -1,6 +1,8 @@
 package faultline.campaign.report;
 
 import faultline.io.DecimalText;
+import faultline.io.XmlText;
+import faultline.paint.surface.SvgTheme;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -14,10 +16,7 @@ final class Html {
     private Html() {}
 
     static String escape(String text) {
-        return text.replace("&", "&amp;")
-                .replace("<", "&lt;")
-                .replace(">", "&gt;")
-                .replace("\"", "&quot;");
+        return XmlText.escapeAttribute(text);
     }
 
     static String format(String format, Object... values) {
@@ -29,7 +28,8 @@ final class Html {
         return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                 + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
                 + escape(title) + "</title>\n<style>\n" + styleSheet()
-                + "</style>\n</head>\n<body>\n<header>\n<h1>" + escape(title) + "</h1>\n" + paragraph(introduction)
+                + SvgTheme.styleSheet(content) + "\n</style>\n</head>\n<body>\n<header>\n<h1>" + escape(title)
+                + "</h1>\n" + paragraph(introduction)
                 + "</header>\n<main>\n" + content + "</main>\n</body>\n</html>\n";
     }
 
@@ -90,7 +90,7 @@ final class Html {
                 ? format("rgba(0,150,160,%.2f)", (survival.share() - 0.5) * 0.9)
                 : format("rgba(225,110,0,%.2f)", (0.5 - survival.share()) * 0.9);
         return "<td style=\"background:" + colour + "\"><b>" + percent(survival.share()) + "</b>"
-                + Svg.intervalBar(survival) + "<small>"
+                + ReportCharts.intervalBar(survival) + "<small>"
                 + format(
                         "%.0f&ndash;%.0f",
                         100 * survival.interval().low(),

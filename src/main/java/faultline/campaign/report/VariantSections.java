@@ -111,7 +111,7 @@ final class VariantSections {
                 }
             });
             String title = comparison.column() + " " + level + " less " + levels.get(0) + ", percentage points";
-            out.append(new ForestChart(title, names, differences).svg());
+            out.append(ReportCharts.differences(title, names, differences));
         }
         return out.toString();
     }
@@ -181,7 +181,7 @@ final class VariantSections {
         double[] values = RunData.values(rows, column.name());
         double low = Arrays.stream(values).min().orElse(0);
         double high = Arrays.stream(values).max().orElse(1);
-        List<Svg.ShareMark> points = new ArrayList<>();
+        List<ReportCharts.Estimate> points = new ArrayList<>();
         for (int i = 0; i < BINS; i++) {
             double from = low + i * (high - low) / BINS;
             double to = i == BINS - 1 ? Double.POSITIVE_INFINITY : low + (i + 1) * (high - low) / BINS;
@@ -191,11 +191,11 @@ final class VariantSections {
                     .toList();
             Survival survival = Survival.of(bin);
             if (survival.n() > 0) {
-                points.add(new Svg.ShareMark(
+                points.add(new ReportCharts.Estimate(
                         low + (i + 0.5) * (high - low) / BINS, survival.share(), survival.interval()));
             }
         }
-        return Svg.shares(
+        return ReportCharts.shares(
                 "carried on over " + column.name(),
                 column.name() + (column.unit().isEmpty() ? "" : " (" + column.unit() + ")") + group,
                 low,
@@ -210,7 +210,7 @@ final class VariantSections {
                 List.of("coverage", "wall_share", "laps", "distance_rms_m", "follow_rms_m", "simulated_s")) {
             double[] values = RunData.values(data.rows(), metric);
             if (values.length > 0) {
-                charts.append(Svg.histogram(metric, values, 24));
+                charts.append(ReportCharts.histogram(metric, values));
             }
         }
         return Html.section("Distributions", "<div class=\"charts\">" + charts + "</div>\n");

@@ -10,6 +10,7 @@ import faultline.gui.theme.Theme;
 import faultline.gui.theme.UiText;
 import faultline.paint.chart.Chart;
 import faultline.paint.chart.ChartPainter;
+import faultline.paint.chart.Histogram;
 import faultline.paint.surface.ChartStyle;
 import faultline.paint.surface.GraphicsSurface;
 import faultline.paint.surface.PixelRectangle;

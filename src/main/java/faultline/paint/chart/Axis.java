@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 /**
  * An axis of a chart.
@@ -13,16 +14,23 @@ import java.util.stream.DoubleStream;
  * @param low the value at its start
  * @param high the value at its end, above low
  * @param logarithmic whether the scale is logarithmic; low is positive then
+ * @param rows the names of the values 0, 1, ... of an axis of rows; empty for an axis of numbers
  */
-public record Axis(String label, double low, double high, boolean logarithmic) {
+public record Axis(String label, double low, double high, boolean logarithmic, List<String> rows) {
 
     private static final int MAX_INTERVALS = 8;
 
     public Axis {
+        rows = List.copyOf(rows);
         if (!(low < high) || logarithmic && low <= 0) {
             throw new IllegalArgumentException(
                     "an axis needs low < high, and low > 0 if it is logarithmic: " + low + ", " + high);
         }
+    }
+
+    /** Creates an axis of numbers. */
+    public Axis(String label, double low, double high, boolean logarithmic) {
+        this(label, low, high, logarithmic, List.of());
     }
 
     /** Returns a linear axis from {@code low} to {@code high}. */
@@ -30,11 +38,24 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return new Axis(label, low, high, false);
     }
 
+    /** Returns an axis of at least one row of equal height, the first at the start of the axis. */
+    public static Axis rows(List<String> names) {
+        return new Axis("", -0.5, names.size() - 0.5, false, names);
+    }
+
     /** Returns a linear axis that includes all finite values and starts and ends at multiples of a nice step. */
     public static Axis covering(String label, DoubleStream values) {
+        return covering(label, values, 0);
+    }
+
+    /**
+     * Returns a linear axis that includes all finite values and starts and ends at multiples of a nice step. It starts
+     * lower if the values would span less than a minimum, so that its ticks are readable.
+     */
+    public static Axis covering(String label, DoubleStream values, double minSpan) {
         double[] all = values.filter(Double::isFinite).toArray();
-        double least = Arrays.stream(all).min().orElse(0);
         double most = Arrays.stream(all).max().orElse(1);
+        double least = Math.min(Arrays.stream(all).min().orElse(0), most - minSpan);
         double step = niceStep(Math.max(most - least, 1e-9));
         double low = Math.floor(least / step) * step;
         double high = Math.ceil(most / step) * step;
@@ -57,8 +78,11 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return logarithmic ? low * StrictMath.exp(share * StrictMath.log(high / low)) : low + share * (high - low);
     }
 
-    /** Returns nice values along the axis, in order. */
+    /** Returns nice values along the axis, or its rows, in order. */
     public List<Double> ticks() {
+        if (!rows.isEmpty()) {
+            return IntStream.range(0, rows.size()).mapToObj(row -> (double) row).toList();
+        }
         return logarithmic ? logarithmicTicks() : linearTicks();
     }
 
@@ -86,11 +110,13 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
 
     /**
      * Returns every how many ticks of a linear axis there is room for a label, given their lengths along the axis in a
-     * picture; 1 for a logarithmic axis.
+     * picture; 1 for a logarithmic axis and for rows.
      */
     int labelStride(double length, double label) {
         double distance = niceStep(high - low) / (high - low) * length;
-        return logarithmic || distance >= label ? 1 : (int) Math.ceil(label / Math.max(distance, 1e-3));
+        return logarithmic || !rows.isEmpty() || distance >= label
+                ? 1
+                : (int) Math.ceil(label / Math.max(distance, 1e-3));
     }
 
     /** Returns whether a tick has a label; for a stride, these are the same values wherever the axis starts. */
@@ -110,7 +136,12 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return Double.parseDouble("1e" + (int) Math.floor(StrictMath.log10(value) + 1e-9));
     }
 
-    /** Returns the label of a tick: no more digits than necessary, with a true minus sign. */
+    /** Returns the label of a tick of this axis. */
+    String tickLabel(double tick) {
+        return rows.isEmpty() ? formatTick(tick) : rows.get((int) tick);
+    }
+
+    /** Returns the label of a number: no more digits than necessary, with a true minus sign. */
     public static String formatTick(double tick) {
         BigDecimal rounded =
                 new BigDecimal(tick).round(new java.math.MathContext(12)).stripTrailingZeros();

@@ -5,7 +5,7 @@ import java.util.List;
 /**
  * A chart: series and their axes.
  *
- * @param title above the chart
+ * @param title above the chart; may be empty
  * @param x the horizontal axis
  * @param y the vertical axis
  * @param series from the lowest to the topmost

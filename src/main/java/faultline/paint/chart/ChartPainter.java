@@ -8,6 +8,8 @@ import faultline.paint.surface.Shapes;
 import faultline.paint.surface.Surface;
 import faultline.paint.surface.TextStyle;
 import faultline.paint.surface.TextStyle.Anchor;
+import java.awt.Color;
+import java.util.List;
 
 /** Paints a whole chart for a figure: title, legend above the data, map, grid, series, frame and axes. */
 public final class ChartPainter {
@@ -18,6 +20,12 @@ public final class ChartPainter {
     private static final double LEFT_MARGIN = 62;
     private static final double RIGHT_MARGIN = 16;
     private static final double BOTTOM_MARGIN = 46;
+    private static final double TITLE_HEIGHT = 26;
+    /** Above the plot of a chart without a title, for half a label of the vertical axis. */
+    private static final double TOP_MARGIN = 10;
+
+    private static final double MARK_LENGTH = 4;
+    private static final double LABEL_DISTANCE = 8;
 
     private final Surface surface;
     private final Chart chart;
@@ -32,8 +40,11 @@ public final class ChartPainter {
         this.chart = chart;
         this.style = style;
         this.area = area;
-        this.legend = new Legend(chart.series(), style, area.width() - LEFT_MARGIN - RIGHT_MARGIN);
-        this.plotArea = area.inset(LEFT_MARGIN, 26 + legend.height(), RIGHT_MARGIN, BOTTOM_MARGIN);
+        double left =
+                chart.y().rows().isEmpty() ? LEFT_MARGIN : leftMargin(chart.y().rows());
+        double top = chart.title().isEmpty() ? TOP_MARGIN : TITLE_HEIGHT;
+        this.legend = new Legend(chart.series(), style, area.width() - left - RIGHT_MARGIN);
+        this.plotArea = area.inset(left, top + legend.height(), RIGHT_MARGIN, BOTTOM_MARGIN);
         this.painter = new PlotPainter(surface, new Plot(plotArea, chart.x(), chart.y()));
     }
 
@@ -49,20 +60,34 @@ public final class ChartPainter {
         new ChartPainter(surface, chart, area, style).paint();
     }
 
+    /** Returns the width that the names of rows need beside the plot, pixels. */
+    public static double leftMargin(List<String> rows) {
+        TextStyle text = TextStyle.plain(TICK_SIZE, Color.BLACK);
+        return 2 * LABEL_DISTANCE
+                + rows.stream().mapToDouble(text::estimateWidth).max().orElse(0);
+    }
+
     private void paint() {
-        surface.drawText(
-                chart.title(),
-                new Vector2(plotArea.x(), area.y() + 17),
-                TextStyle.plain(TITLE_SIZE, style.palette().text()).withBold());
-        legend.paint(surface, plotArea.x(), area.y() + 24);
+        if (!chart.title().isEmpty()) {
+            surface.drawText(
+                    chart.title(),
+                    new Vector2(plotArea.x(), area.y() + 17),
+                    TextStyle.plain(TITLE_SIZE, style.palette().text()).withBold());
+        }
+        legend.paint(surface, plotArea.x(), plotArea.y() - legend.height() - 2);
         paintCells();
         painter.paintGrid(LineStyle.solid(style.grid(), 1));
+        if (!chart.y().rows().isEmpty()) {
+            List<Vector2> zero = List.of(
+                    new Vector2(0, chart.y().low()), new Vector2(0, chart.y().high()));
+            painter.paintLine(zero, LineStyle.solid(style.palette().muted(), 1));
+        }
         chart.series().forEach(series -> painter.paint(series, style));
         surface.draw(
                 Shapes.polygon(PlotPainter.corners(plotArea, 0, 0, 1, 1)),
                 LineStyle.solid(style.palette().text(), 1));
         painter.paintTicks(
-                new TickStyle(TextStyle.plain(TICK_SIZE, style.palette().text()), 4, 8, 17, ""));
+                new TickStyle(TextStyle.plain(TICK_SIZE, style.palette().text()), MARK_LENGTH, LABEL_DISTANCE, 17, ""));
         paintLabels();
     }
 
@@ -78,9 +103,11 @@ public final class ChartPainter {
     private void paintLabels() {
         TextStyle label = TextStyle.plain(LABEL_SIZE, style.palette().text()).withAnchor(Anchor.MIDDLE);
         surface.drawText(chart.x().label(), plotArea.pointAt(0.5, 0).plus(new Vector2(0, 36)), label);
-        surface.drawText(
-                chart.y().label(),
-                new Vector2(area.x() + 14, plotArea.pointAt(0, 0.5).y()),
-                label.rotated());
+        if (!chart.y().label().isEmpty()) {
+            surface.drawText(
+                    chart.y().label(),
+                    new Vector2(area.x() + 14, plotArea.pointAt(0, 0.5).y()),
+                    label.rotated());
+        }
     }
 }

@@ -22,6 +22,9 @@ import java.util.List;
  */
 public record PlotPainter(Surface surface, Plot plot) {
 
+    /** How far beyond the end of an axis a value that is its end may lie by rounding, as a share of the axis. */
+    private static final double ROUNDING = 1e-9;
+
     /** Paints a line at each tick of both axes. */
     public void paintGrid(LineStyle style) {
         plot.horizontal().ticks().forEach(tick -> {
@@ -58,7 +61,7 @@ public record PlotPainter(Surface surface, Plot plot) {
             paintTick(foot, new Vector2(-style.markLength(), 0), mark);
             if (plot.vertical().hasLabel(tick, up)) {
                 surface.drawText(
-                        Axis.formatTick(tick),
+                        plot.vertical().tickLabel(tick),
                         foot.plus(new Vector2(-style.left(), 4)),
                         style.text().withAnchor(Anchor.END));
             }
@@ -144,7 +147,7 @@ public record PlotPainter(Surface surface, Plot plot) {
     }
 
     private static boolean isInside(Vector2 fractions) {
-        return fractions.x() >= 0 && fractions.x() <= 1 && fractions.y() >= 0 && fractions.y() <= 1;
+        return fractions.distanceTo(clamp(fractions)) < ROUNDING;
     }
 
     private static Vector2 clamp(Vector2 fractions) {

@@ -74,8 +74,10 @@ public record ChartStyle(Palette palette, Color grid, List<Color> series, List<C
         return series.get(index % series.size());
     }
 
+    /** Returns the style of the line of a series; the first 16 differ in colour or dash pattern. */
     public LineStyle lineStyle(int index) {
-        return new LineStyle(series(index), 1.8, DashPattern.values()[index % DashPattern.values().length]);
+        DashPattern[] patterns = DashPattern.values();
+        return new LineStyle(series(index), 1.8, patterns[(index + index / series.size()) % patterns.length]);
     }
 
     /** Returns a translucent colour; opacity in [0, 1]. */

@@ -18,6 +18,11 @@ public record LineStyle(Color colour, double width, DashPattern dash) {
         return new LineStyle(colour, width, DashPattern.SOLID);
     }
 
+    /** Returns this style with another width in pixels, positive. */
+    public LineStyle withWidth(double other) {
+        return new LineStyle(colour, other, dash);
+    }
+
     /** Returns the stroke of this style. */
     public BasicStroke stroke() {
         List<Double> lengths = dash.lengths();

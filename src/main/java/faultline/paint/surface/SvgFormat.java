@@ -4,13 +4,13 @@ import java.awt.Color;
 import java.util.Locale;
 
 /**
- * Formats numbers, colours and texts for SVG files. Coordinates have two decimals, so that the bytes depend on the
- * picture alone.
+ * Formats numbers and colours for SVG files. Coordinates have two decimals, so that the bytes depend on the picture
+ * alone.
  */
-public final class SvgFormat {
+final class SvgFormat {
 
     /** Similar fonts, first the one with which texts are measured. */
-    public static final String FONT_FAMILIES = "DejaVu Sans, Verdana, Arial, sans-serif";
+    static final String FONT_FAMILIES = "DejaVu Sans, Verdana, Arial, sans-serif";
 
     private SvgFormat() {}
 
@@ -18,7 +18,7 @@ public final class SvgFormat {
      * Returns the attributes of a colour, which may be translucent, with a leading space; {@code attribute} is fill or
      * stroke.
      */
-    public static String colourAttributes(String attribute, Color colour) {
+    static String colourAttributes(String attribute, Color colour) {
         String solid = " " + attribute + "=\"" + toHex(colour) + "\"";
         return colour.getAlpha() == 255
                 ? solid
@@ -31,16 +31,11 @@ public final class SvgFormat {
     }
 
     /** Returns a finite number with at most two decimals, without trailing zeros or a sign on zero. */
-    public static String number(double value) {
+    static String number(double value) {
         long hundredths = Math.round(value * 100);
         long rest = Math.abs(hundredths % 100);
         String sign = hundredths < 0 ? "-" : "";
         String decimals = rest == 0 ? "" : rest % 10 == 0 ? "." + rest / 10 : (rest < 10 ? ".0" : ".") + rest;
         return sign + Math.abs(hundredths / 100) + decimals;
-    }
-
-    /** Returns a text with the reserved characters of XML escaped. */
-    public static String escape(String text) {
-        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
 }

@@ -1,6 +1,7 @@
 package faultline.paint.surface;
 
 import faultline.geometry.Vector2;
+import faultline.io.XmlText;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
@@ -19,12 +20,11 @@ public final class SvgSurface implements Surface {
     private static final double SPACE_WIDTH = 0.32;
 
     private final StringBuilder out = new StringBuilder();
+    private final String size;
 
     /** Creates an empty picture; width and height in pixels. */
     public SvgSurface(int width, int height) {
-        out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height
-                + "\" viewBox=\"0 0 " + width + " " + height
-                + "\" font-family=\"" + SvgFormat.FONT_FAMILIES + "\" stroke-linejoin=\"round\">\n");
+        size = "width=\"" + width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height + '"';
     }
 
     /** Creates a picture that is filled with a background colour; width and height in pixels. */
@@ -36,7 +36,21 @@ public final class SvgSurface implements Surface {
 
     /** Returns the text of the SVG file. */
     public String toSvg() {
-        return out + "</svg>\n";
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + " font-family=\"" + SvgFormat.FONT_FAMILIES
+                + "\" stroke-linejoin=\"round\">\n" + out + "</svg>\n";
+    }
+
+    /**
+     * Returns the picture as an element of an HTML page, in the font of the page.
+     *
+     * @param cssClass of the element
+     * @param title what the picture shows, for screen readers; empty for one that only repeats the text beside it
+     */
+    public String toHtml(String cssClass, String title) {
+        String start = "<svg class=\"" + cssClass + "\" " + size + " stroke-linejoin=\"round\"";
+        return title.isEmpty()
+                ? start + " aria-hidden=\"true\">\n" + out + "</svg>"
+                : start + " role=\"img\"><title>" + XmlText.escapeAttribute(title) + "</title>\n" + out + "</svg>\n";
     }
 
     /** Returns the text of the SVG file of a picture that was drawn in the colours of the light theme. */
@@ -105,7 +119,7 @@ public final class SvgSurface implements Surface {
         boolean lowered = false;
         for (Subscripts.TextRun run : Subscripts.split(text)) {
             if (run.subscript() == lowered) {
-                spans.append(SvgFormat.escape(run.text()));
+                spans.append(XmlText.escapeAttribute(run.text()));
                 continue;
             }
             boolean gap = run.text().startsWith(" ");
@@ -113,7 +127,7 @@ public final class SvgSurface implements Surface {
             spans.append("<tspan dy=\"").append(SvgFormat.number(shift)).append('"');
             spans.append(gap ? " dx=\"" + SvgFormat.number(SPACE_WIDTH * size) + '"' : "");
             spans.append(run.subscript() ? " font-size=\"" + SvgFormat.number(Subscripts.SIZE_RATIO * size) + '"' : "");
-            spans.append('>').append(SvgFormat.escape(run.text().substring(gap ? 1 : 0)));
+            spans.append('>').append(XmlText.escapeAttribute(run.text().substring(gap ? 1 : 0)));
             spans.append("</tspan>");
             lowered = run.subscript();
         }
@@ -122,7 +136,7 @@ public final class SvgSurface implements Surface {
 
     @Override
     public void drawText(String text, double x, double y, Color colour, Font font) {
-        appendText(x, y, fontSize(font) + SvgFormat.colourAttributes("fill", colour), SvgFormat.escape(text));
+        appendText(x, y, fontSize(font) + SvgFormat.colourAttributes("fill", colour), XmlText.escapeAttribute(text));
     }
 
     @Override
@@ -132,7 +146,7 @@ public final class SvgSurface implements Surface {
                 + SvgFormat.colourAttributes("stroke", halo)
                 + strokeAttributes((BasicStroke) DrawContext.HALO_STROKE)
                 + " paint-order=\"stroke\"";
-        appendText(x, y, attributes, SvgFormat.escape(text));
+        appendText(x, y, attributes, XmlText.escapeAttribute(text));
     }
 
     private static String fontSize(Font font) {

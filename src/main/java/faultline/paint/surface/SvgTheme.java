@@ -46,20 +46,19 @@ public enum SvgTheme {
         return switch (this) {
             case LIGHT -> svg;
             case DARK -> COLOUR.matcher(svg).replaceAll(use -> use.group(1) + "=\"" + darkColour(use.group(2)) + "\"");
-            case ADAPTIVE -> svg.replaceFirst("\n", "\n" + styleSheet(svg));
+            case ADAPTIVE -> svg.replaceFirst("\n", "\n<style>" + styleSheet(svg) + "</style>\n");
         };
     }
 
-    /** Returns the rules that exchange the colours of a picture if the user prefers dark colours. */
-    private static String styleSheet(String svg) {
+    /** Returns the CSS rules that exchange the colours of pictures on screens whose user prefers dark colours. */
+    public static String styleSheet(String svg) {
         return COLOUR.matcher(svg)
                 .results()
                 .map(MatchResult::group)
                 .distinct()
                 .sorted()
                 .map(SvgTheme::rule)
-                .collect(Collectors.joining(
-                        "", "<style>@media screen and (prefers-color-scheme: dark) {\n", "}</style>\n"));
+                .collect(Collectors.joining("", "@media screen and (prefers-color-scheme: dark) {\n", "}"));
     }
 
     private static String rule(String use) {

@@ -51,6 +51,11 @@ public record TextStyle(double size, Color colour, Anchor anchor, boolean bold, 
         return new Font(Font.SANS_SERIF, bold ? Font.BOLD : Font.PLAIN, 1).deriveFont((float) size);
     }
 
+    /** Returns a text with each underscore doubled, so that a surface draws it literally. */
+    public static String literal(String text) {
+        return text.replace("_", "__");
+    }
+
     /**
      * Estimates the width of a line of text, pixels. Letters are counted, not measured, so that a layout is the same
      * with every font.

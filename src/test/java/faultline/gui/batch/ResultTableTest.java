@@ -2,10 +2,8 @@ package faultline.gui.batch;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import faultline.paint.chart.Axis;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -83,13 +81,6 @@ class ResultTableTest {
 
     private static List<ResultCell> row(String name, String number) {
         return List.of(ResultCell.ofText(name), ResultCell.of("coverage", number));
-    }
-
-    @Test
-    void aHistogramCountsEveryValueOnce() {
-        double[] values = {0, 0.05, 0.1, 0.5, 0.95, 1, 1};
-        long[] counts = Histogram.counts(Axis.linear("", 0, 1), values);
-        assertArrayEquals(new long[] {3, 0, 1, 0, 3}, counts);
     }
 
     private int headingAlignment(int column) {

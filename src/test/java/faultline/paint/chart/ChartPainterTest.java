@@ -1,5 +1,6 @@
 package faultline.paint.chart;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -17,6 +18,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** Charts: nice ticks, lines clipped at the frame, and the same picture on both kinds of surface. */
@@ -73,6 +75,47 @@ class ChartPainterTest {
         Axis axis = Axis.covering("", DoubleStream.of(0.13, 7.9, Double.NaN));
         assertEquals(0, axis.low());
         assertEquals(8, axis.high());
+    }
+
+    @Test
+    void anAxisOfRowsHasALabelInTheMiddleOfEach() {
+        Axis axis = Axis.rows(List.of("lower", "upper"));
+        assertEquals(List.of(0.0, 1.0), axis.ticks());
+        assertEquals("upper", axis.tickLabel(1));
+        assertEquals(0.75, axis.fractionOf(1));
+    }
+
+    @Test
+    void anAxisOfEqualValuesHasReadableTicks() {
+        Axis axis = Axis.covering("", DoubleStream.of(7.3, 7.3), 0.001);
+        assertTrue(axis.low() <= 7.299 && axis.high() >= 7.3, axis::toString);
+        axis.ticks().forEach(tick -> assertTrue(Axis.formatTick(tick).length() <= 6, axis::toString));
+    }
+
+    @Test
+    void aHistogramCountsEveryValueOnce() {
+        double[] values = {0, 0.05, 0.1, 0.5, 0.95, 1, 1};
+        long[] counts = Histogram.counts(Axis.linear("", 0, 1), values);
+        assertArrayEquals(new long[] {3, 0, 1, 0, 3}, counts);
+    }
+
+    @Test
+    void theFirstSixteenSeriesDifferInColourOrDashes() {
+        assertEquals(
+                16,
+                IntStream.range(0, 16)
+                        .mapToObj(ChartStyle.LIGHT::lineStyle)
+                        .distinct()
+                        .count());
+    }
+
+    @Test
+    void aLiteralTextKeepsItsUnderscoresAndIsNoMarkup() {
+        SvgSurface surface = new SvgSurface(10, 10);
+        String name = "_my__speed_m fill=\"#123456\" </svg>";
+        surface.drawText(TextStyle.literal(name), Vector2.ZERO, TextStyle.plain(12, Color.BLACK));
+        assertTrue(
+                surface.toSvg().contains(">_my__speed_m fill=&quot;#123456&quot; &lt;/svg&gt;</text>"), surface::toSvg);
     }
 
     @Test

@@ -1,16 +1,13 @@
-package faultline.gui.batch;
+package faultline.paint.chart;
 
 import faultline.geometry.Vector2;
-import faultline.paint.chart.Axis;
-import faultline.paint.chart.Chart;
-import faultline.paint.chart.Series;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
 /** How often values occur, as a chart with bars of equal width. */
-final class Histogram {
+public final class Histogram {
 
     private static final int MIN_BARS = 5;
     private static final int MAX_BARS = 40;
@@ -29,10 +26,12 @@ final class Histogram {
      * @param title above the chart
      * @param quantity of the values, with the unit
      * @param frequency what the bars count
-     * @param values at least one, all finite
+     * @param values all finite
      */
-    static Chart chart(String title, String quantity, String frequency, double[] values) {
-        Axis x = Axis.covering(quantity, widened(values));
+    public static Chart chart(String title, String quantity, String frequency, double[] values) {
+        double high = Arrays.stream(values).max().orElse(0);
+        double minSpan = Math.max(MIN_SPAN, MIN_RELATIVE_SPAN * Math.abs(high));
+        Axis x = Axis.covering(quantity, Arrays.stream(values), minSpan);
         long[] counts = counts(x, values);
         double highest = Arrays.stream(counts).max().orElse(1);
         Axis y = Axis.covering(frequency, DoubleStream.of(0, Math.max(MIN_HEIGHT, highest)));
@@ -46,13 +45,6 @@ final class Histogram {
         outline.add(0, new Vector2(x.low(), 0));
         outline.add(new Vector2(x.high(), 0));
         return new Chart(title, x, y, List.of(new Series.Band("", upper, lower, 0), new Series.Line("", outline, 0)));
-    }
-
-    /** Returns the values, and a smaller one if they are nearly equal, so that the axis has readable ticks. */
-    private static DoubleStream widened(double[] values) {
-        double high = Arrays.stream(values).max().orElse(0);
-        double span = Math.max(MIN_SPAN, MIN_RELATIVE_SPAN * Math.abs(high));
-        return DoubleStream.concat(Arrays.stream(values), DoubleStream.of(high - span));
     }
 
     /** Returns how many values each bar has; the last one includes its upper bound. */

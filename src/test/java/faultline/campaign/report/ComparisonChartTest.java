@@ -1,0 +1,81 @@
+package faultline.campaign.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.RobotPath;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.geometry.Pose;
+import faultline.world.WorldSpec;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+class ComparisonChartTest {
+
+    private static final SimulationSetup ROOM =
+            SimulationSetup.of(new WorldSpec(3, 2, true, 0, List.of()), new Pose(0.6, 1.2, 0));
+
+    /** The start and the end along the axis of the bar of an interval, and of the frame of the chart. */
+    private static final Pattern BAR =
+            Pattern.compile("<path d=\"M([\\d.]+) [\\d.]+L([\\d.]+) [^\"]*\" fill=\"#0b4f79\" fill-opacity");
+
+    private static final Pattern FRAME =
+            Pattern.compile("<path d=\"M([\\d.]+) [\\d.]+L([\\d.]+) [^\"]*Z\" fill=\"none\" stroke=\"#1f2430\"");
+    private static final Pattern DOT = Pattern.compile("<circle cx=\"([\\d.]+)\"()");
+
+    private static ControllerRuns.Run run(double seconds) {
+        AtomicReference<RobotPath> path = new AtomicReference<>();
+        RunResult result = HeadlessRun.run(
+                ROOM.withDuration(seconds),
+                ControllerMode.DIRECT,
+                List.of(simulation -> path.set(simulation.frame().path())));
+        return new ControllerRuns.Run(result, path.get());
+    }
+
+    private static List<double[]> places(Pattern pattern, String svg) {
+        return pattern.matcher(svg).results().map(ComparisonChartTest::numbers).toList();
+    }
+
+    private static double[] numbers(MatchResult found) {
+        return IntStream.rangeClosed(1, found.groupCount())
+                .mapToObj(found::group)
+                .filter(text -> !text.isEmpty())
+                .mapToDouble(Double::parseDouble)
+                .toArray();
+    }
+
+    @Test
+    void theAxisCoversAnIntervalThatIsWiderThanTheRuns() {
+        ControllerRuns runs = new ControllerRuns("wall-follower", List.of(run(2), run(3)), List.of());
+        String svg = ComparisonChart.spread(Metric.PATH, List.of(runs));
+        double[] values = Metric.PATH.values(runs.runs());
+        Interval mean = Metric.PATH.interval(values);
+        assertTrue(mean.low() < values[0] && mean.high() > values[1], "two runs make a wide interval");
+        double[] bar = places(BAR, svg).get(0);
+        double[] frame = places(FRAME, svg).get(0);
+        List<double[]> dots = places(DOT, svg);
+        double pixelsPerMetre = (dots.get(1)[0] - dots.get(0)[0]) / (values[1] - values[0]);
+        assertEquals((mean.high() - mean.low()) * pixelsPerMetre, bar[1] - bar[0], 0.05, "the whole interval is drawn");
+        assertTrue(frame[0] <= bar[0] && bar[1] <= frame[1], () -> Arrays.toString(bar) + Arrays.toString(frame));
+    }
+
+    @Test
+    void controllersHaveANumberEachAndHostileNamesAreNoMarkup() {
+        List<ControllerRuns> controllers = List.of(
+                new ControllerRuns("</code><script>", List.of(run(1)), List.of()),
+                new ControllerRuns("a fill=\"#123456\"\u0000", List.of(run(1)), List.of()));
+        String svg = ComparisonChart.spread(Metric.PATH, controllers);
+        assertTrue(svg.contains(">1</text>") && svg.contains(">2</text>"), svg);
+        String legend = ComparisonChart.legend(controllers);
+        assertTrue(legend.contains("<code>&lt;/code&gt;&lt;script&gt;</code>"), legend);
+        assertTrue(Html.page("t", "", legend).contains("<code>a fill=&quot;#123456&quot;?</code>"), legend);
+    }
+}
