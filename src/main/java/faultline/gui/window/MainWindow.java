@@ -1,7 +1,5 @@
 package faultline.gui.window;
 
-import faultline.engine.session.Session;
-import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
@@ -51,7 +49,6 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Objects;
 import java.util.concurrent.Callable;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
@@ -59,7 +56,7 @@ import javax.swing.JFrame;
 import javax.swing.KeyStroke;
 import javax.swing.WindowConstants;
 
-/** The main window. A timer polls the workspace for the newest frame about sixty times per second. */
+/** The main window: creates the parts of the window and connects them. */
 public final class MainWindow extends JFrame {
 
     private static final int SIMULATION_MENU = 3;
@@ -92,12 +89,7 @@ public final class MainWindow extends JFrame {
     private final TourCard tour;
     private final transient ComparisonActions comparisonActions;
     private final transient FileWatch fileWatch;
-    private final transient ProgressDialogs progressDialogs = new ProgressDialogs(this, workspace::cancelTask);
-    private final transient ReplayNotifier replayNotifier =
-            new ReplayNotifier(runController.navigator(), this::showNote);
-    private final transient PollTimer pollTimer = new PollTimer(this::poll);
-    /** The status at the last poll; null before the first. */
-    private transient Session.Status polledStatus;
+    private final transient RunPoller runPoller;
 
     /** Creates a window without a scenario, not yet visible. */
     public MainWindow(WindowPreferences preferences) {
@@ -136,7 +128,19 @@ public final class MainWindow extends JFrame {
         fileWatch = createFileWatch();
         installEditNotifier();
         workspace.addListener(new WorkspaceEvents());
-        pollTimer.start();
+        runPoller = createRunPoller();
+        runPoller.start();
+    }
+
+    private RunPoller createRunPoller() {
+        RunPoller poller =
+                new RunPoller(workspace, runController, mainPanel, new ProgressDialogs(this, workspace::cancelTask));
+        poller.addListener((frame, status) -> {
+            undoController.runAdvanced(frame.snapshot().tick());
+            comparisonActions.update(frame);
+            runActions.update(status);
+        });
+        return poller;
     }
 
     private FileWatch createFileWatch() {
@@ -263,7 +267,7 @@ public final class MainWindow extends JFrame {
     /** Ends the run with the window. */
     @Override
     public void dispose() {
-        pollTimer.stop();
+        runPoller.stop();
         fileWatch.close();
         themeAction.close();
         workspace.close();
@@ -331,32 +335,6 @@ public final class MainWindow extends JFrame {
         RecoveryPrompt.offerRecovery(recovery, fileController::offerRecovery, otherwise);
     }
 
-    /** Shows the newest state of the run, and returns whether it has changed or may change soon without the user. */
-    private boolean poll() {
-        SessionFrame before = mainPanel.shownFrame();
-        workspace.task().ifPresentOrElse(progressDialogs::update, progressDialogs::clear);
-        // Status before frame: if the status says paused, the frame is the one at which the run is paused.
-        runController.status().ifPresent(status -> runController.frame().ifPresent(frame -> {
-            mainPanel.setFrame(frame, status);
-            undoController.runAdvanced(frame.snapshot().tick());
-            replayNotifier.update(frame.frame());
-            comparisonActions.update(frame);
-            workspace
-                    .scenario()
-                    .ifPresent(open -> mainPanel.setRun(
-                            frame, status, open, runController.navigator().furthestTick()));
-            runActions.update(status);
-        }));
-        Session.Status status = runController.status().orElse(null);
-        boolean changed = !Objects.equals(status, polledStatus) || mainPanel.shownFrame() != before;
-        polledStatus = status;
-        return changed
-                || status == null
-                || status.running()
-                || workspace.task().isPresent()
-                || mainPanel.statusBar().isNoteShown() && status.failure().isEmpty();
-    }
-
     /** Responds to events of the workspace. */
     private final class WorkspaceEvents implements WorkspaceListener {
         @Override
@@ -391,12 +369,6 @@ public final class MainWindow extends JFrame {
         @Override
         public void journalSaved(Path file) {
             showSavedNote(file);
-        }
-
-        @Override
-        public void sessionStarted() {
-            mainPanel.statusBar().reset();
-            replayNotifier.reset();
         }
 
         @Override
