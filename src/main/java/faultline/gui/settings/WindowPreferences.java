@@ -67,8 +67,8 @@ public final class WindowPreferences {
     public static WindowPreferences forCurrentUser() {
         PREFERENCES_LOG.setLevel(Level.OFF);
         try {
-            Preferences preferences = Preferences.userRoot().node("faultline/window");
-            return new WindowPreferences(new PreferenceStore(key -> preferences.get(key, ""), preferences::put));
+            return new WindowPreferences(
+                    WrittenPreferences.storeOf(Preferences.userRoot().node("faultline/window")));
         } catch (IllegalStateException | SecurityException unavailable) {
             return nonPersistent();
         }
