@@ -6,7 +6,8 @@ import faultline.engine.metrics.Expectation;
 import faultline.io.XmlText;
 import faultline.scenario.xml.ScenarioContent;
 import faultline.scenario.xml.ScenarioException;
-import faultline.scenario.xml.ScenarioFiles;
+import faultline.scenario.xml.ScenarioReader;
+import faultline.scenario.xml.ScenarioWriter;
 import faultline.scenario.xml.XmlComments;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -60,7 +61,7 @@ public record Scenario(
      * @throws ScenarioException with everything that is wrong with the file
      */
     public static Scenario load(Path file) throws ScenarioException {
-        return of(ScenarioFiles.read(file));
+        return of(ScenarioReader.read(file));
     }
 
     /**
@@ -70,7 +71,7 @@ public record Scenario(
      * @throws ScenarioException if there is none of that name
      */
     public static Scenario loadShipped(String name) throws ScenarioException {
-        return of(ScenarioFiles.readShipped(name));
+        return of(ScenarioReader.readShipped(name));
     }
 
     /**
@@ -91,7 +92,7 @@ public record Scenario(
      * @throws IOException if the file cannot be written, or the scenario is beyond the limits of the format
      */
     public void save(Path file, XmlComments comments) throws IOException {
-        ScenarioFiles.write(content(), file, comments);
+        ScenarioWriter.write(content(), file, comments);
     }
 
     /**
@@ -100,7 +101,7 @@ public record Scenario(
      * @throws IOException if the scenario is beyond the limits of the format
      */
     public byte[] toBytes() throws IOException {
-        return ScenarioFiles.toBytes(content());
+        return ScenarioWriter.toBytes(content(), XmlComments.NONE);
     }
 
     /** {@return the content of a file with this scenario} */

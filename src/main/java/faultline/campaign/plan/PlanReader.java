@@ -7,7 +7,6 @@ import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
-import faultline.scenario.xml.XmlParser;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -48,9 +47,9 @@ final class PlanReader {
      */
     static CampaignPlan read(String name, byte[] bytes, PlanFiles.Resolver resolver) throws ScenarioException {
         Problems problems = new Problems(name);
-        XmlParser parser = new XmlParser(bytes, problems, FORMAT);
         PlanReader reader = new PlanReader(problems);
-        Optional<CampaignPlan> plan = parser.parse().flatMap(root -> reader.read(name, bytes, root, resolver));
+        Optional<CampaignPlan> plan =
+                XmlElement.parse(bytes, problems, FORMAT).flatMap(root -> reader.read(name, bytes, root, resolver));
         problems.throwIfAny();
         plan.orElseThrow().check();
         return plan.get();

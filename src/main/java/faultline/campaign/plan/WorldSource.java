@@ -6,10 +6,10 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioContent;
-import faultline.scenario.xml.ScenarioFiles;
+import faultline.scenario.xml.ScenarioWriter;
+import faultline.scenario.xml.XmlComments;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
-import faultline.scenario.xml.XmlParser;
 import java.io.IOException;
 
 /** Where a plan's worlds come from. */
@@ -76,8 +76,8 @@ sealed interface WorldSource {
 
         private static XmlElement toTree(ScenarioContent room) {
             try {
-                return new XmlParser(ScenarioFiles.toBytes(room), new Problems(room.name()), XmlFormat.SCENARIO)
-                        .parse()
+                byte[] bytes = ScenarioWriter.toBytes(room, XmlComments.NONE);
+                return XmlElement.parse(bytes, new Problems(room.name()), XmlFormat.SCENARIO)
                         .orElseThrow();
             } catch (IOException e) {
                 throw new IllegalStateException(room.name() + " cannot be a scenario", e);

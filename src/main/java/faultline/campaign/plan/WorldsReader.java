@@ -10,7 +10,6 @@ import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.ScenarioReader;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
-import faultline.scenario.xml.XmlParser;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -92,8 +91,7 @@ final class WorldsReader {
     /** Returns a valid scenario as a tree. */
     private static XmlElement parse(String file, byte[] bytes) throws ScenarioException {
         Problems problems = new Problems(file);
-        XmlParser parser = new XmlParser(bytes, problems, XmlFormat.SCENARIO);
-        Optional<XmlElement> root = parser.parse();
+        Optional<XmlElement> root = XmlElement.parse(bytes, problems, XmlFormat.SCENARIO);
         problems.throwIfAny();
         ScenarioReader.read(file, root.orElseThrow());
         return root.get();

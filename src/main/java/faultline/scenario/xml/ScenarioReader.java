@@ -5,10 +5,17 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Vector2;
+import faultline.io.ByteCount;
 import faultline.io.DecimalText;
+import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.world.Clearance;
 import faultline.world.WorldSpec;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
@@ -32,15 +39,46 @@ public final class ScenarioReader {
     }
 
     /**
-     * Reads a scenario from the content of a file.
+     * {@return the content of a scenario file}
+     *
+     * @param file the file
+     * @throws ScenarioException with everything that is wrong with the file
+     */
+    public static ScenarioContent read(Path file) throws ScenarioException {
+        return read(file.toString(), readBytes(file, Allowed.SCENARIO_FILE.with()));
+    }
+
+    /**
+     * {@return the content of a scenario that is part of the program}
+     *
+     * @param name the name of a file in the folder {@code scenarios}
+     * @throws ScenarioException if there is none of that name
+     */
+    public static ScenarioContent readShipped(String name) throws ScenarioException {
+        try (InputStream in = ScenarioReader.class.getResourceAsStream("/scenarios/" + name)) {
+            if (in == null) {
+                throw problem(name, ProblemKind.NOT_SHIPPED.with());
+            }
+            return read(name, in.readAllBytes());
+        } catch (IOException e) {
+            throw problem(name, ProblemKind.UNREADABLE_RESOURCE.with());
+        }
+    }
+
+    /**
+     * {@return the content of a scenario file with some bytes}
      *
      * @param file the name of the file in problems
-     * @throws ScenarioException with everything that is wrong
+     * @param bytes the content
+     * @throws ScenarioException with everything that is wrong with it
      */
-    static ScenarioContent read(String file, byte[] bytes) throws ScenarioException {
+    public static ScenarioContent read(String file, byte[] bytes) throws ScenarioException {
         Problems problems = new Problems(file);
-        XmlParser parsing = new XmlParser(bytes, problems, XmlFormat.SCENARIO);
-        Optional<XmlElement> root = parsing.parse();
+        if (bytes.length == 0) {
+            problems.add(new SourceLocation(1, 1), ProblemKind.EMPTY_FILE.with());
+        }
+        problems.throwIfAny();
+        Optional<XmlElement> root = XmlElement.parse(bytes, problems, XmlFormat.SCENARIO);
         problems.throwIfAny();
         return read(file, root.orElseThrow());
     }
@@ -57,6 +95,45 @@ public final class ScenarioReader {
         Optional<ScenarioContent> scenario = new ScenarioReader(problems).read(root);
         problems.throwIfAny();
         return scenario.orElseThrow();
+    }
+
+    /**
+     * {@return the bytes of a file}
+     *
+     * @param file the file
+     * @param kind what the file is to be, such as {@link Allowed#SCENARIO_FILE}, for problems
+     * @throws ScenarioException if the file cannot be read, or is too large
+     */
+    public static byte[] readBytes(Path file, Object kind) throws ScenarioException {
+        String name = file.toString();
+        try {
+            checkRegularFile(name, file, kind);
+            return Files.readAllBytes(file);
+        } catch (NoSuchFileException e) {
+            throw problem(name, ProblemKind.NO_SUCH_FILE.with());
+        } catch (IOException e) {
+            throw problem(name, ProblemKind.UNREADABLE_FILE.with());
+        }
+    }
+
+    /** Checked before anything is read: a device or a pipe could continue without end. */
+    private static void checkRegularFile(String name, Path file, Object kind) throws ScenarioException, IOException {
+        if (Files.isDirectory(file)) {
+            throw problem(name, ProblemKind.FOLDER.with(kind));
+        }
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw problem(name, ProblemKind.IRREGULAR_FILE.with(kind));
+        }
+        if (Files.size(file) > ScenarioLimits.MAX_BYTES) {
+            throw problem(
+                    name,
+                    ProblemKind.TOO_MANY_BYTES.with(
+                            ByteCount.format(Files.size(file)), ByteCount.format(ScenarioLimits.MAX_BYTES)));
+        }
+    }
+
+    private static ScenarioException problem(String name, Message message) {
+        return new ScenarioException(List.of(new Problem(name, SourceLocation.NONE, message)));
     }
 
     private Optional<ScenarioContent> read(XmlElement root) {

@@ -2,24 +2,40 @@ package faultline.scenario.xml;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
+import faultline.io.AtomicFile;
 import faultline.io.DecimalText;
 import faultline.io.MessageException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
 /** Writes a scenario as a file that reads back to an equal scenario. */
-final class ScenarioWriter {
+public final class ScenarioWriter {
 
     private ScenarioWriter() {}
 
     /**
-     * Returns the bytes of the file.
+     * Writes a scenario file, completely or not at all.
      *
-     * @throws IOException if the scenario is beyond the limits of the format
+     * @param scenario the content, which is checked to read back the same
+     * @param file the file; an existing one is replaced
+     * @param comments the comments that a person has put into the file
+     * @throws IOException if the file cannot be written, or the content is beyond the limits of the format
      */
-    static byte[] toBytes(ScenarioContent scenario, XmlComments comments) throws IOException {
+    public static void write(ScenarioContent scenario, Path file, XmlComments comments) throws IOException {
+        AtomicFile.write(file, toBytes(scenario, comments));
+    }
+
+    /**
+     * {@return the bytes of a scenario file, which are checked to read back the same}
+     *
+     * @param scenario the content
+     * @param comments the comments that a person has put into the file
+     * @throws IOException if the content is beyond the limits of the format
+     */
+    public static byte[] toBytes(ScenarioContent scenario, XmlComments comments) throws IOException {
         byte[] bytes = toText(scenario, comments).getBytes(StandardCharsets.UTF_8);
         try {
             if (!ScenarioReader.read("", bytes).equals(scenario)) {

@@ -44,7 +44,7 @@ public final class XmlComments {
      */
     public static XmlComments read(Path file) {
         try {
-            return read(ScenarioFiles.readBytes(file));
+            return read(ScenarioReader.readBytes(file, Allowed.SCENARIO_FILE.with()));
         } catch (ScenarioException unreadable) {
             return NONE;
         }

@@ -18,6 +18,17 @@ public record XmlElement(
         String name, SourceLocation location, Map<String, String> attributes, List<XmlElement> children, String text) {
 
     /**
+     * {@return the root element of a file; empty, with a problem, if the file is not well-formed}
+     *
+     * @param bytes the content of the file
+     * @param problems collects what is wrong
+     * @param format the format of the file
+     */
+    public static Optional<XmlElement> parse(byte[] bytes, Problems problems, XmlFormat format) {
+        return new XmlParser(bytes, format).parse(problems);
+    }
+
+    /**
      * {@return the children of a name}
      *
      * @param child the name of the children, as {@link #name} gives it

@@ -1,64 +1,107 @@
 package faultline.scenario.xml;
 
 import faultline.io.Message;
-import faultline.io.MessageText;
 import java.io.ByteArrayInputStream;
 import java.io.CharConversionException;
 import java.io.IOException;
 import java.io.UnsupportedEncodingException;
-import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParser;
 import javax.xml.parsers.SAXParserFactory;
+import org.xml.sax.Attributes;
+import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
+import org.xml.sax.ext.Attributes2;
+import org.xml.sax.ext.Attributes2Impl;
+import org.xml.sax.helpers.DefaultHandler;
 
-/**
- * Parses a file to a tree of elements, without document types, external resources and entity expansion. The parser's
- * own messages depend on the language of the machine and are never shown.
- */
-public final class XmlParser {
+/** Parses a file to a tree of elements, without document types, external resources and entity expansion. */
+final class XmlParser extends DefaultHandler {
+
+    /** Ends the pass because the file exceeds a limit. */
+    private static final class LimitExceededException extends SAXException {
+
+        private static final long serialVersionUID = 1L;
+
+        private final transient Message problem;
+
+        LimitExceededException(Message problem) {
+            super(problem.toString());
+            this.problem = problem;
+        }
+    }
+
+    /** An element whose end tag has not been read yet. Most have neither children nor text. */
+    private static final class PendingElement {
+        private final String name;
+        private final SourceLocation location;
+        private final Map<String, String> attributes;
+        private List<XmlElement> children = List.of();
+        private StringBuilder text;
+
+        PendingElement(String name, SourceLocation location, Map<String, String> attributes) {
+            this.name = name;
+            this.location = location;
+            this.attributes = attributes;
+        }
+
+        void addChild(XmlElement child) {
+            if (children.isEmpty()) {
+                children = new ArrayList<>();
+            }
+            children.add(child);
+        }
+
+        void addText(char[] buffer, int start, int length) {
+            if (text == null) {
+                text = new StringBuilder();
+            }
+            text.append(buffer, start, length);
+        }
+
+        XmlElement toElement() {
+            return new XmlElement(name, location, attributes, children, text == null ? "" : text.toString());
+        }
+    }
 
     /** Where a file names its encoding, if it does. */
     private static final SourceLocation XML_DECLARATION = new SourceLocation(1, 1);
 
-    private static final int EXCERPT_LENGTH = 40;
+    private static final Attributes2 NO_ATTRIBUTES = new Attributes2Impl();
 
     private final byte[] bytes;
-    private final Problems problems;
     private final XmlFormat format;
-    private final XmlTreeBuilder tree;
+    private final Deque<PendingElement> pendingElements = new ArrayDeque<>();
+    private Locator locator;
+    private int elementCount;
+    private XmlElement root;
 
-    /**
-     * Creates a parser of one file.
-     *
-     * @param bytes the content of the file
-     * @param problems collects what is wrong
-     * @param format the format of the file
-     */
-    public XmlParser(byte[] bytes, Problems problems, XmlFormat format) {
+    /** Creates a parser of one file of a format. */
+    XmlParser(byte[] bytes, XmlFormat format) {
         this.bytes = bytes;
-        this.problems = problems;
         this.format = format;
-        this.tree = new XmlTreeBuilder(format.namespace());
     }
 
-    /** {@return the root element; empty, with a problem, if the file is not well-formed or has another root} */
-    public Optional<XmlElement> parse() {
+    /** Returns the root element; empty, with a problem, if the file is not well-formed. */
+    Optional<XmlElement> parse(Problems problems) {
         try {
-            newParser().parse(new ByteArrayInputStream(bytes), tree);
-            return tree.root();
-        } catch (XmlTreeBuilder.LimitExceededException e) {
-            problems.add(
-                    tree.openElements().isEmpty()
-                            ? SourceLocation.NONE
-                            : tree.openElements().get(0).location(),
-                    e.problem());
+            newParser().parse(new ByteArrayInputStream(bytes), this);
+            return root();
+        } catch (LimitExceededException e) {
+            List<XmlElement> open = openElements();
+            problems.add(open.isEmpty() ? SourceLocation.NONE : open.get(0).location(), e.problem);
         } catch (SAXParseException e) {
-            problems.add(new SourceLocation(e.getLineNumber(), e.getColumnNumber()), describe(e));
+            problems.add(
+                    new SourceLocation(e.getLineNumber(), e.getColumnNumber()),
+                    new SyntaxProblem(bytes, format, this).describe(e));
         } catch (UnsupportedEncodingException e) {
             problems.add(XML_DECLARATION, ProblemKind.ENCODING.with());
         } catch (CharConversionException e) {
@@ -85,63 +128,85 @@ public final class XmlParser {
         }
     }
 
-    private Message describe(SAXParseException e) {
-        String message = String.valueOf(e.getMessage());
-        if (message.contains("disallow-doctype-decl")) {
-            return ProblemKind.DOCTYPE.with();
-        }
-        if (e.getException() instanceof CharConversionException) {
-            return ProblemKind.ENCODING.with();
-        }
-        if (message.startsWith("JAXP")) {
-            return ProblemKind.PARSER_LIMIT.with();
-        }
-        if (tree.isEmpty() && looksLikeUtf16()) {
-            return ProblemKind.ENCODING.with();
-        }
-        String before = excerpt(e);
-        List<XmlElement> open = tree.openElements();
-        if (open.isEmpty()) {
-            return tree.root().isEmpty() ? describeNoXml(before) : describeMalformed(before);
-        }
-        String element = MessageText.oneLine(open.get(0).name());
-        int line = open.get(0).location().line();
-        return before.isEmpty()
-                ? ProblemKind.MALFORMED_INSIDE.with(element, line)
-                : ProblemKind.MALFORMED_AFTER_INSIDE.with(before, element, line);
+    @Override
+    public void setDocumentLocator(Locator parserLocator) {
+        locator = parserLocator;
     }
 
-    /** Every second byte of the beginning is zero, or there is the mark of UTF-16. */
-    private boolean looksLikeUtf16() {
-        if (bytes.length < 4) {
-            return false;
+    @Override
+    public void startElement(String uri, String localName, String qName, Attributes attributes) throws SAXException {
+        if (++elementCount > ScenarioLimits.MAX_ELEMENTS) {
+            throw new LimitExceededException(ProblemKind.TOO_MANY_ELEMENTS.with(ScenarioLimits.MAX_ELEMENTS));
         }
-        int mark = (bytes[0] & 0xff) << 8 | bytes[1] & 0xff;
-        return mark == 0xfeff || mark == 0xfffe || mark == '<' || mark == '<' << 8;
-    }
-
-    private Message describeNoXml(String before) {
-        return before.isEmpty()
-                ? ProblemKind.NOT_XML.with(format.rootElement())
-                : ProblemKind.NOT_XML_AFTER.with(format.rootElement(), before);
-    }
-
-    private static Message describeMalformed(String before) {
-        return before.isEmpty() ? ProblemKind.MALFORMED.with() : ProblemKind.MALFORMED_AFTER.with(before);
-    }
-
-    /** Returns the text just before the place where the parser stopped; empty if there is none. */
-    private String excerpt(SAXParseException e) {
-        List<String> lines = new String(bytes, StandardCharsets.UTF_8)
-                .lines()
-                .limit(Math.max(0, e.getLineNumber()))
-                .toList();
-        if (lines.isEmpty() || lines.size() < e.getLineNumber()) {
-            return "";
+        if (pendingElements.size() == ScenarioLimits.MAX_DEPTH) {
+            throw new LimitExceededException(ProblemKind.TOO_DEEP.with(ScenarioLimits.MAX_DEPTH));
         }
-        String line = lines.get(lines.size() - 1);
-        int end = Math.max(0, Math.min(line.length(), e.getColumnNumber() - 1));
-        String before = line.substring(Math.max(0, end - EXCERPT_LENGTH), end).strip();
-        return before.isEmpty() ? "" : MessageText.excerpt((end > EXCERPT_LENGTH ? "..." : "") + before);
+        String name = uri.equals(format.namespace()) ? localName : foreignName(uri, qName);
+        pendingElements.push(new PendingElement(name, location(), specifiedAttributes(attributes)));
+    }
+
+    /** Returns a name with its namespace, so that an element of another namespace cannot pass for one of ours. */
+    private static String foreignName(String uri, String qName) {
+        return qName + (uri.isEmpty() ? " xmlns=\"\"" : " xmlns=\"" + uri + "\"");
+    }
+
+    private static Map<String, String> specifiedAttributes(Attributes attributes) {
+        Attributes2 all = attributes instanceof Attributes2 detailed ? detailed : NO_ATTRIBUTES;
+        List<String> names = new ArrayList<>(all.getLength());
+        List<String> values = new ArrayList<>(all.getLength());
+        for (int i = 0; i < all.getLength(); i++) {
+            if (all.isSpecified(i)) {
+                names.add(attributeName(all, i));
+                values.add(all.getValue(i));
+            }
+        }
+        return new XmlAttributes(names, values);
+    }
+
+    private static String attributeName(Attributes attributes, int index) {
+        String uri = attributes.getURI(index);
+        if (uri.equals("http://www.w3.org/2001/XMLSchema-instance")) {
+            return "xsi:" + attributes.getLocalName(index);
+        }
+        String name = attributes.getQName(index);
+        return name.startsWith("xsi:") ? foreignName(uri, name) : name;
+    }
+
+    private SourceLocation location() {
+        return new SourceLocation(locator.getLineNumber(), locator.getColumnNumber());
+    }
+
+    @Override
+    public void characters(char[] buffer, int start, int length) {
+        pendingElements.peek().addText(buffer, start, length);
+    }
+
+    @Override
+    public void endElement(String uri, String localName, String qName) {
+        XmlElement node = pendingElements.pop().toElement();
+        if (pendingElements.isEmpty()) {
+            root = node;
+        } else {
+            pendingElements.peek().addChild(node);
+        }
+    }
+
+    @Override
+    public void fatalError(SAXParseException exception) throws SAXException {
+        throw exception;
+    }
+
+    /** Returns whether no element has begun. */
+    boolean isEmpty() {
+        return elementCount == 0;
+    }
+
+    Optional<XmlElement> root() {
+        return Optional.ofNullable(root);
+    }
+
+    /** Returns the elements that are still open, the innermost first. */
+    List<XmlElement> openElements() {
+        return pendingElements.stream().map(PendingElement::toElement).toList();
     }
 }

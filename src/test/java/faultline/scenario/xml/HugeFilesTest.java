@@ -69,7 +69,7 @@ class HugeFilesTest {
         long start = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
         List<Problem> problems = List.of();
         try {
-            ScenarioFiles.parse("file.xml", bytes);
+            ScenarioReader.read("file.xml", bytes);
         } catch (ScenarioException e) {
             problems = e.problems();
         }
@@ -111,7 +111,7 @@ class HugeFilesTest {
     void aFileOfManyGoodObstaclesIsReadInAFewSeconds() throws ScenarioException {
         byte[] bytes = ManyObstacles.text().getBytes(StandardCharsets.UTF_8);
         long start = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
-        ScenarioContent content = ScenarioFiles.parse("file.xml", bytes);
+        ScenarioContent content = ScenarioReader.read("file.xml", bytes);
         double seconds = (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - start) / 1e9;
         assertEquals(ManyObstacles.COUNT, content.setup().world().obstacles().size());
         assertTrue(seconds < 4, seconds + " s");

@@ -1,0 +1,89 @@
+package faultline.scenario.xml;
+
+import faultline.io.Message;
+import faultline.io.MessageText;
+import java.io.CharConversionException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.xml.sax.SAXParseException;
+
+/**
+ * Describes why a file is not well-formed XML. The parser's own messages depend on the language of the machine and are
+ * never shown.
+ */
+final class SyntaxProblem {
+
+    private static final int EXCERPT_LENGTH = 40;
+
+    private final byte[] bytes;
+    private final XmlFormat format;
+    private final XmlParser tree;
+
+    /** Creates a description of a file from its content and the part of its tree that was built. */
+    SyntaxProblem(byte[] bytes, XmlFormat format, XmlParser tree) {
+        this.bytes = bytes;
+        this.format = format;
+        this.tree = tree;
+    }
+
+    /** Returns what is wrong, with the text before it and the element that it is in. */
+    Message describe(SAXParseException e) {
+        String message = String.valueOf(e.getMessage());
+        if (message.contains("disallow-doctype-decl")) {
+            return ProblemKind.DOCTYPE.with();
+        }
+        if (e.getException() instanceof CharConversionException) {
+            return ProblemKind.ENCODING.with();
+        }
+        if (message.startsWith("JAXP")) {
+            return ProblemKind.PARSER_LIMIT.with();
+        }
+        if (tree.isEmpty() && looksLikeUtf16()) {
+            return ProblemKind.ENCODING.with();
+        }
+        String before = excerpt(e);
+        List<XmlElement> open = tree.openElements();
+        if (open.isEmpty()) {
+            return tree.root().isEmpty() ? describeNoXml(before) : describeMalformed(before);
+        }
+        String element = MessageText.oneLine(open.get(0).name());
+        int line = open.get(0).location().line();
+        return before.isEmpty()
+                ? ProblemKind.MALFORMED_INSIDE.with(element, line)
+                : ProblemKind.MALFORMED_AFTER_INSIDE.with(before, element, line);
+    }
+
+    /** Every second byte of the beginning is zero, or there is the mark of UTF-16. */
+    private boolean looksLikeUtf16() {
+        if (bytes.length < 4) {
+            return false;
+        }
+        int mark = (bytes[0] & 0xff) << 8 | bytes[1] & 0xff;
+        return mark == 0xfeff || mark == 0xfffe || mark == '<' || mark == '<' << 8;
+    }
+
+    private Message describeNoXml(String before) {
+        return before.isEmpty()
+                ? ProblemKind.NOT_XML.with(format.rootElement())
+                : ProblemKind.NOT_XML_AFTER.with(format.rootElement(), before);
+    }
+
+    private static Message describeMalformed(String before) {
+        return before.isEmpty() ? ProblemKind.MALFORMED.with() : ProblemKind.MALFORMED_AFTER.with(before);
+    }
+
+    /** Returns the text just before the place where the parser stopped; empty if there is none. */
+    private String excerpt(SAXParseException e) {
+        List<String> lines = new String(bytes, StandardCharsets.UTF_8)
+                .lines()
+                .limit(Math.max(0, e.getLineNumber()))
+                .toList();
+        if (lines.isEmpty() || lines.size() < e.getLineNumber()) {
+            return "";
+        }
+        String line = lines.get(lines.size() - 1);
+        int end = Math.max(0, Math.min(line.length(), e.getColumnNumber() - 1));
+        String before = line.substring(Math.max(0, end - EXCERPT_LENGTH), end).strip();
+        return before.isEmpty() ? "" : MessageText.excerpt((end > EXCERPT_LENGTH ? "..." : "") + before);
+    }
+}
