@@ -15,16 +15,27 @@ import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.KeyStroke;
+import javax.swing.Timer;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** File choosers and option dialogs. */
 final class FileDialogs {
+
+    private static final int LOADING_DELAY_MILLIS = 1000;
 
     private final Component parent;
     private File folder = new File("").getAbsoluteFile();
 
     FileDialogs(Component parent) {
         this.parent = parent;
+        loadClasses();
+    }
+
+    /** Creates a file chooser soon after the start, so that the first one that is shown does not take long. */
+    private void loadClasses() {
+        Timer timer = new Timer(LOADING_DELAY_MILLIS, event -> new EscapableFileChooser(folder));
+        timer.setRepeats(false);
+        timer.start();
     }
 
     /** Asks for a file to open, given the one that is selected at first, null for none; empty if cancelled. */

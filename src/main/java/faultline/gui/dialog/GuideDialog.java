@@ -75,10 +75,13 @@ final class GuideDialog extends JDialog {
         });
     }
 
-    /** Creates the dialog, and lays it out in an event of its own, so that neither event takes long. */
+    /** Creates the dialog, lays it out and shows it, each in an event of its own, so that none takes long. */
     private static void showPage(Window owner, GuidePage page) {
         GuideDialog dialog = new GuideDialog(owner, page);
-        EventQueue.invokeLater(() -> dialog.showUnlessOpen(owner));
+        EventQueue.invokeLater(() -> {
+            ScreenFit.pack(dialog);
+            EventQueue.invokeLater(() -> dialog.showUnlessOpen(owner));
+        });
     }
 
     private void showUnlessOpen(Window owner) {
@@ -86,7 +89,6 @@ final class GuideDialog extends JDialog {
         if (Dialogs.bringToFront(owner, GuideDialog.class)) {
             dispose();
         } else {
-            ScreenFit.pack(this);
             setLocationRelativeTo(owner);
             setVisible(true);
         }

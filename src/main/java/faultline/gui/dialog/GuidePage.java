@@ -9,7 +9,9 @@ import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.util.Locale;
+import javax.swing.JComponent;
 import javax.swing.JEditorPane;
+import javax.swing.plaf.basic.BasicHTML;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Document;
 import javax.swing.text.html.HTMLEditorKit;
@@ -23,19 +25,42 @@ import javax.swing.text.html.StyleSheet;
  */
 record GuidePage(HTMLEditorKit kit, Document document) {
 
+    /** Pixels. */
+    private static final int TRIAL_WIDTH = 600;
+
     /** Loads the guide in the current language, colours and text size. */
     static GuidePage load() {
         HTMLEditorKit kit = new HTMLEditorKit();
         kit.setStyleSheet(createStyleSheet(kit));
         Document document = kit.createDefaultDocument();
+        String text = Messages.loadPage("guide");
+        layOut(text);
         try {
-            kit.read(new StringReader(Messages.loadPage("guide")), document, 0);
+            kit.read(new StringReader(text), document, 0);
         } catch (IOException broken) {
             throw new UncheckedIOException(broken);
         } catch (BadLocationException broken) {
             throw new IllegalStateException(broken);
         }
         return new GuidePage(kit, document);
+    }
+
+    /** Lays the text out once, so that classes and fonts are loaded when the event dispatch thread does so. */
+    private static void layOut(String text) {
+        BasicHTML.createHTMLView(new Nowhere(), text).setSize(TRIAL_WIDTH, TRIAL_WIDTH);
+    }
+
+    /** A component that is in no window, so that what it shows may be laid out on any thread. */
+    private static final class Nowhere extends JComponent {
+        @Override
+        public void revalidate() {
+            // There is nothing to lay out.
+        }
+
+        @Override
+        public void repaint() {
+            // There is nothing to paint.
+        }
     }
 
     /** Returns a style sheet for this page only; the kit's own sheet is shared by all kits. */
