@@ -26,10 +26,13 @@ public final class SensorDiagnosis {
     /** Each claim is tested again after these numbers of inspections, because more has been seen free by then. */
     private static final int[] RETESTS = {5, 12, 24};
 
+    /** The same as long as nothing is suspicious, because there is more motion between two inspections then. */
+    private static final int[] CALM_RETESTS = {2, 5, 9};
+
     /**
      * As long as nothing is suspicious, a sensor's claim is marked after its cone has moved sideways by this, metres.
      */
-    private static final double MARKING = 0.05;
+    private static final double MARKING = 0.07;
 
     /**
      * A sector of less than this radius takes little time to mark. As long as nothing is suspicious, the free space of
@@ -43,7 +46,21 @@ public final class SensorDiagnosis {
     /** The time between two inspections for each of the sensors, seconds. */
     private static final double STEP = 0.01;
 
-    /** A slower robot turns on the spot, where surfaces may come near, metres per second. */
+    /**
+     * As long as nothing is suspicious, the sensors are inspected after the cones have moved sideways by this, metres.
+     */
+    private static final double CALM_MOTION = 0.04;
+
+    /** The same after this time at the latest, as a multiple of {@link #STEP}. */
+    private static final double CALM_STEPS = 3;
+
+    /** The robot is in no hurry if nothing beside its path is nearer than this, metres. */
+    private static final double CLOSE = 0.22;
+
+    /** After a jump of its reading a sensor is inspected as if it were suspicious for this long, seconds. */
+    private static final double JUMP_MEMORY = 1.5;
+
+    /** A slower robot turns on the spot, where what the cones see changes fast, metres per second. */
     private static final double DRIVING = 0.06;
 
     private static final double FADE = 0.97;
@@ -51,6 +68,7 @@ public final class SensorDiagnosis {
     private final double side;
     private final DeadReckoning reckoning = new DeadReckoning();
     private final CurvatureEstimate curvature = new CurvatureEstimate();
+    private final WallAgreement agreement = new WallAgreement();
     private final MotionClock clock = new MotionClock();
     private final Motion motion = new Motion();
     private RobotSpec robot;
@@ -64,12 +82,26 @@ public final class SensorDiagnosis {
     private EvidenceGrid grid;
     private ClaimTest claimTest;
     private Verdicts verdicts;
+    private MissedSurfaces missedSurfaces;
     private HealthReport report;
     private double[] lastReadings = {};
     private long tick;
     private double time;
     private double untilInspection;
+    private double sweptAtInspection;
+    /** Whether at the last inspection a surface was near, or a reading had jumped lately. */
+    private boolean hurried;
+
     private boolean alert;
+    /**
+     * Whether this is a tick in which only the sensors of {@link #watched} are tested unless something is suspicious.
+     */
+    private boolean odd = true;
+    /** The sensors whose signals were remarkable lately, a bit for each. */
+    private int watched;
+
+    private double learntWay;
+    private double learntHeading;
     private double bodyMarkedWay = Double.NEGATIVE_INFINITY;
     private double wantedDistance = Double.POSITIVE_INFINITY;
 
@@ -100,28 +132,52 @@ public final class SensorDiagnosis {
         time += dt;
         clock.advance(reckoning.rolled(), reckoning.turned(), dt);
         lastReadings = observation.readings();
-        testSignals();
-        learnCurvature();
-        untilInspection -= dt;
-        while (untilInspection < STEP / 2 && sensors.length > 0) {
-            inspectAll();
-            untilInspection += STEP * sensors.length;
+        motion.advance(reckoning.rolled(), reckoning.turned());
+        odd = !odd;
+        if (odd && !alert) {
+            testSignals(watched);
+        } else {
+            testSignals((1 << sensors.length) - 1);
+            learnCurvature();
         }
+        untilInspection -= dt;
+        while (untilInspection < STEP / 2 && sensors.length > 0 && isInspectionDue()) {
+            inspectAll();
+            untilInspection = alert ? untilInspection + STEP * sensors.length : STEP * sensors.length;
+        }
+    }
+
+    private boolean isInspectionDue() {
+        return alert
+                || hurried
+                || reckoning.swept() - sweptAtInspection > CALM_MOTION
+                || untilInspection < (1 - CALM_STEPS) * STEP * sensors.length;
     }
 
     /** Learns beside straight walls how much more the path bends than the motors say. */
     private void learnCurvature() {
+        double rolled = motion.way() - learntWay;
+        double turned = motion.heading() - learntHeading;
+        learntWay = motion.way();
+        learntHeading = motion.heading();
         curvature.update(
                 wallLine.distance(lastReadings),
                 wallLine.sag(lastReadings),
-                reckoning.rolled(),
-                reckoning.turned() - curvature.curvature() * reckoning.rolled());
+                rolled,
+                turned - curvature.curvature() * rolled);
         reckoning.setCurvature(curvature.curvature());
+        int differs = agreement.update(wallLine, lastReadings, rolled, turned);
+        if (differs != WallAgreement.NONE) {
+            verdicts.blameDrift(wallLine.sensor(differs).index());
+        }
     }
 
     private void inspectAll() {
         alert = !verdicts.allTrusted() || time - verdicts.lastSuspicion() < SUSPICION;
+        hurried = reckoning.v() < DRIVING;
+        sweptAtInspection = reckoning.swept();
         for (InspectedSensor sensor : inspectionOrder) {
+            hurried |= jumpedLately(sensor);
             inspect(sensor, lastReadings[sensor.index()]);
         }
         if (alert || reckoning.way() - bodyMarkedWay > MARKING) {
@@ -153,6 +209,7 @@ public final class SensorDiagnosis {
         inspectionOrder = inOrder(sensors);
         wallLine = new WallLine(sensors);
         verdicts = same ? verdicts : new Verdicts(sensors);
+        missedSurfaces = new MissedSurfaces(sensors, verdicts, grid, reckoning);
     }
 
     /** Returns sensors in order of bearing from the front by way of the wall, so that both sides work alike. */
@@ -165,11 +222,13 @@ public final class SensorDiagnosis {
                 .toArray(InspectedSensor[]::new);
     }
 
-    private void testSignals() {
-        motion.advance(reckoning.rolled(), reckoning.turned());
-        for (int i = 0; i < signals.length; i++) {
-            SensorFinding finding = signals[i].test(lastReadings[i]);
-            if (signals[i].jumped()) {
+    private void testSignals(int tested) {
+        for (int rest = tested; rest != 0; rest &= rest - 1) {
+            int i = Integer.numberOfTrailingZeros(rest);
+            SignalTest signal = signals[i];
+            SensorFinding finding = signal.test(lastReadings[i]);
+            watched = signal.isRemarkable() ? watched | 1 << i : watched & ~(1 << i);
+            if (signal.jumped()) {
                 sensors[i].jump(time);
             }
             if (finding != SensorFinding.NONE) {
@@ -189,11 +248,12 @@ public final class SensorDiagnosis {
             mark(sensor, sees, reading);
             retest(sensor);
             if (sees) {
-                testAhead(sensor);
+                hurried |= reading < CLOSE && sensor.looksDiagonally();
+                missedSurfaces.test(sensor, lastReadings, wantedDistance, clock.moment() - MEMORY, time);
             }
         }
         verdicts.fade(sensor, FADE);
-        if (sensor.finding() == SensorFinding.BLIND && isRefuted(sensor.missed(), sensor)) {
+        if (sensor.finding() == SensorFinding.BLIND && missedSurfaces.isRefuted(sensor, clock.moment() - MEMORY)) {
             verdicts.acquit(sensor, time);
         }
         verdicts.judge(sensor, time);
@@ -218,7 +278,8 @@ public final class SensorDiagnosis {
     /** Marks the last claim in the map: at once if that takes little time, otherwise after some motion. */
     private void mark(InspectedSensor sensor, boolean sees, double reading) {
         sensor.countInspection();
-        boolean due = alert || sensor.movedSinceMark(reckoning) > MARKING;
+        boolean urgent = alert || jumpedLately(sensor);
+        boolean due = urgent || sensor.movedSinceMark(reckoning) > MARKING;
         double radius = (sees ? reading : sensor.cone().range()) - FREE_MARGIN;
         boolean small = radius < NEAR;
         if (due) {
@@ -232,8 +293,13 @@ public final class SensorDiagnosis {
             markFree(
                     sensor,
                     near ? Math.min(radius, NEAR) : radius,
-                    alert || small || !sensor.looksAside() ? Rows.ALL : sensor.nextRows());
+                    urgent || small || !sensor.looksAside() ? Rows.ALL : sensor.nextRows());
         }
+    }
+
+    /** Returns whether a bias may have set in a short time ago. */
+    private boolean jumpedLately(InspectedSensor sensor) {
+        return time - sensor.jumpedAt() < JUMP_MEMORY;
     }
 
     private boolean isConfirmed(InspectedSensor sensor) {
@@ -256,11 +322,7 @@ public final class SensorDiagnosis {
     }
 
     private void retest(InspectedSensor sensor) {
-        if (!alert) {
-            retest(sensor, RETESTS[sensor.inspections() % RETESTS.length]);
-            return;
-        }
-        for (int age : RETESTS) {
+        for (int age : alert || hurried ? RETESTS : CALM_RETESTS) {
             retest(sensor, age);
         }
     }
@@ -281,48 +343,6 @@ public final class SensorDiagnosis {
         if (by != ClaimTest.POSSIBLE) {
             verdicts.blame(sensor.index(), by);
         }
-    }
-
-    /** Tests whether a sensor that looks diagonally ahead foresees a surface that the front sensor does not see. */
-    private void testAhead(InspectedSensor sensor) {
-        MountedCone cone = sensor.cone();
-        if (ApproachTest.applies(cone)) {
-            testFront(cone, ApproachTest.expectedAhead(cone, sensor.claims()));
-        }
-        if (NearTest.applies(cone) && verdicts.mayBeRight(sensor) && reckoning.v() > DRIVING) {
-            testFront(cone, NearTest.expectedAhead(cone, sensor.claims(), wantedDistance));
-        }
-    }
-
-    /**
-     * Tests whether a front sensor that sees nothing misses a surface.
-     *
-     * @param by the cone of the sensor that foresees it
-     * @param expected how far ahead of that sensor it crosses the path, metres; infinite if there is none
-     */
-    private void testFront(MountedCone by, double expected) {
-        if (expected == Reading.NOTHING) {
-            return;
-        }
-        for (InspectedSensor front : sensors) {
-            double due = expected + by.x() - front.cone().x();
-            boolean blind = Math.abs(front.cone().bearing()) < front.cone().half()
-                    && front.isTrusted()
-                    && lastReadings[front.index()] >= front.cone().range()
-                    && due + ForeseenSurface.FARTHER < front.cone().range();
-            if (blind) {
-                ForeseenSurface surface = ForeseenSurface.ahead(reckoning, front.cone(), due);
-                if (!isRefuted(surface, front)) {
-                    verdicts.blameBlind(front, surface, time);
-                }
-            }
-        }
-    }
-
-    /** Returns whether others, or the robot's own body, found free where a sensor missed a surface. */
-    private boolean isRefuted(ForeseenSurface surface, InspectedSensor sensor) {
-        int others = verdicts.trusted() & ~sensor.bit() | 1 << sensors.length;
-        return surface.isRefuted(grid, clock.moment() - MEMORY, others);
     }
 
     private void refreshReport(InspectedSensor sensor) {

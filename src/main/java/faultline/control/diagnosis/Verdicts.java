@@ -13,6 +13,9 @@ final class Verdicts {
     /** What a missed surface counts: two in a row are enough, because the robot may be driving at it. */
     private static final double MISSED = 5;
 
+    /** What it counts that a sensor differs from two that agree beside a wall: enough for itself. */
+    private static final double DRIFTED = 12;
+
     private static final double SUSPICIOUS = 0.3;
     private static final double FORGIVEN = 0.5;
     private static final int CONFIRMATIONS = 12;
@@ -95,6 +98,11 @@ final class Verdicts {
     void blameBlind(InspectedSensor sensor, ForeseenSurface surface, double time) {
         conflicts.add(sensor.index(), sensor.index(), MISSED);
         sensor.missSurface(surface, time);
+    }
+
+    /** Counts that a sensor differs from two others beside a straight wall. */
+    void blameDrift(int sensor) {
+        conflicts.add(sensor, sensor, DRIFTED);
     }
 
     /** Trusts a sensor again that missed a surface which is not there. */

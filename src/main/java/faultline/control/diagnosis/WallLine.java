@@ -47,9 +47,14 @@ final class WallLine {
         }
     }
 
+    /** The place of the sensor that faces the wall, between the one ahead and the one behind. */
+    static final int BESIDE = 1;
+
     private Ray facing;
     private Ray ahead;
     private Ray behind;
+    /** All three in the order from ahead to behind, null if one is missing. */
+    private final Ray[] rays;
 
     WallLine(InspectedSensor[] sensors) {
         for (InspectedSensor sensor : sensors) {
@@ -62,11 +67,30 @@ final class WallLine {
                 behind = Ray.of(sensor);
             }
         }
+        rays = facing == null || ahead == null || behind == null ? null : new Ray[] {ahead, facing, behind};
     }
 
     /** Returns the reading of the sensor that faces the wall. */
     double distance(double[] readings) {
         return facing == null ? Reading.OFF : readings[facing.index];
+    }
+
+    /** Returns whether all three see something. */
+    boolean isSeen(double[] readings) {
+        return rays != null
+                && facing.sees(readings[facing.index])
+                && ahead.sees(readings[ahead.index])
+                && behind.sees(readings[behind.index]);
+    }
+
+    /** Returns a sensor of the line: the one that sees the wall ahead, beside, or behind the robot. */
+    InspectedSensor sensor(int place) {
+        return rays[place].sensor;
+    }
+
+    /** Returns how far the wall that a sensor of the line sees is aside of the robot's centre, metres. */
+    double aside(int place, double[] readings) {
+        return rays[place].y(readings[rays[place].index]);
     }
 
     /**

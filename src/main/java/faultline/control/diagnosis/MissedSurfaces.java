@@ -1,0 +1,76 @@
+package faultline.control.diagnosis;
+
+import faultline.sensor.Reading;
+
+/** Looks for surfaces that the front sensor misses: another sensor foresees or meets them. */
+final class MissedSurfaces {
+
+    /** A slower robot turns on the spot, where surfaces may come near, metres per second. */
+    private static final double DRIVING = 0.06;
+
+    private final InspectedSensor[] sensors;
+    private final Verdicts verdicts;
+    private final EvidenceGrid grid;
+    private final DeadReckoning reckoning;
+
+    MissedSurfaces(InspectedSensor[] sensors, Verdicts verdicts, EvidenceGrid grid, DeadReckoning reckoning) {
+        this.sensors = sensors;
+        this.verdicts = verdicts;
+        this.grid = grid;
+        this.reckoning = reckoning;
+    }
+
+    /**
+     * Tests whether a sensor that looks diagonally ahead foresees a surface that the front sensor does not see.
+     *
+     * @param sensor that sees something
+     * @param readings of all sensors
+     * @param wantedDistance that the robot keeps from the wall, metres
+     * @param oldest moment that counts
+     * @param time now, seconds
+     */
+    void test(InspectedSensor sensor, double[] readings, double wantedDistance, int oldest, double time) {
+        MountedCone cone = sensor.cone();
+        if (sensor.approach() != null) {
+            testFront(cone, sensor.approach().expectedAhead(sensor.claims(), reckoning), readings, oldest, time);
+        }
+        if (sensor.looksDiagonally() && verdicts.mayBeRight(sensor) && reckoning.v() > DRIVING) {
+            testFront(cone, NearTest.expectedAhead(cone, sensor.claims(), wantedDistance), readings, oldest, time);
+        }
+    }
+
+    /**
+     * Tests whether a front sensor that sees nothing misses a surface.
+     *
+     * @param by the cone of the sensor that foresees it
+     * @param expected how far ahead of that sensor it crosses the path, metres; infinite if there is none
+     */
+    private void testFront(MountedCone by, double expected, double[] readings, int oldest, double time) {
+        if (expected == Reading.NOTHING) {
+            return;
+        }
+        for (InspectedSensor front : sensors) {
+            double due = expected + by.x() - front.cone().x();
+            boolean blind = Math.abs(front.cone().bearing()) < front.cone().half()
+                    && front.isTrusted()
+                    && readings[front.index()] >= front.cone().range()
+                    && due + ForeseenSurface.FARTHER < front.cone().range();
+            if (blind) {
+                ForeseenSurface surface = ForeseenSurface.ahead(reckoning, front.cone(), due);
+                if (!isRefuted(surface, front, oldest)) {
+                    verdicts.blameBlind(front, surface, time);
+                }
+            }
+        }
+    }
+
+    /** Returns whether others, or the robot's own body, found free where a sensor missed a surface last. */
+    boolean isRefuted(InspectedSensor sensor, int oldest) {
+        return isRefuted(sensor.missed(), sensor, oldest);
+    }
+
+    private boolean isRefuted(ForeseenSurface surface, InspectedSensor sensor, int oldest) {
+        int others = verdicts.trusted() & ~sensor.bit() | 1 << sensors.length;
+        return surface.isRefuted(grid, oldest, others);
+    }
+}

@@ -1,0 +1,83 @@
+package faultline.control.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class WallAgreementTest {
+
+    private static final double STEP = 0.003;
+    private static final int FRONT_LEFT = 1;
+    private static final int REAR_LEFT = 3;
+
+    private final WallLine line = new WallLine(IntStream.range(0, 8)
+            .mapToObj(i -> new InspectedSensor(
+                    i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), 1)))
+            .toArray(InspectedSensor[]::new));
+    private final WallAgreement agreement = new WallAgreement();
+
+    /** Returns what the three read beside a wall at a distance from the robot's centre line. */
+    private double[] beside(double distance) {
+        double[] readings = new double[8];
+        for (int place = 0; place < 3; place++) {
+            int sensor = line.sensor(place).index();
+            double[] none = new double[8];
+            double[] one = new double[8];
+            one[sensor] = 1;
+            double least = line.aside(place, none);
+            readings[sensor] = (distance - least) / (line.aside(place, one) - least);
+        }
+        return readings;
+    }
+
+    /** Drives along, with an error of a sensor, and returns the first finding. */
+    private int drive(double metres, int sensor, double error, double turn) {
+        for (double way = 0; way < metres; way += STEP) {
+            double[] readings = beside(0.4);
+            readings[sensor] += error;
+            int found = agreement.update(line, readings, STEP, turn);
+            if (found != WallAgreement.NONE) {
+                return line.sensor(found).index();
+            }
+        }
+        return WallAgreement.NONE;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 0.05", "1, -0.05", "2, 0.04", "2, -0.04", "3, 0.05", "3, -0.05"})
+    void oneThatDiffersAlongAWallIsWrong(int sensor, double error) {
+        assertEquals(sensor, drive(0.6, sensor, error, 0));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1", "2", "3"})
+    void smallDifferencesAreNone(int sensor) {
+        assertEquals(WallAgreement.NONE, drive(3, sensor, 0.02, 0));
+    }
+
+    @Test
+    void aThingAtTheWallPassesFromOneToTheNext() {
+        assertEquals(WallAgreement.NONE, drive(0.3, FRONT_LEFT, -0.1, 0));
+        assertEquals(WallAgreement.NONE, drive(0.3, 2, -0.1, 0));
+        assertEquals(WallAgreement.NONE, drive(0.3, REAR_LEFT, -0.1, 0));
+    }
+
+    @Test
+    void onABentPathNothingIsSaid() {
+        assertEquals(WallAgreement.NONE, drive(3, 2, 0.05, 0.002));
+    }
+
+    @Test
+    void whatIsNotSeenStartsAgain() {
+        assertEquals(WallAgreement.NONE, drive(0.4, FRONT_LEFT, 0.05, 0));
+        double[] readings = beside(0.4);
+        readings[REAR_LEFT] = Reading.NOTHING;
+        assertEquals(WallAgreement.NONE, agreement.update(line, readings, STEP, 0));
+        assertEquals(WallAgreement.NONE, drive(0.4, FRONT_LEFT, 0.05, 0));
+    }
+}
