@@ -18,7 +18,7 @@ public final class JsonWriter {
      */
     public JsonWriter name(String name) {
         comma();
-        appendQuoted(name);
+        appendQuoted(text, name);
         text.append(':');
         needsComma = false;
         return this;
@@ -77,7 +77,7 @@ public final class JsonWriter {
      */
     public JsonWriter value(String value) {
         comma();
-        appendQuoted(value);
+        appendQuoted(text, value);
         return this;
     }
 
@@ -157,7 +157,18 @@ public final class JsonWriter {
         needsComma = true;
     }
 
-    private void appendQuoted(String value) {
+    /**
+     * {@return a text as a JSON string, with its quotation marks}
+     *
+     * @param value the text
+     */
+    public static String quoted(String value) {
+        StringBuilder text = new StringBuilder();
+        appendQuoted(text, value);
+        return text.toString();
+    }
+
+    private static void appendQuoted(StringBuilder text, String value) {
         text.append('"');
         for (int i = 0; i < value.length(); i++) {
             char c = value.charAt(i);

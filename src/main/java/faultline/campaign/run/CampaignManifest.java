@@ -2,6 +2,7 @@ package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.Column;
+import faultline.io.JsonWriter;
 import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
@@ -32,18 +33,18 @@ final class CampaignManifest {
     static String text(CampaignPlan plan, Shard shard) {
         List<String> lines = new ArrayList<>();
         lines.add("  \"format\": \"faultline-campaign-1\"");
-        lines.add("  \"program\": " + quoted("faultline " + version()));
-        lines.add("  \"program_sha256\": " + quoted(programHash()));
-        lines.add(JAVA + quoted(Runtime.version().toString()));
-        lines.add("  \"name\": " + quoted(plan.header().name()));
-        lines.add("  \"description\": " + quoted(plan.header().description()));
-        lines.add("  \"plan_sha256\": " + quoted(sha256(plan.files().plan())));
+        lines.add("  \"program\": " + JsonWriter.quoted("faultline " + version()));
+        lines.add("  \"program_sha256\": " + JsonWriter.quoted(programHash()));
+        lines.add(JAVA + JsonWriter.quoted(Runtime.version().toString()));
+        lines.add("  \"name\": " + JsonWriter.quoted(plan.header().name()));
+        lines.add("  \"description\": " + JsonWriter.quoted(plan.header().description()));
+        lines.add("  \"plan_sha256\": " + JsonWriter.quoted(sha256(plan.files().plan())));
         lines.add("  \"scenarios\": " + scenarios(plan.files().scenarios()));
         lines.add("  \"worlds\": " + plan.worldCount());
         lines.add("  \"seeds\": " + plan.seedCount());
         lines.add("  \"cells\": " + plan.cellCount());
         lines.add("  \"runs\": " + plan.runCount());
-        lines.add(SHARD + quoted(shard.toString()));
+        lines.add(SHARD + JsonWriter.quoted(shard.toString()));
         lines.add("  \"columns\": " + columns(ResultColumns.of(plan)));
         lines.add("  \"timing_columns\": " + columns(RunTable.TIMING_COLUMNS));
         return "{\n" + String.join(",\n", lines) + "\n}\n";
@@ -68,32 +69,21 @@ final class CampaignManifest {
 
     private static String scenarios(Map<String, byte[]> scenarios) {
         List<String> objects = new ArrayList<>();
-        scenarios.forEach((name, bytes) ->
-                objects.add("    {\"file\": " + quoted(name) + ", \"sha256\": " + quoted(sha256(bytes)) + "}"));
+        scenarios.forEach((name, bytes) -> objects.add("    {\"file\": " + JsonWriter.quoted(name) + ", \"sha256\": "
+                + JsonWriter.quoted(sha256(bytes)) + "}"));
         return array(objects);
     }
 
     private static String columns(List<Column> columns) {
         return array(columns.stream()
-                .map(column -> "    {\"name\": " + quoted(column.name()) + ", \"unit\": " + quoted(column.unit())
-                        + ", \"meaning\": " + quoted(column.meaning()) + "}")
+                .map(column -> "    {\"name\": " + JsonWriter.quoted(column.name()) + ", \"unit\": "
+                        + JsonWriter.quoted(column.unit()) + ", \"meaning\": " + JsonWriter.quoted(column.meaning())
+                        + "}")
                 .toList());
     }
 
     private static String array(List<String> objects) {
         return objects.isEmpty() ? "[]" : "[\n" + String.join(",\n", objects) + "\n  ]";
-    }
-
-    private static String quoted(String text) {
-        StringBuilder out = new StringBuilder("\"");
-        text.chars().forEach(c -> {
-            if (c < ' ') {
-                out.append(String.format("\\u%04x", c));
-            } else {
-                out.append(c == '"' || c == '\\' ? "\\" : "").append((char) c);
-            }
-        });
-        return out.append('"').toString();
     }
 
     private static String version() {

@@ -1,5 +1,6 @@
 package faultline.paint.chart;
 
+import faultline.paint.surface.NiceSteps;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -97,7 +98,7 @@ public record Axis(String label, double low, double high, boolean logarithmic, L
 
     private List<Double> logarithmicTicks() {
         List<Double> ticks = new ArrayList<>();
-        for (double power = powerOfTen(low); power <= high; power *= 10) {
+        for (double power = NiceSteps.powerOfTen(low); power <= high; power *= 10) {
             for (double leading : new double[] {1, 2, 5}) {
                 double tick = leading * power;
                 if (tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9)) {
@@ -125,15 +126,7 @@ public record Axis(String label, double low, double high, boolean logarithmic, L
     }
 
     private static double niceStep(double span) {
-        double rough = span / MAX_INTERVALS;
-        double power = powerOfTen(rough);
-        double leading = rough / power;
-        return power * (leading <= 1 ? 1 : leading <= 2 ? 2 : leading <= 5 ? 5 : 10);
-    }
-
-    /** Returns the power of ten at or below a positive value. */
-    private static double powerOfTen(double value) {
-        return Double.parseDouble("1e" + (int) Math.floor(StrictMath.log10(value) + 1e-9));
+        return NiceSteps.atLeast(span / MAX_INTERVALS);
     }
 
     /** Returns the label of a tick of this axis. */

@@ -2,6 +2,7 @@ package faultline.paint.scene;
 
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.NiceSteps;
 import java.awt.Color;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;

@@ -7,6 +7,7 @@ import faultline.paint.surface.Camera;
 import faultline.paint.surface.ChartStyle;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.LineStyle;
+import faultline.paint.surface.NiceSteps;
 import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.Shapes;
 import faultline.paint.surface.Surface;

@@ -2,6 +2,7 @@ package faultline.paint.scene;
 
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.NiceSteps;
 import faultline.paint.surface.Palette;
 import java.awt.Color;
 import java.awt.Shape;

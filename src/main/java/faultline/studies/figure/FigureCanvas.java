@@ -21,7 +21,6 @@ public final class FigureCanvas {
     public static final Color FOREGROUND = THEME.palette().text();
     public static final TextStyle TEXT_STYLE = TextStyle.plain(12, FOREGROUND);
     public static final TextStyle SMALL_TEXT = TextStyle.plain(11, FOREGROUND);
-    public static final LineStyle THIN_LINE = LineStyle.solid(FOREGROUND, 1);
     public static final LineStyle PATH_LINE = LineStyle.solid(THEME.series().get(0), 1.8);
 
     private static final int CAPTION_MARGIN = 14;

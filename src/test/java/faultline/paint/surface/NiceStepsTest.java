@@ -1,4 +1,4 @@
-package faultline.paint.scene;
+package faultline.paint.surface;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
