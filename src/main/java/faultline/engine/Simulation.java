@@ -139,11 +139,11 @@ public final class Simulation implements AutoCloseable {
 
     private void senseAndSubmit() {
         world.sense();
-        trajectoryRecorder.record(world, activeDecision.telemetry().state());
         double[] swapped = previousReadings;
         previousReadings = readings;
         readings = swapped;
         world.copyReportedReadings(readings);
+        trajectoryRecorder.record(world, readings, activeDecision.telemetry().state());
         if (pendingSettings != null) {
             // The last decision has been taken and the next one not begun, so the controller is idle.
             controller.configure(pendingSettings);

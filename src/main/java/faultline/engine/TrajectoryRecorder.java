@@ -18,28 +18,26 @@ final class TrajectoryRecorder {
         recordsPath = false;
     }
 
-    /** Records the end of a tick. */
-    void record(World world, ControllerState state) {
+    /** Records the end of a tick, given the reported readings. */
+    void record(World world, double[] readings, ControllerState state) {
         Pose pose = world.pose();
-        hash(pose.x());
-        hash(pose.y());
-        hash(pose.heading());
         WheelSpeeds speeds = world.wheelSpeeds();
-        hash(speeds.left());
-        hash(speeds.right());
-        int sensors = world.robot().sensors().size();
-        for (int i = 0; i < sensors; i++) {
-            hash(world.reportedReading(i));
+        // In a local variable, because each step waits for the one before.
+        long next = mix(mix(mix(hash, pose.x()), pose.y()), pose.heading());
+        next = mix(mix(next, speeds.left()), speeds.right());
+        for (double reading : readings) {
+            next = mix(next, reading);
         }
+        hash = next;
         if (recordsPath) {
             path.record(pose.x(), pose.y(), PathTag.of(state, world));
         }
     }
 
-    /** Hashes the raw bits of a number, so that a single different bit changes the hash. */
-    private void hash(double value) {
+    /** Returns a hash with the raw bits of a number, so that a single different bit changes the hash. */
+    private static long mix(long hash, double value) {
         long mixed = (hash ^ Double.doubleToLongBits(value)) * MULTIPLIER;
-        hash = mixed ^ (mixed >>> 29);
+        return mixed ^ (mixed >>> 29);
     }
 
     long hash() {

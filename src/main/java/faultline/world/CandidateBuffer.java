@@ -54,6 +54,18 @@ public final class CandidateBuffer {
         size = kept;
     }
 
+    /** Removes the shapes that are farther than a radius, metres, from a point. */
+    void dropBeyond(double x, double y, double radius) {
+        int kept = 0;
+        for (int i = 0; i < size; i++) {
+            if (shapes[i].distanceTo(x, y) <= radius) {
+                shapes[kept] = shapes[i];
+                owners[kept++] = owners[i];
+            }
+        }
+        size = kept;
+    }
+
     /** {@return the number of shapes} */
     public int size() {
         return size;

@@ -71,7 +71,9 @@ final class NearShapes {
 
     /** Must be called when all shapes have been added. */
     void sort() {
-        Arrays.sort(entries, 0, size, BY_LOWER_BOUND);
+        if (size > 1) {
+            Arrays.sort(entries, 0, size, BY_LOWER_BOUND);
+        }
     }
 
     /** Returns the distance to the nearest shape in a sector, metres, or positive infinity. */

@@ -141,9 +141,13 @@ final class RobotBody {
 
     /** Applies the motors' voltages; the new wheel speeds hold for the whole tick. */
     void driveMotors(double leftVolts, double rightVolts, double decay) {
-        leftSpeed = leftMotor.step(leftSpeed, motorFaults.apply(MotorSide.LEFT, leftMotor.limit(leftVolts)), decay);
-        rightSpeed =
-                rightMotor.step(rightSpeed, motorFaults.apply(MotorSide.RIGHT, rightMotor.limit(rightVolts)), decay);
+        leftSpeed = leftMotor.step(leftSpeed, effectiveVolts(MotorSide.LEFT, leftMotor, leftVolts), decay);
+        rightSpeed = rightMotor.step(rightSpeed, effectiveVolts(MotorSide.RIGHT, rightMotor, rightVolts), decay);
+    }
+
+    /** Returns the voltage that has an effect, which a motor limits again. */
+    private double effectiveVolts(MotorSide side, MotorSpec motor, double volts) {
+        return motorFaults == MotorFaults.NONE ? volts : motorFaults.apply(side, motor.limit(volts));
     }
 
     /** Moves for some seconds at the current wheel speeds, as {@link DifferentialDrive#advance} does. */

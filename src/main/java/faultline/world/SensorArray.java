@@ -149,6 +149,7 @@ final class SensorArray {
         }
         candidates.clear();
         obstacles.findStaticNear(regionX, regionY, radius, candidates);
+        candidates.dropBeyond(regionX, regionY, radius);
         for (int i = 0; i < truth.length; i++) {
             collect(soundCones[i], candidates);
             if (actualCones[i] != soundCones[i]) {

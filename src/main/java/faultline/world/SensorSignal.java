@@ -17,15 +17,18 @@ final class SensorSignal {
     private final List<Fault> faults = new ArrayList<>();
     private List<ActiveFault> active = new ArrayList<>();
     private SensorSpec spec;
+    /** Whether it reports what it sees unless it has faults. */
+    private boolean exact;
 
     SensorSignal(SensorSpec spec, long seed) {
         this.streamKey = SensorRandom.streamKey(seed, spec.id());
-        this.spec = spec;
+        configure(spec);
     }
 
     /** Applies changed settings. */
     void configure(SensorSpec newSpec) {
         spec = newSpec;
+        exact = newSpec.on() && newSpec.noise() == 0;
     }
 
     /** Returns the sensor's faults, oldest first; changes of the list take effect at the next {@link #update}. */
@@ -106,11 +109,11 @@ final class SensorSignal {
      * @param tick the tick
      */
     double report(double seen, double neighbour, long tick) {
+        if (exact && faults.isEmpty()) {
+            return seen;
+        }
         if (!spec.on()) {
             return Reading.OFF;
-        }
-        if (spec.noise() == 0 && faults.isEmpty()) {
-            return seen;
         }
         SensorRandom random = SensorRandom.forTick(streamKey, tick);
         double result = addNoise(seen, random);
