@@ -61,13 +61,14 @@ final class ChartTooltip {
         return String.format(Locale.ROOT, pattern, values);
     }
 
-    void paint(Graphics2D g, Theme theme) {
+    /** Paints the values in a picture of the given height, pixels. */
+    void paint(Graphics2D g, Theme theme, double height) {
         double x = chart.plot().x(chart.data().timeOf(bucket));
         g.setColor(theme.palette().muted());
         g.setStroke(new BasicStroke(1));
         g.draw(new Line2D.Double(x, area().y(), x, area().y() + area().height()));
         chart.signal().lines().forEach(curve -> paintDot(g, theme, curve, x));
-        paintBackground(g, theme, x);
+        paintBox(g, theme, x, height);
     }
 
     private PixelRectangle area() {
@@ -83,7 +84,7 @@ final class ChartTooltip {
     }
 
     /** Paints the box beside the marked time, on the side that has room. */
-    private void paintBackground(Graphics2D g, Theme theme, double x) {
+    private void paintBox(Graphics2D g, Theme theme, double x, double pictureHeight) {
         FontMetrics metrics = g.getFontMetrics();
         List<String> lines = lines();
         double width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + 2 * PADDING;
@@ -91,15 +92,17 @@ final class ChartTooltip {
                 ? x + POINTER_DISTANCE
                 : x - POINTER_DISTANCE - width;
         double left = Math.max(beside, area().x());
-        Shape background =
-                new RoundRectangle2D.Double(left, area().y() + 4, width, lines.size() * ROW_HEIGHT + PADDING, 6, 6);
+        double rowHeight = Math.min(ROW_HEIGHT, (pictureHeight - PADDING - 1) / lines.size());
+        double height = lines.size() * rowHeight + PADDING;
+        double top = Math.max(0, Math.min(area().y() + 4, pictureHeight - height - 1));
+        Shape background = new RoundRectangle2D.Double(left, top, width, height, 6, 6);
         g.setColor(theme.palette().canvas());
         g.fill(background);
         g.setColor(theme.colours().border());
         g.draw(background);
         g.setColor(theme.palette().text());
         for (int i = 0; i < lines.size(); i++) {
-            g.drawString(lines.get(i), (float) (left + PADDING), (float) (area().y() + 4 + (i + 1) * ROW_HEIGHT - 1));
+            g.drawString(lines.get(i), (float) (left + PADDING), (float) (top + (i + 1) * rowHeight - 1));
         }
     }
 }

@@ -35,7 +35,6 @@ final class StripPainter {
     private static final int RIBBON_HEIGHT = 15;
     private static final int STATE_COLOUR_HEIGHT = 3;
     private static final int FAULT_ALPHA = 45;
-    private static final int LEGEND_GAP = 3;
 
     private final Surface surface;
     private final Theme theme;
@@ -61,13 +60,14 @@ final class StripPainter {
 
     void paint() {
         scale.legend()
+                .rows()
                 .paint(
                         surface,
                         theme,
                         textStyle,
                         textStyle::estimateWidth,
-                        new Vector2(area.x(), LEGEND_GAP),
-                        StripScale.LEGEND_ROW_HEIGHT);
+                        scale.legend().corner(),
+                        LegendPlace.ROW_HEIGHT);
         StateIntervals.within(content.frame(), content.span()).forEach(this::paintState);
         content.items().forEach(this::paintItem);
         PlotPainter painter = new PlotPainter(surface, scale.plot());

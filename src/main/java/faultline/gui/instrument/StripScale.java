@@ -16,48 +16,57 @@ import java.util.stream.Stream;
  * @param data their recorded values
  * @param plot the rectangle of the lines, with its axes of time and value
  * @param sensors the ids of the sensors in the robot's order
- * @param legend the names of the lines above the plot; no rows if they are named elsewhere
+ * @param legend the names of the lines; no rows if they are named elsewhere
  */
-record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> sensors, LegendRows legend) {
+record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> sensors, LegendPlace legend) {
 
     static final int LEFT_MARGIN = 46;
     static final int RIGHT_MARGIN = 20;
     /** The height of the ribbon above the plot with the gaps around it, pixels. */
     static final int TOP_MARGIN = 24;
 
-    static final int LEGEND_ROW_HEIGHT = 15;
     static final int FONT_SIZE = 11;
     private static final int BOTTOM_MARGIN = 20;
     /** The least height of a plot below several rows of a legend, pixels. */
     private static final int MIN_PLOT_HEIGHT = 45;
+    /** The least width of a plot beside a legend, pixels. */
+    private static final int MIN_PLOT_WIDTH = 100;
 
-    /** Returns the scale of a chart, with a legend above the plot or without; width and height in pixels. */
+    /** Returns the scale of a chart, with a legend beside the data or without; width and height in pixels. */
     static StripScale of(StripContent content, boolean legend, int width, int height) {
+        LegendPlace names = legend ? legend(content, width, height) : LegendPlace.NONE;
+        PixelRectangle area = new PixelRectangle(
+                LEFT_MARGIN,
+                TOP_MARGIN + names.above(),
+                Math.max(1, width - LEFT_MARGIN - RIGHT_MARGIN - names.beside()),
+                Math.max(1, height - TOP_MARGIN - names.above() - BOTTOM_MARGIN));
         SignalGroup signal = content.signal();
-        int plotWidth = Math.max(1, width - LEFT_MARGIN - RIGHT_MARGIN);
-        LegendRows names = legend
-                ? legend(content, plotWidth, height - TOP_MARGIN - BOTTOM_MARGIN - MIN_PLOT_HEIGHT)
-                : LegendRows.NONE;
-        int top = TOP_MARGIN + names.rows().size() * LEGEND_ROW_HEIGHT;
-        PixelRectangle area =
-                new PixelRectangle(LEFT_MARGIN, top, plotWidth, Math.max(1, height - top - BOTTOM_MARGIN));
-        StripData data = StripData.of(content.frame(), content.span(), plotWidth);
+        StripData data = StripData.of(content.frame(), content.span(), (int) area.width());
         Axis time = Axis.linear("s", content.span().start(), content.span().end());
         List<String> ids = content.frame().snapshot().sensors().stream()
                 .map(sensor -> sensor.spec().id())
                 .toList();
-        double[] all = Stream.concat(Stream.of(data), content.referenceData(plotWidth).stream())
+        double[] all = Stream.concat(Stream.of(data), content.referenceData((int) area.width()).stream())
                 .flatMapToDouble(run -> values(signal, run))
                 .toArray();
         Axis values = content.range().axis(signal.unit(), all);
         return new StripScale(signal, data, new Plot(area, time, values), ids, names);
     }
 
-    /** Returns as many rows of the legend as have room in a height, at least one. */
-    private static LegendRows legend(StripContent content, int width, int height) {
+    /** Returns the legend above the plot; to the right of it, if it is too high for that; as much as has room. */
+    private static LegendPlace legend(StripContent content, int width, int height) {
         TextStyle style = TextStyle.plain(FONT_SIZE, Color.BLACK);
-        return LegendRows.of(LegendEntry.of(content.signal(), content.reference() != null), style::estimateWidth, width)
-                .first(Math.max(1, height / LEGEND_ROW_HEIGHT));
+        List<LegendEntry> entries = LegendEntry.of(content.signal(), content.reference() != null);
+        int plotWidth = width - LEFT_MARGIN - RIGHT_MARGIN;
+        LegendRows above = LegendRows.of(entries, style::estimateWidth, plotWidth);
+        int room = Math.max(1, (height - TOP_MARGIN - BOTTOM_MARGIN - MIN_PLOT_HEIGHT) / LegendPlace.ROW_HEIGHT);
+        LegendRows column = LegendRows.of(entries, style::estimateWidth, 0);
+        int beside = (int) Math.ceil(column.width(style::estimateWidth));
+        if (above.rows().size() > room && plotWidth - beside >= MIN_PLOT_WIDTH) {
+            return LegendPlace.beside(
+                    column.first(height / LegendPlace.ROW_HEIGHT), width - beside - LegendPlace.GAP, beside);
+        }
+        return LegendPlace.above(above.first(room), LEFT_MARGIN);
     }
 
     /** Returns the index of a sensor in the robot's order, 0 if there is none. */

@@ -114,10 +114,13 @@ final class StripView extends AccessibleComponent {
         refresh();
     }
 
-    /** Returns the position of an x coordinate on the time axis, 0 at its start and 1 at its end. */
+    /**
+     * Returns the position of an x coordinate on the time axis, 0 at its start and 1 at its end; 0.5 if there is none.
+     */
     double shareAt(double x) {
-        return (x / imageScale() - StripScale.LEFT_MARGIN)
-                / Math.max(1, getWidth() / imageScale() - StripScale.LEFT_MARGIN - StripScale.RIGHT_MARGIN);
+        return scale().map(scale -> scale.plot().area())
+                .map(area -> (x / imageScale() - area.x()) / area.width())
+                .orElse(0.5);
     }
 
     /** Returns the position of a y coordinate on the vertical axis, 0 at its lower end and 1 at its upper end. */
@@ -176,7 +179,7 @@ final class StripView extends AccessibleComponent {
 
     private void paint(Graphics2D g, StripScale scale) {
         content().orElseThrow().paint(new GraphicsSurface(g), Theme.current(), scale);
-        tooltip(scale).ifPresent(out -> out.paint(g, Theme.current()));
+        tooltip(scale).ifPresent(out -> out.paint(g, Theme.current(), getHeight() / imageScale()));
     }
 
     @Override

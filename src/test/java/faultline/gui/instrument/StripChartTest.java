@@ -16,6 +16,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.PixelRectangle;
 import faultline.world.Command;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -39,11 +40,14 @@ class StripChartTest {
     private static final int HEIGHT = 220;
     private static final SessionFrame FRAME = SampleRuns.frame(2000);
 
-    private final StripChart chart = callOnEdt(StripChart::new);
+    private StripChart chart;
 
     @BeforeEach
     void shown() {
         runOnEdt(() -> {
+            TextSize.NORMAL.install();
+            Theme.LIGHT.install();
+            chart = new StripChart();
             chart.setFrame(FRAME);
             SampleRuns.render(chart, WIDTH, HEIGHT);
         });
@@ -95,7 +99,7 @@ class StripChartTest {
 
     /** Returns the names above the plot of the chart in its present size. */
     private List<String> namesAbovePlot() {
-        return callOnEdt(() -> chart.view().scale().orElseThrow().legend().rows().stream()
+        return callOnEdt(() -> chart.view().scale().orElseThrow().legend().rows().rows().stream()
                 .flatMap(row -> row.stream().map(LegendEntry::name))
                 .toList());
     }
@@ -109,14 +113,21 @@ class StripChartTest {
             for (int height : new int[] {140, 200, 400}) {
                 runOnEdt(() -> SampleRuns.render(chart, width, height));
                 StripScale scale = callOnEdt(() -> chart.view().scale().orElseThrow());
-                int rows = scale.legend().rows().size();
-                assertEquals(
-                        StripScale.TOP_MARGIN + rows * StripScale.LEGEND_ROW_HEIGHT,
-                        scale.plot().area().y());
+                LegendPlace legend = scale.legend();
+                PixelRectangle area = scale.plot().area();
+                int rows = legend.rows().rows().size();
+                String message = width + "x" + height + " leaves " + area;
                 assertTrue(
-                        rows <= 1 || scale.plot().area().height() >= 45,
-                        width + "x" + height + " leaves " + scale.plot().area().height());
-                assertTrue(height < 400 || rows == 0 || namesAbovePlot().size() == 6, "all of " + namesAbovePlot());
+                        rows == 0
+                                || area.y() >= StripScale.TOP_MARGIN + rows * LegendPlace.ROW_HEIGHT
+                                || area.x() + area.width() < legend.corner().x(),
+                        message);
+                assertTrue(rows <= 1 || area.height() >= 45 || legend.beside() > 0, message);
+                assertTrue(
+                        TextSize.unscaled(width) < 480
+                                || rows == 0
+                                || namesAbovePlot().size() == 6,
+                        message + namesAbovePlot());
             }
         }
         runOnEdt(TextSize.NORMAL::install);
