@@ -17,6 +17,7 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
 import faultline.world.Snapshot;
+import faultline.world.SpatialIndex;
 import faultline.world.World;
 import java.util.ArrayList;
 import java.util.List;
@@ -311,6 +312,11 @@ public final class Simulation implements AutoCloseable {
     /** {@return the hash over the poses, wheel speeds and reported readings of all ticks so far} */
     public long trajectoryHash() {
         return trajectoryRecorder.hash();
+    }
+
+    /** {@return an index of the static shapes at the start, the enclosing wall first} */
+    public SpatialIndex startIndex() {
+        return world.startIndex();
     }
 
     /** {@return the current state of the world} */

@@ -48,7 +48,7 @@ public final class DecimalText {
      * @param text the text
      */
     public static double parseShort(String text) {
-        return parseShort(text, 0, text.length());
+        return parseShort(text.toCharArray(), 0, text.length());
     }
 
     /**
@@ -58,13 +58,13 @@ public final class DecimalText {
      * @param from the index of the first character of the number
      * @param to the index after its last character
      */
-    public static double parseShort(String text, int from, int to) {
-        boolean negative = from < to && text.charAt(from) == '-';
+    public static double parseShort(char[] text, int from, int to) {
+        boolean negative = from < to && text[from] == '-';
         int begin = negative ? from + 1 : from;
         int point = -1;
         long digits = 0;
         for (int i = begin; i < to; i++) {
-            char c = text.charAt(i);
+            char c = text[i];
             if (c == '.' && point < 0 && i > begin) {
                 point = i;
             } else if (c >= '0' && c <= '9' && i < begin + POWERS_OF_TEN.length) {

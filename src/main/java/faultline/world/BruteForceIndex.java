@@ -31,6 +31,21 @@ final class BruteForceIndex implements SpatialIndex {
     }
 
     @Override
+    public int size() {
+        return shapes.length;
+    }
+
+    @Override
+    public ConvexShape shape(int number) {
+        return shapes[number];
+    }
+
+    @Override
+    public SpatialIndex copy() {
+        return this;
+    }
+
+    @Override
     public void findNear(double px, double py, double distance, CandidateBuffer found) {
         for (int i = 0; i < shapes.length; i++) {
             double dx = x[i] - px;

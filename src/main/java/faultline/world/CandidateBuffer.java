@@ -13,15 +13,6 @@ public final class CandidateBuffer {
     /** Creates an empty buffer. */
     public CandidateBuffer() {}
 
-    /**
-     * {@return the static shapes of a world, the enclosing wall first}
-     *
-     * @param world the world
-     */
-    public static CandidateBuffer ofStaticShapes(WorldSpec world) {
-        return ObstacleSet.staticShapes(world);
-    }
-
     /** Removes all shapes. */
     public void clear() {
         size = 0;

@@ -4,7 +4,7 @@ package faultline.world;
  * An index that is edited: an index of most shapes, and a short list of those added since. Both may hold shapes whose
  * owners have been removed. When edits are many, the index is rebuilt, so that an edit costs a constant on average.
  */
-final class EditableIndex implements SpatialIndex {
+final class EditableIndex {
 
     private static final int MIN_EDITS = 64;
 
@@ -40,8 +40,13 @@ final class EditableIndex implements SpatialIndex {
         }
     }
 
-    @Override
-    public void findNear(double x, double y, double distance, CandidateBuffer found) {
+    /** Returns the index of most shapes; it does not change with edits, but may be replaced. */
+    SpatialIndex base() {
+        return base;
+    }
+
+    /** Adds the shapes near a point, and perhaps others. */
+    void findNear(double x, double y, double distance, CandidateBuffer found) {
         int before = found.size();
         base.findNear(x, y, distance, found);
         for (int i = baseSize; i < all.size(); i++) {

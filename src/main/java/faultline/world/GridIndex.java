@@ -61,6 +61,24 @@ final class GridIndex implements SpatialIndex {
         build(right - left, top - bottom);
     }
 
+    /** Creates a copy that shares everything but the marks of its queries. */
+    private GridIndex(GridIndex other) {
+        shapes = other.shapes;
+        owners = other.owners;
+        minX = other.minX;
+        minY = other.minY;
+        maxX = other.maxX;
+        maxY = other.maxY;
+        left = other.left;
+        bottom = other.bottom;
+        cellSize = other.cellSize;
+        columns = other.columns;
+        rows = other.rows;
+        starts = other.starts;
+        entries = other.entries;
+        lastQuery = new int[shapes.length];
+    }
+
     private void setBox(int i, ConvexShape shape) {
         if (shape instanceof Segment segment) {
             minX[i] = Math.min(segment.ax(), segment.bx());
@@ -151,6 +169,21 @@ final class GridIndex implements SpatialIndex {
 
     private int row(double y) {
         return (int) Math.max(0, Math.min(rows - 1, (y - bottom) / cellSize));
+    }
+
+    @Override
+    public int size() {
+        return shapes.length;
+    }
+
+    @Override
+    public ConvexShape shape(int number) {
+        return shapes[number];
+    }
+
+    @Override
+    public SpatialIndex copy() {
+        return new GridIndex(this);
     }
 
     @Override

@@ -19,6 +19,9 @@ final class ObstacleSet {
     private final Map<String, PlacedObstacle> obstacles;
     private final List<MovingObstacle> moving = new ArrayList<>();
     private final EditableIndex index;
+    /** The index of the static shapes at the start. */
+    private final SpatialIndex startIndex;
+
     private long nextOrder;
     private long version;
     /** The obstacles at {@link #listVersion}; valid only while none is moving. */
@@ -41,6 +44,7 @@ final class ObstacleSet {
             }
         }
         index = new EditableIndex(shapes);
+        startIndex = index.base();
     }
 
     private static PlacedObstacle create(Obstacle obstacle, long order) {
@@ -69,6 +73,11 @@ final class ObstacleSet {
                 .filter(obstacle -> !obstacle.isMoving())
                 .forEach(obstacle -> shapes.addAll(new PlacedObstacle(obstacle, 0)));
         return shapes;
+    }
+
+    /** Returns the index of the static shapes at the start, the enclosing wall first. */
+    SpatialIndex startIndex() {
+        return startIndex;
     }
 
     /** Returns a number that changes whenever static obstacles are edited. */
@@ -205,7 +214,7 @@ final class ObstacleSet {
         return obstacles.stream()
                 .filter(obstacle -> obstacle.pose().position().distanceTo(centre)
                         <= reach + obstacle.shape().boundingRadius())
-                .filter(obstacle -> !isClear(body, ObstacleGeometry.of(obstacle)))
+                .filter(obstacle -> !isClear(body, ObstacleGeometry.near(obstacle, centre, reach)))
                 .map(Obstacle::id)
                 .findFirst();
     }

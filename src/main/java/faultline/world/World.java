@@ -59,6 +59,11 @@ public final class World {
         this.decay = robot.motor().decay(dt);
     }
 
+    /** {@return an index of the static shapes at the start, the enclosing wall first} */
+    public SpatialIndex startIndex() {
+        return obstacleSet.startIndex().copy();
+    }
+
     /**
      * Executes a command: step 1 of a tick. A refused command changes nothing.
      *

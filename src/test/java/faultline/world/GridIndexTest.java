@@ -60,12 +60,14 @@ class GridIndexTest {
         for (int scene = 0; scene < 200; scene++) {
             double spread = StrictMath.pow(10, random.nextDouble(-1, 2.5));
             CandidateBuffer all = randomScene(random, random.nextInt(1, 300), spread);
-            SpatialIndex grid = new GridIndex(all);
+            SpatialIndex first = new GridIndex(all);
+            SpatialIndex copy = first.copy();
             for (int look = 0; look < 50; look++) {
                 Vector2 point =
                         new Vector2(random.nextDouble(-1.5, 1.5) * spread, random.nextDouble(-1.5, 1.5) * spread);
                 double distance = random.nextDouble(0, 2);
                 CandidateBuffer found = new CandidateBuffer();
+                SpatialIndex grid = random.nextBoolean() ? first : copy;
                 grid.findNear(point.x(), point.y(), distance, found);
                 assertEquals(
                         within(all, point, distance),

@@ -54,10 +54,10 @@ final class Coverage {
     /** Notes that the robot's centre was at a point; one point a square centimetre is kept. */
     void visit(Vector2 centre) {
         if (centre.distanceTo(last) >= MIN_STEP) {
-            long cell = CellKey.of(centre, SPACING, 0, 0);
+            long cell = CellKey.of(centre, SPACING);
             if (visited.add(cell)) {
                 pending.put(cell, centre);
-                pendingAreas.add(CellKey.of(centre, AREA_SIZE, 0, 0));
+                pendingAreas.add(CellKey.of(centre, AREA_SIZE));
             }
             last = centre;
         }
@@ -125,9 +125,11 @@ final class Coverage {
         if (radius + TOLERANCE > AREA_SIZE) {
             return true;
         }
+        long column = CellKey.index(middle.x(), AREA_SIZE);
+        long row = CellKey.index(middle.y(), AREA_SIZE);
         for (int dx = -1; dx <= 1; dx++) {
             for (int dy = -1; dy <= 1; dy++) {
-                if (pendingAreas.contains(CellKey.of(middle, AREA_SIZE, dx, dy))) {
+                if (pendingAreas.contains(CellKey.of(column + dx, row + dy))) {
                     return true;
                 }
             }
@@ -136,10 +138,12 @@ final class Coverage {
     }
 
     private boolean isPassed(Vector2 place) {
+        long column = CellKey.index(place.x(), SPACING);
+        long row = CellKey.index(place.y(), SPACING);
         int reach = (int) Math.ceil(TOLERANCE / SPACING);
         for (int dx = -reach; dx <= reach; dx++) {
             for (int dy = -reach; dy <= reach; dy++) {
-                Vector2 point = pending.get(CellKey.of(place, SPACING, dx, dy));
+                Vector2 point = pending.get(CellKey.of(column + dx, row + dy));
                 if (point != null && point.distanceTo(place) <= TOLERANCE) {
                     return true;
                 }

@@ -1,18 +1,21 @@
 package faultline.engine.metrics;
 
 import faultline.geometry.ConvexShape;
+import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.world.CandidateBuffer;
+import faultline.world.SpatialIndex;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
-import java.util.TreeMap;
 
 /**
  * The places from which walls can be followed at a distance, as far as they have been asked for: a wall is sampled when
@@ -28,8 +31,13 @@ final class PlaceMap {
     private final double spacing;
     private final double joinDistance;
     private final List<Vector2> circle;
-    private final Map<ConvexShape, Integer> numbers = new IdentityHashMap<>();
-    private final Map<Integer, List<PlaceRun>> sampled = new TreeMap<>();
+    private final Map<ConvexShape, Integer> numbers;
+    /** The runs of each wall, null for those that have not been sampled. */
+    private final List<List<PlaceRun>> sampled;
+
+    /** The runs around the ends of sampled walls, by x and y of the end. */
+    private final Map<Double, Map<Double, List<PlaceRun>>> corners = new HashMap<>();
+
     private final Map<Long, List<Place>> cells = new HashMap<>();
     private final Set<PlaceRun> surveyed = new HashSet<>();
 
@@ -42,7 +50,9 @@ final class PlaceMap {
         this.spacing = spacing;
         this.joinDistance = joinDistance;
         this.circle = PlaceRow.circle(distance, spacing);
-        CandidateBuffer all = walls.walls();
+        SpatialIndex all = walls.walls();
+        sampled = new ArrayList<>(Collections.nCopies(all.size(), null));
+        numbers = new IdentityHashMap<>(all.size());
         for (int i = 0; i < all.size(); i++) {
             numbers.put(all.shape(i), i);
         }
@@ -61,18 +71,50 @@ final class PlaceMap {
     }
 
     private void sample(int number) {
-        if (sampled.containsKey(number)) {
+        if (sampled.get(number) != null) {
             return;
         }
         ConvexShape wall = walls.walls().shape(number);
         List<PlaceRun> runs = new ArrayList<>();
         for (PlaceRow row : PlaceRow.of(wall, distance, spacing, 0, circle)) {
-            for (int from = 0; from < row.size(); from += PlaceRun.LONG) {
-                addRuns(wall, row, from, Math.min(from + PlaceRun.LONG, row.size()), runs);
+            runs.addAll(row instanceof PlaceRow.Arc arc ? aroundEnd(arc, (Segment) wall) : newRuns(wall, row));
+        }
+        sampled.set(number, runs);
+    }
+
+    /**
+     * Returns the runs around an end of a wall, which are those of the neighbour at that end if it has been sampled.
+     */
+    private List<PlaceRun> aroundEnd(PlaceRow.Arc arc, Segment wall) {
+        Map<Double, List<PlaceRun>> above = corners.computeIfAbsent(arc.corner().x(), x -> new HashMap<>(2));
+        List<PlaceRun> known = above.get(arc.corner().y());
+        if (known == null) {
+            List<PlaceRun> runs = newRuns(wall, outside(arc, wall));
+            above.put(arc.corner().y(), runs);
+            return runs;
+        }
+        return known.stream().map(run -> run.ofNeighbour(arc.firstRank())).toList();
+    }
+
+    /** Returns the part of the arc around an end of a wall that neither it nor a neighbour at that end occupies. */
+    private PlaceRow outside(PlaceRow.Arc arc, Segment wall) {
+        CandidateBuffer near = walls.findNear(arc.corner(), 0);
+        Segment neighbour = wall;
+        for (int i = 0; i < near.size(); i++) {
+            if (near.shape(i) != wall && near.shape(i) instanceof Segment other && arc.isAtEndOf(other)) {
+                neighbour = other;
             }
         }
+        return arc.outside(wall, neighbour);
+    }
+
+    private List<PlaceRun> newRuns(ConvexShape wall, PlaceRow row) {
+        List<PlaceRun> runs = new ArrayList<>();
+        for (int from = 0; from < row.size(); from += PlaceRun.LONG) {
+            addRuns(wall, row, from, Math.min(from + PlaceRun.LONG, row.size()), runs);
+        }
         runs.forEach(this::addToCells);
-        sampled.put(number, runs);
+        return runs;
     }
 
     /** Adds a part of a row: as one run if that is alone, else as several. */
@@ -99,7 +141,7 @@ final class PlaceMap {
         for (int i = 0; i < run.size(); i++) {
             if (run.isFree(i) && (!run.isAlone() || isNearEnd(run, i))) {
                 Place place = new Place(run, i, run.place(i));
-                cells.computeIfAbsent(CellKey.of(place.position, joinDistance, 0, 0), key -> new ArrayList<>(4))
+                cells.computeIfAbsent(CellKey.of(place.position, joinDistance), key -> new ArrayList<>(4))
                         .add(place);
             }
         }
@@ -118,10 +160,11 @@ final class PlaceMap {
             if (!place.run.isAlone() && surveyed.add(place.run)) {
                 sampleNear(place.run.centre(), place.run.radius() + joinDistance);
             }
+            long column = CellKey.index(place.position.x(), joinDistance);
+            long row = CellKey.index(place.position.y(), joinDistance);
             for (int dx = -1; dx <= 1; dx++) {
                 for (int dy = -1; dy <= 1; dy++) {
-                    for (Place other :
-                            cells.getOrDefault(CellKey.of(place.position, joinDistance, dx, dy), List.of())) {
+                    for (Place other : cells.getOrDefault(CellKey.of(column + dx, row + dy), List.of())) {
                         if (other.run.piece(other.index) == PlaceRun.NO_PIECE
                                 && other.position.distanceTo(place.position) <= joinDistance) {
                             reach(other, piece, open);
@@ -148,6 +191,6 @@ final class PlaceMap {
 
     /** Returns the runs of each wall that has been sampled so far, in the order of the walls. */
     List<List<PlaceRun>> runs() {
-        return List.copyOf(sampled.values());
+        return sampled.stream().filter(Objects::nonNull).toList();
     }
 }

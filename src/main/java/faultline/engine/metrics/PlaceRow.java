@@ -1,5 +1,6 @@
 package faultline.engine.metrics;
 
+import faultline.geometry.Angles;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Disc;
 import faultline.geometry.Ellipse;
@@ -54,8 +55,8 @@ sealed interface PlaceRow {
     static List<PlaceRow> of(ConvexShape wall, double distance, double spacing, double reach, List<Vector2> circle) {
         if (wall instanceof Segment segment) {
             int along = Math.max(1, (int) Math.ceil(segment.length() / spacing));
-            PlaceRow start = new Arc(segment.a(), circle, 2L * along);
-            PlaceRow end = new Arc(segment.b(), circle, 2L * along + circle.size());
+            PlaceRow start = new Arc(segment.a(), circle, 2L * along, 0, circle.size());
+            PlaceRow end = new Arc(segment.b(), circle, 2L * along + circle.size(), 0, circle.size());
             return segment.length() > 0
                     ? List.of(Side.of(segment, 1, distance, along), Side.of(segment, -1, distance, along), start, end)
                     : List.of(start, end);
@@ -108,22 +109,64 @@ sealed interface PlaceRow {
         }
     }
 
-    /** The places around an end of a segment, which are free just where a corner juts out. */
-    record Arc(Vector2 corner, List<Vector2> circle, long firstRank) implements PlaceRow {
+    /**
+     * The places around an end of a segment, or some of them. They are free just where a corner juts out.
+     *
+     * @param first the number of the first place on the circle
+     */
+    record Arc(Vector2 corner, List<Vector2> circle, long firstRank, int first, int size) implements PlaceRow {
 
-        @Override
-        public int size() {
-            return circle.size();
+        /** More than the angle by which a free place may lie beside the perpendicular of a segment, radians. */
+        private static final double MARGIN = 0.01;
+
+        /** With shorter segments that angle may be greater, as a share of the distance. */
+        private static final double MIN_LENGTH = 1e-3;
+
+        /** Returns the places of this arc that are not surely nearer to one of two segments that end at the corner. */
+        Arc outside(Segment one, Segment other) {
+            double shortest = MIN_LENGTH * circle.get(0).length();
+            if (one.length() < shortest || other.length() < shortest) {
+                return this;
+            }
+            double angle = direction(one);
+            double turn = Angles.difference(angle, direction(other));
+            double middle = angle + turn / 2 + StrictMath.PI;
+            double half = (StrictMath.PI - Math.abs(turn)) / 2 + MARGIN;
+            double placesPerRadian = circle.size() / (2 * StrictMath.PI);
+            int begin = (int) Math.floor((middle - half) * placesPerRadian);
+            int count = (int) Math.ceil(2 * half * placesPerRadian) + 2;
+            return new Arc(
+                    corner, circle, firstRank, Math.floorMod(begin, circle.size()), Math.min(count, circle.size()));
+        }
+
+        Arc withFirstRank(long newRank) {
+            return new Arc(corner, circle, newRank, first, size);
+        }
+
+        /** Returns whether the corner is an end of a segment. */
+        boolean isAtEndOf(Segment segment) {
+            return segment.ax() == corner.x() && segment.ay() == corner.y()
+                    || segment.bx() == corner.x() && segment.by() == corner.y();
+        }
+
+        /** Returns the direction in which a segment leaves the corner, radians. */
+        private double direction(Segment segment) {
+            boolean ends = segment.bx() == corner.x() && segment.by() == corner.y();
+            return (ends ? segment.a() : segment.b()).minus(corner).angle();
+        }
+
+        private int number(int index) {
+            return (first + index) % circle.size();
         }
 
         @Override
         public long rank(int index) {
-            return firstRank + index;
+            return firstRank + number(index);
         }
 
         @Override
         public Vector2 place(int index) {
-            return corner.plus(circle.get(index));
+            return corner.plus(circle.get(number(index)));
         }
 
         @Override

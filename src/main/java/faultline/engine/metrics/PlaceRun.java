@@ -22,6 +22,9 @@ final class PlaceRun {
     /** The greatest number of places of a run near other walls. */
     static final int SHORT = 64;
 
+    /** The walls that may be too near are found for this number of places at once. */
+    private static final int AHEAD = 8;
+
     /** The greatest number of places of a run alone. */
     static final int LONG = 4096;
 
@@ -37,8 +40,8 @@ final class PlaceRun {
 
     private final double radius;
     private final boolean connected;
-    private final BitSet passed = new BitSet(0);
-    private int[] pieces = {NO_PIECE};
+    private final BitSet passed;
+    private int[] pieces;
 
     /** Creates the run of some places of a row. */
     PlaceRun(PlaceRow row, int from, int end, double joinDistance) {
@@ -49,6 +52,31 @@ final class PlaceRun {
         step = row.step(from, end);
         radius = row.radius(from, end);
         connected = step <= joinDistance;
+        passed = new BitSet(0);
+        pieces = new int[] {NO_PIECE};
+    }
+
+    /** Creates a run that shares the places of an arc with another, which is in the same place of another wall. */
+    private PlaceRun(PlaceRun other, PlaceRow.Arc row) {
+        this.row = row;
+        from = other.from;
+        size = other.size;
+        centre = other.centre;
+        step = other.step;
+        radius = other.radius;
+        connected = other.connected;
+        passed = other.passed;
+        pieces = other.pieces;
+    }
+
+    /**
+     * Returns this run of an arc as one of the other wall that ends at its corner. What becomes of its places is the
+     * same for both.
+     *
+     * @param firstRank the rank of the first place around that corner among the places of the other wall
+     */
+    PlaceRun ofNeighbour(long firstRank) {
+        return new PlaceRun(this, ((PlaceRow.Arc) row).withFirstRank(firstRank));
     }
 
     int size() {
@@ -92,8 +120,8 @@ final class PlaceRun {
      */
     void occupy(ConvexShape wall, CandidateBuffer near, double distance, int shared) {
         boolean alone = connected && from >= shared && end() <= row.size() - shared;
-        for (int i = 0; i < near.size(); i++) {
-            alone &= near.shape(i) == wall;
+        for (int i = 0; alone && i < near.size(); i++) {
+            alone = near.shape(i) == wall;
         }
         if (alone) {
             return;
@@ -110,20 +138,48 @@ final class PlaceRun {
                 close.add(near.shape(i));
             }
         }
-        int blocker = 0;
+        occupy(close, distance);
+    }
+
+    /** Marks the places that are nearer to a wall than the distance. */
+    private void occupy(List<ConvexShape> close, double distance) {
+        List<ConvexShape> ahead = List.of();
+        int known = 0;
+        // The wall that was too near to the last place is tried first.
+        ConvexShape blocker = null;
         for (int i = 0; i < size; i++) {
             Vector2 place = place(i);
-            for (int j = 0; j < close.size(); j++) {
-                // The wall that was too near to the last place comes first.
-                int candidate = (blocker + j) % close.size();
-                double margin = WallReference.nearness(close.get(candidate), place, distance);
-                if (margin > 0) {
-                    blocker = candidate;
-                    i = occupy(i, margin);
-                    break;
+            if (blocker == null || WallReference.nearness(blocker, place, distance) <= 0) {
+                if (i >= known) {
+                    ahead = within(close, place, distance + AHEAD * step);
+                    known = i + AHEAD;
                 }
+                blocker = findBlocker(ahead, place, distance);
+            }
+            if (blocker != null) {
+                i = occupy(i, WallReference.nearness(blocker, place, distance));
             }
         }
+    }
+
+    private static List<ConvexShape> within(List<ConvexShape> walls, Vector2 place, double radius) {
+        List<ConvexShape> within = new ArrayList<>();
+        for (ConvexShape wall : walls) {
+            if (wall.distanceTo(place.x(), place.y()) <= radius) {
+                within.add(wall);
+            }
+        }
+        return within;
+    }
+
+    /** Returns a wall that is too near to a place, null if there is none. */
+    private static ConvexShape findBlocker(List<ConvexShape> walls, Vector2 place, double distance) {
+        for (ConvexShape wall : walls) {
+            if (WallReference.nearness(wall, place, distance) > 0) {
+                return wall;
+            }
+        }
+        return null;
     }
 
     /**

@@ -57,6 +57,7 @@ final class WallFollowingMetrics implements TickObserver {
         if (!isWallFollower || simulation.collision().isPresent()) {
             return;
         }
+        walls.share(simulation);
         Vector2 centre = simulation.pose().position();
         ControllerState state = simulation.telemetry().state();
         boolean follows = state == FollowerState.FOLLOW || hasOwnStates && !FOLLOWER_STATES.contains(state);

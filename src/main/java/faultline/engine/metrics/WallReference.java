@@ -1,5 +1,6 @@
 package faultline.engine.metrics;
 
+import faultline.engine.Simulation;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
@@ -19,9 +20,7 @@ public final class WallReference {
 
     private final WorldSpec world;
     private final CandidateBuffer candidates = new CandidateBuffer();
-    /** Null until they are needed, because collecting them takes long in large worlds. */
-    private CandidateBuffer shapes;
-
+    /** Null until it is needed, because making it takes long in large worlds. */
     private SpatialIndex index;
 
     /**
@@ -33,13 +32,19 @@ public final class WallReference {
         this.world = world;
     }
 
-    /** Returns all walls. */
-    CandidateBuffer walls() {
-        if (shapes == null) {
-            shapes = CandidateBuffer.ofStaticShapes(world);
-            index = SpatialIndex.of(shapes);
+    /** Uses the index that a simulation has made, if it is of the same world and none is made yet. */
+    void share(Simulation simulation) {
+        if (index == null && simulation.setup().world() == world) {
+            index = simulation.startIndex();
         }
-        return shapes;
+    }
+
+    /** Returns all walls. */
+    SpatialIndex walls() {
+        if (index == null) {
+            index = SpatialIndex.ofStaticShapes(world);
+        }
+        return index;
     }
 
     /**
@@ -62,6 +67,9 @@ public final class WallReference {
         double least = NONE;
         boolean straight = false;
         for (int i = 0; i < candidates.size(); i++) {
+            if (candidates.shape(i).distanceTo(centre.x(), centre.y()) > 1.000001 * least) {
+                continue;
+            }
             Vector2 nearest = candidates.shape(i).nearestTo(centre);
             double distance = nearest.distanceTo(centre);
             if (distance < least) {
@@ -148,8 +156,7 @@ public final class WallReference {
     /** Returns the walls near a point, and perhaps others, until the next call. */
     CandidateBuffer findNear(Vector2 point, double radius) {
         candidates.clear();
-        walls();
-        index.findNear(point.x(), point.y(), radius, candidates);
+        walls().findNear(point.x(), point.y(), radius, candidates);
         return candidates;
     }
 

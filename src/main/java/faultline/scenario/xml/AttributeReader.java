@@ -255,7 +255,7 @@ public final class AttributeReader {
     List<Vector2> points(String name, int least, int most) {
         Message allowed = Allowed.POINTS.with(least, NumberRange.COORDINATE.rule());
         List<Vector2> points = required(name, () -> allowed)
-                .map(text -> points(name, new PointParser(text, 0, text.length()), most, allowed))
+                .map(text -> points(name, new PointParser(text.toCharArray(), 0, text.length()), most, allowed))
                 .orElse(PLACEHOLDER_POINTS);
         if (points.size() < least) {
             report(name, text(name).orElse(""), allowed);
@@ -291,10 +291,11 @@ public final class AttributeReader {
         List<List<Vector2>> rings = new ArrayList<>();
         int left = most;
         String text = required(name, () -> allowed).orElse("0,0 1,0 0,1");
+        char[] characters = text.toCharArray();
         for (int from = 0; from <= text.length(); ) {
             int bar = text.indexOf('|', from);
             int end = bar < 0 ? text.length() : bar;
-            List<Vector2> ring = points(name, new PointParser(text, from, end), left, allowed);
+            List<Vector2> ring = points(name, new PointParser(characters, from, end), left, allowed);
             if (ring.size() < 3) {
                 report(name, XmlText.strip(text.substring(from, end)), allowed);
                 return List.of(PLACEHOLDER_POINTS);

@@ -15,13 +15,13 @@ final class PointParser {
     private static final double LEAST = NumberRange.COORDINATE.min().doubleValue();
     private static final double MOST = NumberRange.COORDINATE.max().doubleValue();
 
-    private final String text;
+    private final char[] text;
     private final int length;
     private int begin;
     private int end;
 
     /** Creates a parser of the points in a part of a text. */
-    PointParser(String text, int from, int length) {
+    PointParser(char[] text, int from, int length) {
         this.text = text;
         this.length = length;
         this.end = from;
@@ -30,11 +30,11 @@ final class PointParser {
     /** Goes to the next pair, and returns false if there is none. */
     boolean advance() {
         begin = end;
-        while (begin < length && isBlank(text.charAt(begin))) {
+        while (begin < length && isBlank(text[begin])) {
             begin++;
         }
         end = begin;
-        while (end < length && !isBlank(text.charAt(end))) {
+        while (end < length && !isBlank(text[end])) {
             end++;
         }
         return begin < length;
@@ -46,13 +46,16 @@ final class PointParser {
 
     /** Returns the present pair. */
     String pair() {
-        return text.substring(begin, end);
+        return new String(text, begin, end - begin);
     }
 
     /** Returns the point of the present pair, empty if the pair is invalid. */
     Optional<Vector2> point() {
-        int comma = text.indexOf(',', begin);
-        if (comma < 0 || comma >= end) {
+        int comma = begin;
+        while (comma < end && text[comma] != ',') {
+            comma++;
+        }
+        if (comma == end) {
             return Optional.empty();
         }
         double x = coordinate(begin, comma);
@@ -66,7 +69,7 @@ final class PointParser {
         if (rounded > LEAST && rounded < MOST) {
             return rounded;
         }
-        String number = text.substring(from, to);
+        String number = new String(text, from, to - from);
         Optional<BigDecimal> exact = DecimalText.parse(number).filter(NumberRange.COORDINATE::contains);
         return exact.isPresent() ? DecimalText.toDouble(exact.get(), number) : Double.NaN;
     }

@@ -154,12 +154,30 @@ class CoverageTest {
         return new WorldSpec(8, 6, random.nextBoolean(), 3, obstacles);
     }
 
+    /** Staircases of 5 cm, as in a floor plan, some of which return on themselves, and specks at their corners. */
+    private static WorldSpec staircases(Random random) {
+        List<Obstacle> obstacles = new ArrayList<>();
+        for (int i = 0; i < 2 + random.nextInt(3); i++) {
+            List<Vector2> points = new ArrayList<>(List.of(new Vector2(2 + random.nextInt(3), 1 + random.nextInt(3))));
+            for (int k = 0; k < 60; k++) {
+                double step = 0.05 * (random.nextInt(4) - 1);
+                Vector2 by = k % 2 == 0 ? new Vector2(step, 0) : new Vector2(0, step);
+                points.add(points.get(k).plus(by));
+            }
+            obstacles.add(new Obstacle("stairs" + i, new ObstacleShape.Wall(points), Pose.ORIGIN));
+            Vector2 corner = points.get(random.nextInt(points.size()));
+            Pose beside = new Pose(corner.x() + 0.025, corner.y() + 0.025, 0);
+            obstacles.add(new Obstacle("speck" + i, new ObstacleShape.Rectangle(0.05, 0.05), beside));
+        }
+        return new WorldSpec(8, 6, true, 3, obstacles);
+    }
+
     @Test
     void whatIsSampledOnDemandGivesTheSameBitsAsSamplingAllWalls() {
         Random random = new Random(813);
         int present = 0;
         for (int i = 0; i < 60; i++) {
-            WorldSpec world = clutter(random);
+            WorldSpec world = i % 3 == 0 ? staircases(random) : clutter(random);
             double wanted = List.of(0.012, 0.2, 0.35, 0.7, 1.5).get(random.nextInt(5));
             WallReference walls = new WallReference(world);
             Coverage lazy = new Coverage(walls, wanted);
