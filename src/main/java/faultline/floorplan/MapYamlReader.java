@@ -15,12 +15,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
 /**
- * Reads the YAML files of ROS map_server: one mapping of plain or quoted scalars, and {@code origin} as a list in
- * brackets or in lines. Keys that map_server does not know are ignored.
+ * Reads the YAML files of ROS map_server: one mapping, in lines or in braces, of plain or quoted scalars, and
+ * {@code origin} as a list in brackets or in lines. Keys that map_server does not know are ignored.
  */
 final class MapYamlReader {
 
@@ -77,32 +78,64 @@ final class MapYamlReader {
     }
 
     private void parse(String text) throws FloorPlanException {
-        String[] lines = text.split("\\R", -1);
+        String[] lines = text.replaceFirst("^\uFEFF", "").split("\\R", -1);
         String listKey = "";
         for (int i = 0; i < lines.length; i++) {
-            String line = stripComment(i == 0 ? lines[i].replaceFirst("^\uFEFF", "") : lines[i]);
-            String content = line.strip();
-            if (content.isEmpty() || content.equals("---") || content.equals("...")) {
-                continue;
+            int number = i + 1;
+            StringBuilder joined = new StringBuilder(stripComment(lines[i]));
+            // A mapping in braces or a list in brackets ends in the line that closes it.
+            int open = MapYamlFlow.begins(joined.toString()) ? MapYamlFlow.depth(joined.toString()) : 0;
+            while (open > 0 && i + 1 < lines.length) {
+                String next = stripComment(lines[++i]);
+                open += MapYamlFlow.depth(next);
+                joined.append('\n').append(next);
             }
+            String line = joined.toString();
+            String content = line.strip();
             if (content.startsWith("- ") && entries.containsKey(listKey)) {
                 entries.get(listKey).values().add(unquote(content.substring(2).strip()));
-            } else {
-                listKey = parseEntry(i + 1, line);
+            } else if (content.startsWith("{") && content.endsWith("}")) {
+                parseBraces(number, line);
+            } else if (!isMark(line)) {
+                listKey = parseEntry(number, 1, line);
             }
         }
     }
 
-    private String parseEntry(int lineNumber, String line) throws FloorPlanException {
+    /** Returns whether a line is empty, or begins or ends a document. */
+    private static boolean isMark(String line) {
+        String content = line.strip();
+        return content.isEmpty() || content.equals("---") || content.equals("...") || line.startsWith("%");
+    }
+
+    private void parseBraces(int lineNumber, String text) throws FloorPlanException {
+        int line = lineNumber;
+        int lineBegin = 0;
+        int at = 0;
+        for (MapYamlFlow.Part part : MapYamlFlow.parts(text)) {
+            for (; at < part.index(); at++) {
+                if (text.charAt(at) == '\n') {
+                    line++;
+                    lineBegin = at + 1;
+                }
+            }
+            parseEntry(line, part.index() - lineBegin + 1, part.text());
+        }
+    }
+
+    private String parseEntry(int lineNumber, int firstColumn, String line) throws FloorPlanException {
         int colon = line.indexOf(':');
         if (colon < 0) {
-            throw problem(lineNumber, 1, "a line is " + MessageText.quoted(line.strip()) + "; expected \"key: value\"");
+            throw problem(
+                    lineNumber,
+                    firstColumn,
+                    "a line is " + MessageText.quoted(line.strip()) + "; expected \"key: value\"");
         }
         String key = unquote(line.substring(0, colon).strip());
         String value = line.substring(colon + 1).strip();
-        int column = line.length() - line.substring(colon + 1).stripLeading().length() + 1;
+        int column = line.length() - line.substring(colon + 1).stripLeading().length() + firstColumn;
         if (entries.containsKey(key)) {
-            throw problem(lineNumber, 1, MessageText.quoted(key) + " is given twice; expected once");
+            throw problem(lineNumber, firstColumn, MessageText.quoted(key) + " is given twice; expected once");
         }
         entries.put(key, new Entry(lineNumber, column, splitValue(value)));
         return key;
@@ -122,14 +155,8 @@ final class MapYamlReader {
 
     /** Drops a comment: a number sign at the beginning or behind a blank, outside of quotes. */
     private static String stripComment(String line) {
-        char quote = 0;
-        for (int i = 0; i < line.length(); i++) {
-            char c = line.charAt(i);
-            if (quote != 0) {
-                quote = c == quote ? 0 : quote;
-            } else if (c == '"' || c == '\'') {
-                quote = c;
-            } else if (c == '#' && (i == 0 || Character.isWhitespace(line.charAt(i - 1)))) {
+        for (int i = 0; i < line.length(); i = MapYamlFlow.next(line, i)) {
+            if (line.charAt(i) == '#' && (i == 0 || Character.isWhitespace(line.charAt(i - 1)))) {
                 return line.substring(0, i);
             }
         }
@@ -203,9 +230,9 @@ final class MapYamlReader {
         if (!entries.containsKey("negate")) {
             return false;
         }
-        return switch (single("negate")) {
-            case "0", "false", "False", "no" -> false;
-            case "1", "true", "True", "yes" -> true;
+        return switch (single("negate").toLowerCase(Locale.ROOT)) {
+            case "0", "false", "no", "off" -> false;
+            case "1", "true", "yes", "on" -> true;
             default -> throw wrong("negate", "0 or 1");
         };
     }

@@ -5,6 +5,7 @@ import static faultline.floorplan.CellState.OCCUPIED;
 import static faultline.floorplan.CellState.UNKNOWN;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
@@ -132,6 +133,47 @@ class FloorPlanTest {
                 FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT).description();
         assertEquals(new BigDecimal("0.05"), description.resolution().stripTrailingZeros());
         assertEquals(0.5, description.yaw());
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{image: m.pgm, resolution: 5e-2, origin: [-10, 2.5, 0.5], negate: 1}",
+                "{\"image\": \"m.pgm\", \"resolution\": 0.05, \"origin\": [-10, 2.5, 0.5], \"negate\": 1}",
+                "%YAML 1.2\n---\n{ # all\n  image: 'm.pgm',\n  resolution: 0.05, # m\n"
+                        + "  origin: [-10,\n 2.5,\n 0.5],\n negate: 1,\n}\n",
+                "image: m.pgm\r\nresolution: 0.05\r\norigin: [-10, # x\r\n  2.5, 0.5\r\n]\r\nnegate: On\r\n",
+                "\uFEFFimage: m.pgm\nresolution: 0.05\norigin:\n- -10\n- 2.5\n- 0.5\n"
+                        + "negate: TRUE\nnote: it's [open # \"here\n"
+            })
+    void bracesListsOverSeveralLinesAndMarksAreUnderstood(String content) throws IOException {
+        write("m.pgm", PLAIN);
+        Path yaml = write("m.yaml", content);
+        MapDescription description =
+                FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT).description();
+        assertEquals(new BigDecimal("0.05"), description.resolution().stripTrailingZeros());
+        assertEquals(0.5, description.yaw());
+        assertTrue(description.negate());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            {image: m.pgm, resolution: fast}     | m.yaml:1:28: resolution is "fast"; expected a number
+            {image: m.pgm, resolution 1}         | m.yaml:1:16: a line is "resolution 1"; expected "key: value"
+            {image: m.pgm, resolution: 1         | m.yaml:1:1: there is no "image"; "{image" may be meant as "image"
+            {image: m.pgm,@ image: b}            | m.yaml:2:2: "image" is given twice; expected once
+            {image: 'm.pgm, resolution: 1}       | m.yaml:1:1: there is no "resolution", a map file needs it
+            image: m.pgm@resolution: [1,@2       | m.yaml:2:13: resolution is "[1, 2"; expected a number
+            """)
+    void aWrongMappingInBracesIsReportedWithItsPlace(String content, String expected) throws IOException {
+        write("m.pgm", PLAIN);
+        Path yaml = write("m.yaml", content.replace('@', '\n'));
+        IOException e =
+                assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
+        assertEquals(folder + "/" + expected, e.getMessage().replace('\\', '/'));
     }
 
     @ParameterizedTest
