@@ -22,6 +22,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JDialog;
@@ -49,6 +50,9 @@ final class BatchDialog extends JDialog {
     private final JTabbedPane tabs = new JTabbedPane();
     private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
     private final JLabel status = new JLabel(" ");
+    /** Returns the status in the current language. */
+    private transient Supplier<String> statusText = () -> " ";
+
     private final JButton start = button("batch.start", this::start);
     private final JButton cancel = button("batch.cancel", this::cancel);
     private final JButton savePlan = button("batch.savePlan", this::savePlan);
@@ -112,6 +116,11 @@ final class BatchDialog extends JDialog {
         getRootPane().setDefaultButton(start);
     }
 
+    private void showStatus(Supplier<String> text) {
+        statusText = text;
+        status.setText(text.get());
+    }
+
     private static JButton button(String key, Runnable action) {
         JButton button = UiText.button(key);
         button.addActionListener(event -> action.run());
@@ -122,7 +131,7 @@ final class BatchDialog extends JDialog {
         JPanel progress = new JPanel(new BorderLayout(12, 0));
         UiText.name(progressBar, "batch.progress");
         progress.add(progressBar, BorderLayout.CENTER);
-        progress.add(status, BorderLayout.SOUTH);
+        progress.add(RefreshSteps.add(status, label -> label.setText(statusText.get())), BorderLayout.SOUTH);
         JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
         List.of(start, cancel, savePlan, saveResults, close).forEach(buttons::add);
         JPanel footer = new JPanel(new BorderLayout(0, 8));
@@ -169,7 +178,7 @@ final class BatchDialog extends JDialog {
             run = started;
             saved = true;
             setRunning(true);
-            status.setText(Messages.get("batch.checking"));
+            showStatus(() -> Messages.get("batch.checking"));
             progressBar.setIndeterminate(true);
             poll.start();
             BackgroundTasks.runBeforeExit(
@@ -180,7 +189,7 @@ final class BatchDialog extends JDialog {
     private void cancel() {
         if (running) {
             run.progress().cancel();
-            status.setText(Messages.get("batch.cancelling"));
+            showStatus(() -> Messages.get("batch.cancelling"));
         }
     }
 
@@ -192,7 +201,7 @@ final class BatchDialog extends JDialog {
         }
         update();
         stopProgress();
-        status.setText(Messages.get(
+        showStatus(() -> Messages.get(
                 result.isComplete() ? "batch.done" : "batch.cancelled",
                 Long.toString(result.made()),
                 Long.toString(result.runs()),
@@ -207,7 +216,7 @@ final class BatchDialog extends JDialog {
             return;
         }
         stopProgress();
-        status.setText(" ");
+        showStatus(() -> " ");
         showFailure(failure);
     }
 
@@ -239,7 +248,7 @@ final class BatchDialog extends JDialog {
         progressBar.setIndeterminate(false);
         progressBar.setValue((int) (PROGRESS_STEPS * count.made() / Math.max(1, count.runs())));
         if (run.progress().isActive()) {
-            status.setText(Messages.get(
+            showStatus(() -> Messages.get(
                     "batch.status",
                     Long.toString(count.made()),
                     Long.toString(count.runs()),
@@ -302,7 +311,7 @@ final class BatchDialog extends JDialog {
                 written -> {
                     endWriting(source);
                     onWritten.run();
-                    status.setText(Messages.get("saved", String.valueOf(target.getFileName())));
+                    showStatus(() -> Messages.get("saved", String.valueOf(target.getFileName())));
                 },
                 failure -> {
                     endWriting(source);

@@ -1,12 +1,13 @@
 package faultline.gui.batch;
 
 import faultline.campaign.report.CampaignCell;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
@@ -48,6 +49,15 @@ final class ResultTabs {
         addTab("batch.tab.runs", new JScrollPane(runTable));
         addTab("batch.tab.histogram", histogram);
         histogram.update();
+        RefreshSteps.add(runTable, table -> table.setRows(runRows(0)));
+        RefreshSteps.add(
+                cellTable,
+                table -> table.setRows(cells.stream().map(results::cellRow).toList()));
+    }
+
+    /** Returns the rows of the runs from one on, in the current language. */
+    private List<List<ResultCell>> runRows(int first) {
+        return IntStream.range(first, results.size()).mapToObj(results::runRow).toList();
     }
 
     private void addTab(String key, JComponent view) {
@@ -77,11 +87,7 @@ final class ResultTabs {
 
     /** Shows rows that were added to the results, and the newest cells. */
     void update(int firstNewRun, List<CampaignCell> newCells) {
-        List<List<ResultCell>> rows = new ArrayList<>();
-        for (int run = firstNewRun; run < results.size(); run++) {
-            rows.add(results.runRow(run));
-        }
-        runTable.addRows(rows);
+        runTable.addRows(runRows(firstNewRun));
         if (newCells != cells) {
             cells = newCells;
             cellTable.setRows(cells.stream().map(results::cellRow).toList());

@@ -1,0 +1,77 @@
+package faultline.gui.batch;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.gui.ComponentFinder;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** The tables of a batch, without a display. */
+class ResultTabsTest {
+
+    private final JTabbedPane tabs = callOnEdt(() -> {
+        Theme.LIGHT.install();
+        return new JTabbedPane();
+    });
+
+    @AfterEach
+    void restoreLanguage() {
+        runOnEdt(() -> Messages.setLanguage(Language.ENGLISH));
+    }
+
+    private String text(int tab, int row, int column) {
+        return callOnEdt(() -> {
+            JTable table = ComponentFinder.findAll(tabs.getComponentAt(tab), JTable.class)
+                    .findFirst()
+                    .orElseThrow();
+            return String.valueOf(table.getValueAt(row, column));
+        });
+    }
+
+    @Test
+    void aChangeOfTheLanguageTranslatesTheResults() throws Exception {
+        Scenario yard = Scenario.load(Path.of("scenarios/yard.xml"));
+        BatchRun run = new BatchRun(
+                new BatchPlan(
+                        yard,
+                        77,
+                        1,
+                        3,
+                        false,
+                        DiagnosisChoice.SCENARIO,
+                        true,
+                        List.of(new BatchPlan.FaultValues("stuck", "0.3")),
+                        "1..2",
+                        List.of("left")),
+                1);
+        assertEquals(2, run.make().made());
+        runOnEdt(() -> {
+            BatchResults results = new BatchResults(run.planOrNull());
+            ResultTabs shown = new ResultTabs(tabs, results, row -> {});
+            for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
+                results.add(row);
+            }
+            shown.update(0, run.cells());
+        });
+        run.delete();
+        assertEquals(List.of("no fault", "no fault", "stuck"), List.of(text(0, 0, 0), text(1, 0, 2), text(1, 1, 2)));
+        runOnEdt(() -> {
+            Messages.setLanguage(Language.POLISH);
+            ComponentFinder.tree(tabs).forEach(RefreshSteps::run);
+        });
+        assertEquals(
+                List.of("bez uszkodzenia", "bez uszkodzenia", "zacięty"),
+                List.of(text(0, 0, 0), text(1, 0, 2), text(1, 1, 2)));
+    }
+}
