@@ -17,7 +17,7 @@ import faultline.external.ControllerStartException;
 import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.AtomicFile;
-import faultline.io.FileTarget;
+import faultline.io.LinkResolver;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -70,7 +70,7 @@ final class CompareCommand {
         if (choices.size() < 2 || choices.stream().distinct().count() < choices.size()) {
             throw new UsageException("compare needs --controller at least twice, each time with another one");
         }
-        if (FileTarget.findConflict(List.of(file), outputs(page, choices.size()))
+        if (LinkResolver.findConflict(List.of(file), outputs(page, choices.size()))
                 .isPresent()) {
             throw new UsageException("an output is the scenario itself; expected another file");
         }

@@ -5,7 +5,7 @@ import faultline.floorplan.FloorPlanScenario;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.io.DecimalText;
-import faultline.io.FileTarget;
+import faultline.io.LinkResolver;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -33,7 +33,7 @@ final class ImportCommand {
         Path target = parsed.fileOption("--out")
                 .orElseThrow(() -> new UsageException("import needs --out FILE, the scenario file to write"));
         FloorPlan plan = read(map, parsed, options(parsed));
-        if (FileTarget.findConflict(List.of(map, plan.description().image()), List.of(target))
+        if (LinkResolver.findConflict(List.of(map, plan.description().image()), List.of(target))
                 .isPresent()) {
             throw new UsageException("--out is the map itself; expected another file");
         }

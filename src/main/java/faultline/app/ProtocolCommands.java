@@ -1,7 +1,7 @@
 package faultline.app;
 
 import faultline.external.BuiltInChild;
-import faultline.external.Server;
+import faultline.external.SimulationServer;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -20,7 +20,7 @@ final class ProtocolCommands {
     int serve(List<String> arguments) throws UsageException, ScenarioException, IOException {
         Arguments sorted = new Arguments(arguments, List.of(), List.of("--truth"));
         Scenario scenario = Scenario.load(sorted.singleFile("serve"));
-        new Server(HelpText.version(), scenario.name(), sorted.has("--truth"), System.in, output.out())
+        new SimulationServer(HelpText.version(), scenario.name(), sorted.has("--truth"), System.in, output.out())
                 .run(scenario.setup());
         return ExitCode.SUCCESS;
     }

@@ -3,7 +3,7 @@ package faultline.app;
 import faultline.campaign.report.CampaignReport;
 import faultline.campaign.run.CampaignFolder;
 import faultline.io.AtomicFile;
-import faultline.io.FileTarget;
+import faultline.io.LinkResolver;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -31,11 +31,12 @@ final class ReportCommand {
         Optional<Path> table = sorted.fileOption("--table");
         List<Path> targets = table.map(file -> List.of(target, file)).orElse(List.of(target));
         Path folder = Arguments.parsePath(sorted.files().get(0));
-        if (FileTarget.findConflict(List.of(), targets).isPresent()) {
+        if (LinkResolver.findConflict(List.of(), targets).isPresent()) {
             throw new UsageException("--out and --table are the same file; expected two files");
         }
         CampaignReport report = new CampaignReport(folder);
-        if (FileTarget.findConflict(new CampaignFolder(folder).files(), targets).isPresent()) {
+        if (LinkResolver.findConflict(new CampaignFolder(folder).files(), targets)
+                .isPresent()) {
             throw new UsageException("--out or --table is a file of the campaign itself; expected another file");
         }
         AtomicFile.write(target, report.html().getBytes(StandardCharsets.UTF_8));

@@ -5,7 +5,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.TraceFormat;
 import faultline.external.ControllerChoice;
 import faultline.io.DidYouMean;
-import faultline.io.FileTarget;
+import faultline.io.LinkResolver;
 import faultline.scenario.Scenario;
 import java.math.BigDecimal;
 import java.nio.file.Path;
@@ -163,7 +163,7 @@ record RunOptions(
     }
 
     private void checkFilesDiffer() throws UsageException {
-        if (FileTarget.findConflict(List.of(file), List.copyOf(outputs.values()))
+        if (LinkResolver.findConflict(List.of(file), List.copyOf(outputs.values()))
                 .isPresent()) {
             throw new UsageException("two of the files are the same one; expected a file of its own for each output");
         }

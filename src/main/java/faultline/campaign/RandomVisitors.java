@@ -11,15 +11,15 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Makes the visitors of a room: discs that go to and fro on a straight line, and leave the width of a passage between
- * them and everything else all the time.
+ * Makes the visitors of a room: discs that move back and forth on a straight line, and always leave the width of a
+ * passage between them and everything else.
  */
 final class RandomVisitors {
 
     private static final int MAX_TRIES = 3000;
     private static final double SPACING = 0.05;
 
-    /** How far a visitor goes, metres. */
+    /** How far a visitor moves, metres. */
     private static final double MIN_LENGTH = 0.3;
 
     private static final double MAX_LENGTH = 4;

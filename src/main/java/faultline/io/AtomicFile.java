@@ -47,10 +47,10 @@ public final class AtomicFile implements AutoCloseable {
             throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.IS_FOLDER.with(), null);
         }
         try {
-            if (FileTarget.isStream(file)) {
-                return new AtomicFile(file, null, new FailureReportingStream(file, FileTarget.openStream(file)));
+            if (LinkResolver.isStream(file)) {
+                return new AtomicFile(file, null, new FailureReportingStream(file, LinkResolver.openStream(file)));
             }
-            Path target = FileTarget.resolve(file);
+            Path target = LinkResolver.resolve(file);
             if (exists(target) && !Files.isWritable(target)) {
                 throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.READ_ONLY.with(), null);
             }

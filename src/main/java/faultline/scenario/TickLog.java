@@ -20,14 +20,14 @@ final class TickLog implements TickObserver {
      * @param state the name of the controller's state
      * @param readings the true and the reported reading of each sensor in turn, encoded as in {@link Reading}
      */
-    private record Entry(Pose pose, String state, double[] readings) {}
+    private record LoggedTick(Pose pose, String state, double[] readings) {}
 
-    private final List<Entry> entries = new ArrayList<>();
+    private final List<LoggedTick> ticks = new ArrayList<>();
     private List<String> sensors = List.of();
 
     @Override
     public void observe(Simulation simulation) {
-        if (entries.isEmpty()) {
+        if (ticks.isEmpty()) {
             sensors = simulation.robot().sensors().stream().map(SensorSpec::id).toList();
         }
         double[] readings = new double[2 * sensors.size()];
@@ -35,23 +35,24 @@ final class TickLog implements TickObserver {
             readings[2 * i] = simulation.trueReading(i);
             readings[2 * i + 1] = simulation.reportedReading(i);
         }
-        entries.add(new Entry(simulation.pose(), simulation.telemetry().state().name(), readings));
+        ticks.add(
+                new LoggedTick(simulation.pose(), simulation.telemetry().state().name(), readings));
     }
 
     Pose pose(int tick) {
-        return entries.get(tick).pose;
+        return ticks.get(tick).pose;
     }
 
     String state(int tick) {
-        return entries.get(tick).state;
+        return ticks.get(tick).state;
     }
 
     Reading trueReading(int tick, String sensor) {
-        return new Reading(entries.get(tick).readings[2 * sensorIndex(sensor)]);
+        return new Reading(ticks.get(tick).readings[2 * sensorIndex(sensor)]);
     }
 
     Reading reportedReading(int tick, String sensor) {
-        return new Reading(entries.get(tick).readings[2 * sensorIndex(sensor) + 1]);
+        return new Reading(ticks.get(tick).readings[2 * sensorIndex(sensor) + 1]);
     }
 
     private int sensorIndex(String sensor) {

@@ -205,8 +205,8 @@ class AtomicFileTest {
     void twoPathsOfOneFileAreInConflict(String one, String other) throws IOException {
         prepareLinks();
         Path output = folder.resolve(other);
-        assertEquals(Optional.of(output), FileTarget.findConflict(List.of(folder.resolve(one)), List.of(output)));
-        assertEquals(Optional.of(output), FileTarget.findConflict(List.of(), List.of(folder.resolve(one), output)));
+        assertEquals(Optional.of(output), LinkResolver.findConflict(List.of(folder.resolve(one)), List.of(output)));
+        assertEquals(Optional.of(output), LinkResolver.findConflict(List.of(), List.of(folder.resolve(one), output)));
     }
 
     @ParameterizedTest
@@ -215,7 +215,7 @@ class AtomicFileTest {
         prepareLinks();
         assertEquals(
                 Optional.empty(),
-                FileTarget.findConflict(List.of(), List.of(folder.resolve(one), folder.resolve(other))));
+                LinkResolver.findConflict(List.of(), List.of(folder.resolve(one), folder.resolve(other))));
     }
 
     private void prepareLinks() throws IOException {

@@ -3,7 +3,7 @@ package faultline.campaign.run;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
 import faultline.io.AtomicFile;
-import faultline.io.FileTarget;
+import faultline.io.LinkResolver;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -97,7 +97,7 @@ public final class CampaignFolder {
                 throw new IOException(table + ": this is a folder; expected a file");
             }
         }
-        Optional<Path> conflict = FileTarget.findConflict(inputs, tables());
+        Optional<Path> conflict = LinkResolver.findConflict(inputs, tables());
         if (conflict.isPresent()) {
             throw new IOException(
                     conflict.get() + ": this is another file of the campaign too; expected a file of its own");
@@ -163,7 +163,7 @@ public final class CampaignFolder {
         List<Path> copies = plan.files().copies().keySet().stream()
                 .map(name -> plan().resolve(name))
                 .toList();
-        Optional<Path> conflict = FileTarget.findConflict(plan.files().paths(), copies);
+        Optional<Path> conflict = LinkResolver.findConflict(plan.files().paths(), copies);
         if (conflict.isPresent()) {
             throw new IOException(conflict.get() + ": the plan is made of this file; expected another folder");
         }

@@ -6,9 +6,7 @@ import faultline.engine.metrics.Expectation;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 
-/**
- * Makes the scenario that replays a run of a campaign: it lasts as long, and comes to the trajectory hash of its row.
- */
+/** Makes the scenario that replays a run of a campaign: it lasts as long, and has the trajectory hash of its row. */
 public final class RunReplay {
 
     private RunReplay() {}

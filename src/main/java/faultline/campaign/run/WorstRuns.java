@@ -26,8 +26,9 @@ public final class WorstRuns {
     /** How many runs get a scenario file. */
     private static final int COUNT = 20;
 
-    private static final Comparator<Entry> WORST_FIRST =
-            Comparator.comparing(Entry::outcome).thenComparing(Entry::share).thenComparing(Entry::run);
+    private static final Comparator<Candidate> WORST_FIRST = Comparator.comparing(Candidate::outcome)
+            .thenComparing(Candidate::share)
+            .thenComparing(Candidate::run);
 
     private final CampaignPlan plan;
     private final CampaignFolder folder;
@@ -40,7 +41,7 @@ public final class WorstRuns {
      * @param share of the wall that was passed
      * @param simulatedSeconds how long it lasted
      */
-    private record Entry(long run, Outcome outcome, double share, double simulatedSeconds) {}
+    private record Candidate(long run, Outcome outcome, double share, double simulatedSeconds) {}
 
     WorstRuns(CampaignPlan plan, CampaignFolder folder) {
         this.plan = plan;
@@ -58,13 +59,13 @@ public final class WorstRuns {
 
     /** Writes the scenario files, and removes those of an earlier table. */
     void writeReplays() throws IOException {
-        List<Entry> worst = find();
+        List<Candidate> worst = find();
         Files.createDirectories(folder.replays());
         Set<String> names = new HashSet<>();
-        for (Entry entry : worst) {
-            Path file = folder.runs().resolveSibling(replayName(entry.run));
+        for (Candidate candidate : worst) {
+            Path file = folder.runs().resolveSibling(replayName(candidate.run));
             names.add(file.getFileName().toString());
-            replay(entry).save(file);
+            replay(candidate).save(file);
         }
         try (Stream<Path> files = Files.list(folder.replays())) {
             for (Path file : files.filter(file -> file.getFileName().toString().startsWith("run-"))
@@ -75,16 +76,16 @@ public final class WorstRuns {
         }
     }
 
-    private Scenario replay(Entry entry) throws IOException {
+    private Scenario replay(Candidate candidate) throws IOException {
         try {
-            return RunReplay.scenario(plan, entry.run, entry.outcome.word(), entry.simulatedSeconds);
+            return RunReplay.scenario(plan, candidate.run, candidate.outcome.word(), candidate.simulatedSeconds);
         } catch (ScenarioException e) {
-            throw new IOException("run " + entry.run + " cannot be replayed: " + e.getMessage(), e);
+            throw new IOException("run " + candidate.run + " cannot be replayed: " + e.getMessage(), e);
         }
     }
 
-    private List<Entry> find() throws IOException {
-        PriorityQueue<Entry> worst = new PriorityQueue<>(WORST_FIRST.reversed());
+    private List<Candidate> find() throws IOException {
+        PriorityQueue<Candidate> worst = new PriorityQueue<>(WORST_FIRST.reversed());
         try (BufferedReader in = Files.newBufferedReader(folder.runs())) {
             List<String> header = Csv.cells(in.readLine());
             for (String line = in.readLine(); line != null; line = in.readLine()) {
@@ -92,14 +93,14 @@ public final class WorstRuns {
                 requireGood(header, cells);
                 String outcome = cells.get(header.indexOf("outcome"));
                 if (!outcome.equals("broken")) {
-                    worst.add(entry(cells, header, outcome));
+                    worst.add(candidate(cells, header, outcome));
                 }
                 if (worst.size() > COUNT) {
                     worst.poll();
                 }
             }
         }
-        List<Entry> ordered = new ArrayList<>(worst);
+        List<Candidate> ordered = new ArrayList<>(worst);
         ordered.sort(WORST_FIRST);
         return ordered;
     }
@@ -111,9 +112,9 @@ public final class WorstRuns {
         }
     }
 
-    private static Entry entry(List<String> cells, List<String> header, String outcome) {
+    private static Candidate candidate(List<String> cells, List<String> header, String outcome) {
         String share = cells.get(header.indexOf("wall_share"));
-        return new Entry(
+        return new Candidate(
                 Long.parseLong(cells.get(0)),
                 Outcome.valueOf(outcome.toUpperCase(Locale.ROOT)),
                 share.isEmpty() ? 0 : Double.parseDouble(share),

@@ -206,7 +206,7 @@ final class BatchDialog extends JDialog {
                 Long.toString(result.made()),
                 Long.toString(result.runs()),
                 Long.toString(result.broken()),
-                BatchTime.text(ended.count().seconds())));
+                BatchTime.text(ended.completion().seconds())));
     }
 
     private void failed(BatchRun failed, Throwable failure) {
@@ -240,19 +240,19 @@ final class BatchDialog extends JDialog {
             }
             saved = saved && results.size() == before;
             resultTabs.update(before, run.cells());
-            showProgress(run.count());
+            showProgress(run.completion());
         }
     }
 
-    private void showProgress(BatchRun.Count count) {
+    private void showProgress(BatchRun.Completion completion) {
         progressBar.setIndeterminate(false);
-        progressBar.setValue((int) (PROGRESS_STEPS * count.made() / Math.max(1, count.runs())));
+        progressBar.setValue((int) (PROGRESS_STEPS * completion.made() / Math.max(1, completion.runs())));
         if (run.progress().isActive()) {
             showStatus(() -> Messages.get(
                     "batch.status",
-                    Long.toString(count.made()),
-                    Long.toString(count.runs()),
-                    BatchTime.text(count.secondsLeft())));
+                    Long.toString(completion.made()),
+                    Long.toString(completion.runs()),
+                    BatchTime.text(completion.secondsLeft())));
         }
     }
 

@@ -42,7 +42,7 @@ final class BatchRun {
     private volatile Path folder;
     private volatile CampaignPlan plan;
     private volatile List<CampaignCell> cells = List.of();
-    private volatile Count count = new Count(0, 0, 0);
+    private volatile Completion completion = new Completion(0, 0, 0);
     private long nextCells;
 
     /**
@@ -52,7 +52,7 @@ final class BatchRun {
      * @param runs how many there are, 0 while that is unknown
      * @param seconds since the first run began
      */
-    record Count(long made, long runs, double seconds) {
+    record Completion(long made, long runs, double seconds) {
 
         /** Returns the seconds that the rest will take if it is as fast as the runs so far, NaN before the first. */
         double secondsLeft() {
@@ -75,8 +75,8 @@ final class BatchRun {
         return plan;
     }
 
-    Count count() {
-        return count;
+    Completion completion() {
+        return completion;
     }
 
     /** Returns the newest cells. */
@@ -99,7 +99,7 @@ final class BatchRun {
         folder = Files.createTempDirectory("faultline-batch-");
         CampaignPlan read = batch.prepare(folder);
         lines.add(ResultColumns.of(read).stream().map(column -> column.name()).toList());
-        count = new Count(0, read.runCount(), 0);
+        completion = new Completion(0, read.runCount(), 0);
         plan = read;
         CampaignRunner runner = new CampaignRunner(read, new CampaignFolder(results()), Shard.ALL, jobs);
         CampaignRunner.Result result = runner.run(false, new RowCollector(), () -> !progress.isActive());
@@ -149,7 +149,7 @@ final class BatchRun {
         @Override
         public void update(long made, long runs) {
             long now = System.nanoTime();
-            count = new Count(made, runs, (now - start) / 1e9);
+            completion = new Completion(made, runs, (now - start) / 1e9);
             if (now >= nextCells) {
                 cells = computeCells();
                 long end = System.nanoTime();

@@ -11,7 +11,7 @@ import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
-import faultline.io.FileTarget;
+import faultline.io.LinkResolver;
 import faultline.io.MessageException;
 import faultline.io.WriteProblem;
 import faultline.paint.export.PngImage;
@@ -187,7 +187,7 @@ public final class ExportController implements WorkspaceListener {
 
     private void write(String action, String extension, FileExport export) {
         fileSelector.apply(action, extension).ifPresent(file -> {
-            if (FileTarget.findConflict(workspace.file().stream().toList(), List.of(file))
+            if (LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file))
                     .isPresent()) {
                 showError(new MessageException(file.toString(), WriteProblem.OWN_INPUT.with(), null));
             } else {

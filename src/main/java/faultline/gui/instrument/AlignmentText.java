@@ -17,9 +17,9 @@ final class AlignmentText {
      * @param name the label
      * @param value the value with its unit
      */
-    record Row(String name, String value) {}
+    record NamedValue(String name, String value) {}
 
-    static List<Row> rows(AlignmentTrace spin, TimingRule rule) {
+    static List<NamedValue> rows(AlignmentTrace spin, TimingRule rule) {
         double predicted = spin.isTimed() ? spin.predictedHeading() : Double.NaN;
         return List.of(
                 row("rule", Messages.get("spin.rule." + rule.fileName())),
@@ -32,8 +32,8 @@ final class AlignmentText {
                 row("error", degrees(spin.headingError().orElse(Double.NaN), "%+.2f°")));
     }
 
-    private static Row row(String key, String value) {
-        return new Row(Messages.get("spin." + key), value);
+    private static NamedValue row(String key, String value) {
+        return new NamedValue(Messages.get("spin." + key), value);
     }
 
     private static String seconds(double value) {

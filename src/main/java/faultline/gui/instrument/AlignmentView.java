@@ -67,7 +67,7 @@ public final class AlignmentView extends AccessibleComponent {
         return rows().stream().map(row -> row.name() + " " + row.value()).collect(Collectors.joining(", "));
     }
 
-    List<AlignmentText.Row> rows() {
+    List<AlignmentText.NamedValue> rows() {
         return trace == null ? List.of() : AlignmentText.rows(trace, timingRule);
     }
 
@@ -118,7 +118,7 @@ public final class AlignmentView extends AccessibleComponent {
     }
 
     private void paintNumbers(Graphics2D g, double x, double height) {
-        List<AlignmentText.Row> rows = rows();
+        List<AlignmentText.NamedValue> rows = rows();
         double row = Math.min(ROW_HEIGHT, (height - 16) / rows.size());
         for (int i = 0; i < rows.size(); i++) {
             float y = (float) (height / 2 + (i + 0.75 - rows.size() / 2.0) * row);

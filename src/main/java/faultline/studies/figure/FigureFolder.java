@@ -1,7 +1,7 @@
 package faultline.studies.figure;
 
 import faultline.io.AtomicFile;
-import faultline.io.FileTarget;
+import faultline.io.LinkResolver;
 import faultline.paint.export.PngImage;
 import faultline.paint.surface.SvgSurface;
 import faultline.paint.surface.SvgTheme;
@@ -50,7 +50,7 @@ public record FigureFolder(Path path, SvgTheme appearance) {
     private Path target(String name) throws IOException {
         Path target = path.resolve(name);
         if (Files.isSymbolicLink(target)
-                && path.toRealPath().equals(FileTarget.resolve(target).getParent())) {
+                && path.toRealPath().equals(LinkResolver.resolve(target).getParent())) {
             throw new IOException(target + ": this is a link to another file of the folder; expected a file");
         }
         return target;

@@ -135,7 +135,7 @@ class BatchRunTest {
         BatchPlan plan = plan(DiagnosisChoice.SCENARIO, 2);
         BatchRun run = new BatchRun(plan, 1);
         Thread canceller = new Thread(() -> {
-            while (run.count().made() < 3) {
+            while (run.completion().made() < 3) {
                 Thread.onSpinWait();
             }
             run.progress().cancel();
@@ -206,7 +206,7 @@ class BatchRunTest {
         BatchRun run = new BatchRun(plan, 1);
         ScenarioException problem = assertThrows(ScenarioException.class, run::make);
         assertTrue(problem.getMessage().contains("1.5"), problem.getMessage());
-        assertEquals(0, run.count().runs());
+        assertEquals(0, run.completion().runs());
         run.delete();
     }
 }

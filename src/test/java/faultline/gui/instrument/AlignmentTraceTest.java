@@ -90,8 +90,8 @@ class AlignmentTraceTest {
         long turn = arrival(FRAME, FollowerState.TURN);
         AlignmentView instrument = callOnEdt(AlignmentView::new);
         runOnEdt(() -> instrument.setFrame(SampleRuns.frame(turn + 5)));
-        List<String> values = callOnEdt(
-                () -> instrument.rows().stream().map(AlignmentText.Row::value).toList());
+        List<String> values = callOnEdt(() ->
+                instrument.rows().stream().map(AlignmentText.NamedValue::value).toList());
         assertEquals(List.of("equal readings", "–", "–", "–", "–", "–", "–", "–"), values);
         runOnEdt(() -> SampleRuns.render(instrument, 900, 200));
     }

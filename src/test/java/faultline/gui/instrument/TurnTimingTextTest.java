@@ -61,8 +61,8 @@ class TurnTimingTextTest {
         SessionFrame frame = run(rule, side, heading);
         AlignmentView timing = callOnEdt(AlignmentView::new);
         runOnEdt(() -> timing.setFrame(frame));
-        Map<String, String> shown = callOnEdt(() ->
-                timing.rows().stream().collect(Collectors.toMap(AlignmentText.Row::name, AlignmentText.Row::value)));
+        Map<String, String> shown = callOnEdt(() -> timing.rows().stream()
+                .collect(Collectors.toMap(AlignmentText.NamedValue::name, AlignmentText.NamedValue::value)));
         assertTrue(shown.containsKey("t_p"), "the robot has turned: " + shown);
         double f3 = seconds(shown.get("F3"));
         double f4 = seconds(shown.get("F4"));

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Requests in, observations out. */
-class ServerTest {
+class SimulationServerTest {
 
     private static List<String> serve(String... requests) throws Exception {
         return serveText(String.join("\n", requests) + "\n");
@@ -30,7 +30,7 @@ class ServerTest {
     private static List<String> serveText(String requests) throws Exception {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         byte[] in = requests.getBytes(StandardCharsets.UTF_8);
-        new Server("faultline test", "Office", true, new ByteArrayInputStream(in), out).run(office());
+        new SimulationServer("faultline test", "Office", true, new ByteArrayInputStream(in), out).run(office());
         return out.toString(StandardCharsets.UTF_8).lines().toList();
     }
 

@@ -20,11 +20,11 @@ import java.util.Set;
 /**
  * Finds out which file a path names if links and different spellings lead to it. Safe on any thread; the calls block.
  */
-public final class FileTarget {
+public final class LinkResolver {
 
     private static final int MAX_LINKS = 40;
 
-    private FileTarget() {}
+    private LinkResolver() {}
 
     /**
      * {@return the first output that is the same file as an input or as an earlier output, through a link, a hard link

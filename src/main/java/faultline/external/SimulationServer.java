@@ -19,7 +19,7 @@ import java.util.Map;
  * A simulation that is stepped from outside: {@code reset} begins a run, {@code drive} makes some ticks of it, and each
  * is answered by one {@code observe}, or by one {@code end} that also carries the last readings.
  */
-public final class Server {
+public final class SimulationServer {
 
     private static final long MAX_TICKS = 1_000_000_000;
 
@@ -39,7 +39,7 @@ public final class Server {
      * @param in where requests come from
      * @param out where answers go
      */
-    public Server(String program, String scenario, boolean givesTruth, InputStream in, OutputStream out) {
+    public SimulationServer(String program, String scenario, boolean givesTruth, InputStream in, OutputStream out) {
         this.program = program;
         this.scenario = scenario;
         this.givesTruth = givesTruth;
