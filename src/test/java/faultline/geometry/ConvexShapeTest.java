@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 /** Distance, nearest point, bounding circle and translation of each shape, against the points of its outline. */
 class ConvexShapeTest {
 
-    private static final int CASES = 200;
-    private static final int OUTLINE_POINTS = 2000;
+    private static final int CASES = 60;
+    private static final int OUTLINE_POINTS = 1000;
     private static final double TOLERANCE = 1e-12;
 
     private final SplittableRandom random = new SplittableRandom(2203);
@@ -82,7 +82,7 @@ class ConvexShapeTest {
                 double expected = least(outside, sample.outline());
                 String name = sample.shape() + " from " + outside;
                 assertTrue(distance <= expected + TOLERANCE, () -> name + ": " + distance + " > " + expected);
-                assertEquals(expected, distance, 2e-3, name);
+                assertEquals(expected, distance, 6e-3, name);
                 Vector2 nearest = sample.shape().nearestTo(outside);
                 assertEquals(
                         distance, Math.hypot(nearest.x() - outside.x(), nearest.y() - outside.y()), TOLERANCE, name);
@@ -113,7 +113,7 @@ class ConvexShapeTest {
                         .mapToDouble(point -> Math.hypot(point.x() - centre.x(), point.y() - centre.y()))
                         .max()
                         .orElseThrow();
-                assertEquals(farthest, sample.shape().boundingRadius(), 1e-5, sample.shape()::toString);
+                assertEquals(farthest, sample.shape().boundingRadius(), 2e-5, sample.shape()::toString);
             }
         }
     }

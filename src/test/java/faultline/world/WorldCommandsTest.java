@@ -163,6 +163,45 @@ class WorldCommandsTest {
     }
 
     @Test
+    void aPlatformDoesNotGrowThroughTheWallsOfTheRoom() {
+        assertEquals(
+                Optional.of("the robot has no room for that platform: it would overlap " + WorldSpec.ENCLOSURE),
+                refusal(new Command.SetPlatform(0.3, 4.1, 0.2)));
+    }
+
+    @Test
+    void aPlatformThatHasGrownTouchesWhatItHadRoomBefore() {
+        for (int i = 0; i < 10; i++) {
+            world.move(2, 2);
+        }
+        double centre = world.pose().x();
+        // The desk's near side is at 3.125.
+        assertEquals(SUCCESS, refusal(new Command.SetPlatform(2 * (3.125 - 0.02 - centre), 0.2, 0.3)));
+        for (int i = 0; i < 100 && world.collision().isEmpty(); i++) {
+            world.move(2, 2);
+        }
+        assertEquals("desk", world.collision().orElseThrow().obstacle());
+        assertEquals(centre + 0.02, world.pose().x(), 1e-6);
+    }
+
+    @Test
+    void aMovingObstacleStopsWhereItTouchesTheRobot() {
+        WaypointPath path = new WaypointPath(0.37, false, List.of(new Vector2(2.9, 2), new Vector2(1, 2)));
+        world.execute(new Command.PlaceObstacle(
+                new Obstacle("cart", new ObstacleShape.Circle(0.1), new Pose(2.9, 2, 0), path)));
+        for (int i = 0; i < 1000 && world.collision().isEmpty(); i++) {
+            world.move(0, 0);
+        }
+        assertEquals("cart", world.collision().orElseThrow().obstacle());
+        assertEquals((2.9 - 2.225) / 0.37, world.collision().orElseThrow().time(), 1e-6);
+        Obstacle cart = world.snapshot().obstacles().stream()
+                .filter(Obstacle::isMoving)
+                .findFirst()
+                .orElseThrow();
+        assertEquals(2.225, cart.pose().x(), 1e-6);
+    }
+
+    @Test
     void anObstacleThatIsTakenAwayIsNotSeen() {
         world.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0)));
         assertEquals(SUCCESS, refusal(new Command.RemoveObstacle("desk")));
