@@ -73,7 +73,7 @@ final class Coverage {
         if (!pending.isEmpty()) {
             places = places == null ? new PlaceMap(walls, distance, SPACING, JOIN_DISTANCE) : places;
             pending.values().forEach(point -> places.sampleNear(point, TOLERANCE));
-            places.runs().forEach(runs -> runs.forEach(this::markPassed));
+            places.blocks().forEach(blocks -> blocks.forEach(this::markPassed));
             pending.clear();
             pendingAreas.clear();
             share = greatestShare();
@@ -81,12 +81,12 @@ final class Coverage {
         return Double.isNaN(share) ? OptionalDouble.empty() : OptionalDouble.of(share);
     }
 
-    private void markPassed(PlaceRun run) {
-        for (int i = nextNearPath(run, 0); i < run.size(); i = nextNearPath(run, i + 1)) {
-            if (run.isFree(i) && !run.isPassed(i) && isPassed(run.place(i))) {
-                run.setPassed(i);
-                if (run.piece(i) == PlaceRun.NO_PIECE) {
-                    places.fill(run, i, pieces++);
+    private void markPassed(PlaceBlock block) {
+        for (int i = nextNearPath(block, 0); i < block.size(); i = nextNearPath(block, i + 1)) {
+            if (block.isFree(i) && !block.isPassed(i) && isPassed(block.place(i))) {
+                block.setPassed(i);
+                if (block.piece(i) == PlaceBlock.NO_PIECE) {
+                    places.fill(block, i, pieces++);
                 }
             }
         }
@@ -96,11 +96,11 @@ final class Coverage {
     private double greatestShare() {
         PieceLengths lengths = new PieceLengths(pieces);
         int wall = 0;
-        for (List<PlaceRun> runs : places.runs()) {
-            for (PlaceRun run : runs) {
-                for (int i = 0; i < run.size(); i++) {
-                    if (run.piece(i) >= 0) {
-                        lengths.add(run.piece(i), run.wallLength(i), run.isPassed(i), wall, run.rank(i));
+        for (List<PlaceBlock> blocks : places.blocks()) {
+            for (PlaceBlock block : blocks) {
+                for (int i = 0; i < block.size(); i++) {
+                    if (block.piece(i) >= 0) {
+                        lengths.add(block.piece(i), block.wallLength(i), block.isPassed(i), wall, block.rank(i));
                     }
                 }
             }
@@ -109,19 +109,19 @@ final class Coverage {
         return lengths.greatestShare();
     }
 
-    /** Returns the first place of a run, from an index on, that may have been passed; if there is none, the size. */
-    private int nextNearPath(PlaceRun run, int from) {
+    /** Returns the first place of a block, from an index on, that may have been passed; if there is none, the size. */
+    private int nextNearPath(PlaceBlock block, int from) {
         int i = from;
-        while (i < run.size() && i % PlaceRun.SHORT == 0 && !isNearPath(run, i)) {
-            i += PlaceRun.SHORT;
+        while (i < block.size() && i % PlaceBlock.SHORT == 0 && !isNearPath(block, i)) {
+            i += PlaceBlock.SHORT;
         }
-        return Math.min(i, run.size());
+        return Math.min(i, block.size());
     }
 
     /** Returns whether the robot has been near one of some places, the first of which is given, since the last call. */
-    private boolean isNearPath(PlaceRun run, int first) {
-        Vector2 middle = run.place(Math.min(first + PlaceRun.SHORT / 2, run.size() - 1));
-        double radius = run.isAlone() ? PlaceRun.SHORT * JOIN_DISTANCE / 2 : 2 * run.radius();
+    private boolean isNearPath(PlaceBlock block, int first) {
+        Vector2 middle = block.place(Math.min(first + PlaceBlock.SHORT / 2, block.size() - 1));
+        double radius = block.isAlone() ? PlaceBlock.SHORT * JOIN_DISTANCE / 2 : 2 * block.radius();
         if (radius + TOLERANCE > AREA_SIZE) {
             return true;
         }

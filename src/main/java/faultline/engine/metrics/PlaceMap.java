@@ -23,7 +23,7 @@ import java.util.Set;
  */
 final class PlaceMap {
 
-    /** How many places at either end of a run can be near to places of the next run. */
+    /** How many places at either end of a block can be near to places of the next block. */
     private static final int SHARED_ENDS = 6;
 
     private final WallReference walls;
@@ -32,17 +32,17 @@ final class PlaceMap {
     private final double joinDistance;
     private final List<Vector2> circle;
     private final Map<ConvexShape, Integer> numbers;
-    /** The runs of each wall, null for those that have not been sampled. */
-    private final List<List<PlaceRun>> sampled;
+    /** The blocks of each wall, null for those that have not been sampled. */
+    private final List<List<PlaceBlock>> sampled;
 
-    /** The runs around the ends of sampled walls, by x and y of the end. */
-    private final Map<Double, Map<Double, List<PlaceRun>>> corners = new HashMap<>();
+    /** The blocks around the ends of sampled walls, by x and y of the end. */
+    private final Map<Double, Map<Double, List<PlaceBlock>>> corners = new HashMap<>();
 
     private final Map<Long, List<Place>> cells = new HashMap<>();
-    private final Set<PlaceRun> surveyed = new HashSet<>();
+    private final Set<PlaceBlock> surveyed = new HashSet<>();
 
     /** A free place. */
-    private record Place(PlaceRun run, int index, Vector2 position) {}
+    private record Place(PlaceBlock block, int index, Vector2 position) {}
 
     PlaceMap(WallReference walls, double distance, double spacing, double joinDistance) {
         this.walls = walls;
@@ -75,25 +75,26 @@ final class PlaceMap {
             return;
         }
         ConvexShape wall = walls.walls().shape(number);
-        List<PlaceRun> runs = new ArrayList<>();
+        List<PlaceBlock> blocks = new ArrayList<>();
         for (PlaceRow row : PlaceRow.of(wall, distance, spacing, 0, circle)) {
-            runs.addAll(row instanceof PlaceRow.Arc arc ? aroundEnd(arc, (Segment) wall) : newRuns(wall, row));
+            blocks.addAll(row instanceof PlaceRow.Arc arc ? aroundEnd(arc, (Segment) wall) : newBlocks(wall, row));
         }
-        sampled.set(number, runs);
+        sampled.set(number, blocks);
     }
 
     /**
-     * Returns the runs around an end of a wall, which are those of the neighbour at that end if it has been sampled.
+     * Returns the blocks around an end of a wall, which are those of the neighbour at that end if it has been sampled.
      */
-    private List<PlaceRun> aroundEnd(PlaceRow.Arc arc, Segment wall) {
-        Map<Double, List<PlaceRun>> above = corners.computeIfAbsent(arc.corner().x(), x -> new HashMap<>(2));
-        List<PlaceRun> known = above.get(arc.corner().y());
+    private List<PlaceBlock> aroundEnd(PlaceRow.Arc arc, Segment wall) {
+        Map<Double, List<PlaceBlock>> above =
+                corners.computeIfAbsent(arc.corner().x(), x -> new HashMap<>(2));
+        List<PlaceBlock> known = above.get(arc.corner().y());
         if (known == null) {
-            List<PlaceRun> runs = newRuns(wall, outside(arc, wall));
-            above.put(arc.corner().y(), runs);
-            return runs;
+            List<PlaceBlock> blocks = newBlocks(wall, outside(arc, wall));
+            above.put(arc.corner().y(), blocks);
+            return blocks;
         }
-        return known.stream().map(run -> run.ofNeighbour(arc.firstRank())).toList();
+        return known.stream().map(block -> block.ofNeighbour(arc.firstRank())).toList();
     }
 
     /** Returns the part of the arc around an end of a wall that neither it nor a neighbour at that end occupies. */
@@ -108,64 +109,64 @@ final class PlaceMap {
         return arc.outside(wall, neighbour);
     }
 
-    private List<PlaceRun> newRuns(ConvexShape wall, PlaceRow row) {
-        List<PlaceRun> runs = new ArrayList<>();
-        for (int from = 0; from < row.size(); from += PlaceRun.LONG) {
-            addRuns(wall, row, from, Math.min(from + PlaceRun.LONG, row.size()), runs);
+    private List<PlaceBlock> newBlocks(ConvexShape wall, PlaceRow row) {
+        List<PlaceBlock> blocks = new ArrayList<>();
+        for (int from = 0; from < row.size(); from += PlaceBlock.LONG) {
+            addBlocks(wall, row, from, Math.min(from + PlaceBlock.LONG, row.size()), blocks);
         }
-        runs.forEach(this::addToCells);
-        return runs;
+        blocks.forEach(this::addToCells);
+        return blocks;
     }
 
-    /** Adds a part of a row: as one run if that is alone, else as several. */
-    private void addRuns(ConvexShape wall, PlaceRow row, int from, int end, List<PlaceRun> runs) {
-        PlaceRun all = run(wall, row, from, end);
-        if (all.isAlone() || end - from <= PlaceRun.SHORT) {
-            runs.add(all);
+    /** Adds a part of a row: as one block if that is alone, else as several. */
+    private void addBlocks(ConvexShape wall, PlaceRow row, int from, int end, List<PlaceBlock> blocks) {
+        PlaceBlock all = block(wall, row, from, end);
+        if (all.isAlone() || end - from <= PlaceBlock.SHORT) {
+            blocks.add(all);
             return;
         }
-        for (int next = from; next < end; next += PlaceRun.SHORT) {
-            runs.add(run(wall, row, next, Math.min(next + PlaceRun.SHORT, end)));
+        for (int next = from; next < end; next += PlaceBlock.SHORT) {
+            blocks.add(block(wall, row, next, Math.min(next + PlaceBlock.SHORT, end)));
         }
     }
 
-    private PlaceRun run(ConvexShape wall, PlaceRow row, int from, int end) {
-        PlaceRun run = new PlaceRun(row, from, end, joinDistance);
+    private PlaceBlock block(ConvexShape wall, PlaceRow row, int from, int end) {
+        PlaceBlock block = new PlaceBlock(row, from, end, joinDistance);
         int shared = 2 * distance > joinDistance ? row.shared(joinDistance) : row.size();
-        CandidateBuffer near = walls.findNear(run.centre(), run.radius() + distance + joinDistance);
-        run.occupy(wall, near, distance, shared);
-        return run;
+        CandidateBuffer near = walls.findNear(block.centre(), block.radius() + distance + joinDistance);
+        block.occupy(wall, near, distance, shared);
+        return block;
     }
 
-    private void addToCells(PlaceRun run) {
-        for (int i = 0; i < run.size(); i++) {
-            if (run.isFree(i) && (!run.isAlone() || isNearEnd(run, i))) {
-                Place place = new Place(run, i, run.place(i));
+    private void addToCells(PlaceBlock block) {
+        for (int i = 0; i < block.size(); i++) {
+            if (block.isFree(i) && (!block.isAlone() || isNearEnd(block, i))) {
+                Place place = new Place(block, i, block.place(i));
                 cells.computeIfAbsent(CellKey.of(place.position, joinDistance), key -> new ArrayList<>(4))
                         .add(place);
             }
         }
     }
 
-    private static boolean isNearEnd(PlaceRun run, int index) {
-        return index < SHARED_ENDS || index >= run.size() - SHARED_ENDS;
+    private static boolean isNearEnd(PlaceBlock block, int index) {
+        return index < SHARED_ENDS || index >= block.size() - SHARED_ENDS;
     }
 
     /** Gives a place, and all that are connected to it, the number of a piece. */
-    void fill(PlaceRun run, int index, int piece) {
+    void fill(PlaceBlock block, int index, int piece) {
         Deque<Place> open = new ArrayDeque<>();
-        reach(new Place(run, index, run.place(index)), piece, open);
+        reach(new Place(block, index, block.place(index)), piece, open);
         while (!open.isEmpty()) {
             Place place = open.pop();
-            if (!place.run.isAlone() && surveyed.add(place.run)) {
-                sampleNear(place.run.centre(), place.run.radius() + joinDistance);
+            if (!place.block.isAlone() && surveyed.add(place.block)) {
+                sampleNear(place.block.centre(), place.block.radius() + joinDistance);
             }
             long column = CellKey.index(place.position.x(), joinDistance);
             long row = CellKey.index(place.position.y(), joinDistance);
             for (int dx = -1; dx <= 1; dx++) {
                 for (int dy = -1; dy <= 1; dy++) {
                     for (Place other : cells.getOrDefault(CellKey.of(column + dx, row + dy), List.of())) {
-                        if (other.run.piece(other.index) == PlaceRun.NO_PIECE
+                        if (other.block.piece(other.index) == PlaceBlock.NO_PIECE
                                 && other.position.distanceTo(place.position) <= joinDistance) {
                             reach(other, piece, open);
                         }
@@ -175,22 +176,22 @@ final class PlaceMap {
         }
     }
 
-    /** Numbers a place, or all places of a run alone, and adds those that have neighbours to a list. */
+    /** Numbers a place, or all places of a block alone, and adds those that have neighbours to a list. */
     private static void reach(Place place, int piece, Deque<Place> open) {
-        place.run.setPiece(place.index, piece);
-        if (!place.run.isAlone()) {
+        place.block.setPiece(place.index, piece);
+        if (!place.block.isAlone()) {
             open.push(place);
             return;
         }
-        for (int i = 0; i < place.run.size(); i++) {
-            if (isNearEnd(place.run, i)) {
-                open.push(new Place(place.run, i, place.run.place(i)));
+        for (int i = 0; i < place.block.size(); i++) {
+            if (isNearEnd(place.block, i)) {
+                open.push(new Place(place.block, i, place.block.place(i)));
             }
         }
     }
 
-    /** Returns the runs of each wall that has been sampled so far, in the order of the walls. */
-    List<List<PlaceRun>> runs() {
+    /** Returns the blocks of each wall that has been sampled so far, in the order of the walls. */
+    List<List<PlaceBlock>> blocks() {
         return sampled.stream().filter(Objects::nonNull).toList();
     }
 }

@@ -10,22 +10,22 @@ import java.util.List;
 
 /**
  * Up to {@link #LONG} neighbouring places of a row. Those that are free carry the number of the piece of path that they
- * belong to. A run far from all other walls is in one piece, and keeps no numbers for its places.
+ * belong to. A block far from all other walls is in one piece, and keeps no numbers for its places.
  */
-final class PlaceRun {
+final class PlaceBlock {
 
     /** The number of a free place that is in no piece yet. */
     static final int NO_PIECE = -1;
 
     private static final int OCCUPIED = -2;
 
-    /** The greatest number of places of a run near other walls. */
+    /** The greatest number of places of a block near other walls. */
     static final int SHORT = 64;
 
     /** The walls that may be too near are found for this number of places at once. */
     private static final int AHEAD = 8;
 
-    /** The greatest number of places of a run alone. */
+    /** The greatest number of places of a block alone. */
     static final int LONG = 4096;
 
     /** More than the error of a distance, metres. */
@@ -43,8 +43,8 @@ final class PlaceRun {
     private final BitSet passed;
     private int[] pieces;
 
-    /** Creates the run of some places of a row. */
-    PlaceRun(PlaceRow row, int from, int end, double joinDistance) {
+    /** Creates the block of some places of a row. */
+    PlaceBlock(PlaceRow row, int from, int end, double joinDistance) {
         this.row = row;
         this.from = from;
         size = end - from;
@@ -56,8 +56,8 @@ final class PlaceRun {
         pieces = new int[] {NO_PIECE};
     }
 
-    /** Creates a run that shares the places of an arc with another, which is in the same place of another wall. */
-    private PlaceRun(PlaceRun other, PlaceRow.Arc row) {
+    /** Creates a block that shares the places of an arc with another, which is in the same place of another wall. */
+    private PlaceBlock(PlaceBlock other, PlaceRow.Arc row) {
         this.row = row;
         from = other.from;
         size = other.size;
@@ -70,20 +70,20 @@ final class PlaceRun {
     }
 
     /**
-     * Returns this run of an arc as one of the other wall that ends at its corner. What becomes of its places is the
+     * Returns this block of an arc as one of the other wall that ends at its corner. What becomes of its places is the
      * same for both.
      *
      * @param firstRank the rank of the first place around that corner among the places of the other wall
      */
-    PlaceRun ofNeighbour(long firstRank) {
-        return new PlaceRun(this, ((PlaceRow.Arc) row).withFirstRank(firstRank));
+    PlaceBlock ofNeighbour(long firstRank) {
+        return new PlaceBlock(this, ((PlaceRow.Arc) row).withFirstRank(firstRank));
     }
 
     int size() {
         return size;
     }
 
-    /** Returns the index of the place after this run in its row. */
+    /** Returns the index of the place after this block in its row. */
     int end() {
         return from + size;
     }
@@ -111,7 +111,7 @@ final class PlaceRun {
     }
 
     /**
-     * Finds which places are free; in a run that is too long and not alone, nothing is found.
+     * Finds which places are free; in a block that is too long and not alone, nothing is found.
      *
      * @param wall the wall of the row
      * @param near all walls within the distance of the places, and the join distance besides
@@ -215,7 +215,7 @@ final class PlaceRun {
         passed.set(index);
     }
 
-    /** Sets the piece of a place, and of all others if this run is alone. */
+    /** Sets the piece of a place, and of all others if this block is alone. */
     void setPiece(int index, int piece) {
         pieces[isAlone() ? 0 : index] = piece;
     }
