@@ -39,7 +39,7 @@ import javax.swing.Timer;
  */
 final class BatchDialog extends JDialog {
 
-    private static final Dimension SIZE = new Dimension(960, 580);
+    private static final Dimension SIZE = new Dimension(1080, 580);
     private static final int POLL_MILLIS = 200;
     private static final int PROGRESS_STEPS = 1000;
 
