@@ -2,7 +2,6 @@ package faultline.external;
 
 import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -16,7 +15,8 @@ import java.util.function.Consumer;
 /**
  * A child process that is spoken to in lines. The calling thread polls the child's output and never blocks in a read,
  * so a silent child, or a descendant that keeps the pipe open, cannot hold it up. A daemon thread drains the child's
- * standard error; another ends a child that reads nothing, which would block a write.
+ * standard error; another ends a child that reads nothing, which would block a write; a third finds out whether a
+ * silent child has closed its output.
  */
 final class ChildProcess implements AutoCloseable {
 
@@ -29,6 +29,9 @@ final class ChildProcess implements AutoCloseable {
     /** What a look at the child counts at most: if the next is later, the machine was busy, nanoseconds. */
     private static final long LONGEST_WAIT = 10_000_000;
 
+    /** After a wait of this length the end of the child's output is looked for, nanoseconds. */
+    private static final long SILENCE = 1_000_000_000;
+
     /** Milliseconds. */
     private static final long WRITE_CHECK_PERIOD = 200;
 
@@ -39,8 +42,7 @@ final class ChildProcess implements AutoCloseable {
     private final Process process;
     private final FamilyMark mark = FamilyMark.create();
     private final OutputStream input;
-    private final InputStream output;
-    private final LineBuffer lines = new LineBuffer();
+    private final ChildOutput output;
     private final Deque<String> errorLines = new ArrayDeque<>();
     private final Thread errorReader;
     private final Thread writeGuard;
@@ -65,14 +67,15 @@ final class ChildProcess implements AutoCloseable {
         builder.environment().put(FamilyMark.VARIABLE, mark.value());
         process = builder.start();
         input = process.getOutputStream();
-        output = process.getInputStream();
+        output = new ChildOutput(process.getInputStream());
         exitHook = new Thread(this::killTree);
         Runtime.getRuntime().addShutdownHook(exitHook);
         errorReader = startDaemon("faultline-child-errors", this::drainErrors);
         writeGuard = startDaemon("faultline-child-guard", () -> guardWrites(writeSeconds));
     }
 
-    private static Thread startDaemon(String name, Runnable work) {
+    /** Starts a thread that does not keep the program alive. */
+    static Thread startDaemon(String name, Runnable work) {
         Thread thread = new Thread(work, name);
         thread.setDaemon(true);
         thread.start();
@@ -158,9 +161,14 @@ final class ChildProcess implements AutoCloseable {
         if (endedByGuard) {
             return new ProtocolException("does not read its standard input", "");
         }
+        return endOrClosed("standard input", "");
+    }
+
+    /** A stream closes shortly before the child that ends. */
+    private ProtocolException endOrClosed(String stream, String details) {
         return waitFor(1)
-                ? new ProtocolException("ended with exit code " + process.exitValue(), "")
-                : new ProtocolException("closed its standard input", "");
+                ? new ProtocolException("ended with exit code " + process.exitValue(), details)
+                : new ProtocolException("closed its " + stream, details);
     }
 
     /**
@@ -172,13 +180,11 @@ final class ChildProcess implements AutoCloseable {
      */
     String receive(double seconds) throws IOException, ProtocolException {
         long waited = 0;
-        for (String line = lines.next(); ; line = lines.next()) {
+        for (String line = output.next(); ; line = output.next()) {
             if (line != null) {
                 return line;
             }
-            if (output.available() > 0) {
-                lines.fill(output);
-            } else {
+            if (!output.fill()) {
                 long start = System.nanoTime();
                 awaitOutput(waited, seconds);
                 waited += Math.min(LONGEST_WAIT, System.nanoTime() - start);
@@ -191,13 +197,15 @@ final class ChildProcess implements AutoCloseable {
             Thread.yield();
             return;
         }
-        if (!process.isAlive() && output.available() == 0) {
-            throw new ProtocolException(
-                    "ended with exit code " + process.exitValue(), lines.hasPart() ? " in the middle of a line" : "");
+        if (output.hasEnded() || !process.isAlive() && !output.isLeft()) {
+            throw endOrClosed("standard output", output.hasPart() ? " in the middle of a line" : "");
         }
         if (waited > seconds * NANOS_PER_SECOND) {
             throw new ProtocolException(
-                    "has not answered for " + seconds + " s", lines.hasPart() ? "; its last line has no end" : "");
+                    "has not answered for " + seconds + " s", output.hasPart() ? "; its last line has no end" : "");
+        }
+        if (waited > SILENCE) {
+            output.lookForEnd();
         }
         LockSupport.parkNanos(Math.min(LONGEST_SLEEP, waited / 8));
     }

@@ -19,6 +19,19 @@ final class LineBuffer {
 
     /** Reads the available bytes, at least one. Returns false at the end of the stream. */
     boolean fill(InputStream in) throws IOException {
+        makeRoom();
+        int count = in.read(bytes, end, bytes.length - end);
+        end += Math.max(0, count);
+        return count >= 0;
+    }
+
+    /** Appends a byte that was read. */
+    void add(byte value) {
+        makeRoom();
+        bytes[end++] = value;
+    }
+
+    private void makeRoom() {
         if (begin > 0 && end == bytes.length) {
             System.arraycopy(bytes, begin, bytes, 0, end - begin);
             searched -= begin;
@@ -27,9 +40,6 @@ final class LineBuffer {
         } else if (end == bytes.length) {
             bytes = Arrays.copyOf(bytes, 2 * bytes.length);
         }
-        int count = in.read(bytes, end, bytes.length - end);
-        end += Math.max(0, count);
-        return count >= 0;
     }
 
     /**

@@ -117,6 +117,42 @@ class ExternalControllerTest {
         assertEquals(List.of(), childrenStillRunning());
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            textBlock =
+                    """
+            read l; exec 1>&-; sleep 50                        | Infinity | closed its standard output before the first tick
+            read l; echo R; read l; exec 1>&-; sleep 50        | Infinity | closed its standard output at tick 0
+            read l; echo R; read l; printf '{'; exec 1>&-; sleep 50 | Infinity | closed its standard output at tick 0 in the middle of a line
+            read l; echo R; read l; sleep 2; exec 1>&-; sleep 50 | Infinity | closed its standard output at tick 0
+            read l; echo R; read l; sleep 2; echo D; exec 1>&-; sleep 50 | Infinity | closed its standard output at tick 1
+            read l; echo R; read l; sleep 2; exit 7            | Infinity | ended with exit code 7 at tick 0
+            sleep 50 & read l; echo R; read l; sleep 2; exit 7 | Infinity | ended with exit code 7 at tick 0
+            sleep 50 & read l; echo R; read l; sleep 2; echo D; exit 7 | Infinity | ended with exit code 7 at tick 1
+            read l; echo R; read l; sleep 50                   | 2        | has not answered for 2.0 s at tick 0
+            """)
+    void theEndOfAChildsOutputIsFoundWhileItIsSilent(String script, double patience, String sentence) {
+        String command =
+                shell(script.replace("echo R;", "echo '" + READY + "';").replace("echo D;", drive("0")));
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(command, office(), patience));
+        assertEquals("the controller \"" + command + "\" " + sentence, e.getMessage());
+        assertEquals(List.of(), childrenStillRunning());
+    }
+
+    private static String drive(String tick) {
+        return "echo '{\"type\":\"drive\",\"tick\":" + tick + ",\"left_v\":1,\"right_v\":1}';";
+    }
+
+    @Test
+    void anAnswerAfterALongSilenceIsWhole() throws Exception {
+        String slow = "read l; echo '" + READY + "'; read l; sleep 1.5; " + drive("0")
+                + " read l; printf '{\"type\":'; sleep 1.5; echo '\"drive\",\"tick\":1,\"left_v\":1,\"right_v\":1}'; "
+                + "read l; " + drive("2") + " read l";
+        assertEquals(3, run(shell(slow), office().withDuration(0.03), 30).ticks());
+    }
+
     @Test
     void aSecondAnswerIsFoundAtTheNextTick() {
         String twice =
