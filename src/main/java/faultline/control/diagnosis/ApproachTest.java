@@ -10,14 +10,7 @@ import faultline.sensor.Reading;
  */
 final class ApproachTest {
 
-    /** The least number of readings from which the rate is measured. */
-    private static final int MIN_POINTS = 4;
-
-    /** They are as many as cover this distance, metres. */
-    private static final double WAY = 0.12;
-
-    /** The greatest number; more are not waited for. */
-    private static final int MAX_POINTS = 8;
+    private static final int POINTS = 7;
 
     /** The least distance over which the rate is measured, metres. */
     private static final double MIN_WAY = 0.08;
@@ -30,16 +23,7 @@ final class ApproachTest {
     /** Beyond this distance from the path a surface need not extend to it, metres. */
     private static final double BESIDE = 0.33;
 
-    private final MountedCone cone;
-    private final double edgeSin;
-    private final double edgeCos;
-
-    ApproachTest(MountedCone cone) {
-        this.cone = cone;
-        double edge = Math.abs(cone.bearing()) - cone.half();
-        this.edgeSin = StrictMath.sin(edge);
-        this.edgeCos = StrictMath.cos(edge);
-    }
+    private ApproachTest() {}
 
     static boolean applies(MountedCone cone) {
         // Only on the side away from the wall: on the other side the wall itself comes and goes.
@@ -51,46 +35,45 @@ final class ApproachTest {
      * Returns the distance ahead of the sensor at which the surface crosses the path, metres; infinite if none is
      * predicted.
      */
-    double expectedAhead(ClaimRing claims, DeadReckoning reckoning) {
-        if (across(claims.reading(0)) > BESIDE) {
+    static double expectedAhead(MountedCone cone, ClaimRing claims) {
+        if (across(cone, claims.reading(0)) > BESIDE) {
             return Reading.NOTHING;
         }
-        double cos = reckoning.headingCos();
-        double sin = reckoning.headingSin();
-        double driven = 0;
-        int points = 0;
-        while (points < MIN_POINTS || points < MAX_POINTS && driven < WAY) {
-            if (!claims.has(points)
-                    || claims.reading(points) < 0
-                    || Math.abs(claims.axis(points) - claims.axis(0)) > STRAIGHT) {
+        for (int i = 0; i < POINTS; i++) {
+            if (!claims.has(i) || claims.reading(i) < 0 || Math.abs(claims.axis(i) - claims.axis(0)) > STRAIGHT) {
                 return Reading.NOTHING;
             }
-            driven = way(claims, 0, cos, sin) - way(claims, points, cos, sin);
-            points++;
         }
-        return driven < MIN_WAY ? Reading.NOTHING : ahead(-slope(claims, points, cos, sin), claims.reading(0));
+        double cos = StrictMath.cos(claims.axis(0) - cone.bearing());
+        double sin = StrictMath.sin(claims.axis(0) - cone.bearing());
+        double driven = way(claims, 0, cos, sin) - way(claims, POINTS - 1, cos, sin);
+        return driven < MIN_WAY ? Reading.NOTHING : ahead(cone, -slope(claims, cos, sin), claims.reading(0));
     }
 
     /** Returns the distance of a point on the cone's inner edge from the path. */
-    private double across(double reading) {
-        return Math.abs(cone.y()) + reading * edgeSin;
+    private static double across(MountedCone cone, double reading) {
+        return Math.abs(cone.y()) + reading * StrictMath.sin(edge(cone));
+    }
+
+    private static double edge(MountedCone cone) {
+        return Math.abs(cone.bearing()) - cone.half();
     }
 
     private static double way(ClaimRing claims, int age, double cos, double sin) {
         return claims.x(age) * cos + claims.y(age) * sin;
     }
 
-    /** Returns the slope of the last readings over the distance, by least squares. */
-    private static double slope(ClaimRing claims, int points, double cos, double sin) {
+    /** Returns the slope of the readings over the distance, by least squares. */
+    private static double slope(ClaimRing claims, double cos, double sin) {
         double meanWay = 0;
         double meanReading = 0;
-        for (int i = 0; i < points; i++) {
-            meanWay += way(claims, i, cos, sin) / points;
-            meanReading += claims.reading(i) / points;
+        for (int i = 0; i < POINTS; i++) {
+            meanWay += way(claims, i, cos, sin) / POINTS;
+            meanReading += claims.reading(i) / POINTS;
         }
         double top = 0;
         double bottom = 0;
-        for (int i = 0; i < points; i++) {
+        for (int i = 0; i < POINTS; i++) {
             double way = way(claims, i, cos, sin) - meanWay;
             top += way * (claims.reading(i) - meanReading);
             bottom += way * way;
@@ -98,13 +81,14 @@ final class ApproachTest {
         return top / bottom;
     }
 
-    private double ahead(double rate, double reading) {
-        if (rate < edgeCos + MARGIN) {
+    private static double ahead(MountedCone cone, double rate, double reading) {
+        double edge = edge(cone);
+        if (rate < StrictMath.cos(edge) + MARGIN) {
             return Reading.NOTHING;
         }
         // tan(phi) = (1 / rate - cos e) / sin e; the surface extends from its point on the edge to the middle of the
         // path.
-        double tan = (1 / rate - edgeCos) / edgeSin;
-        return reading * edgeCos + across(reading) * tan;
+        double tan = (1 / rate - StrictMath.cos(edge)) / StrictMath.sin(edge);
+        return reading * StrictMath.cos(edge) + across(cone, reading) * tan;
     }
 }

@@ -12,9 +12,6 @@ public final class DeadReckoning {
     /** Below this angle the series of sine and cosine to the fifth power are exact, radians. */
     private static final double SMALL_TURN = 0.02;
 
-    /** A turn moves a cone sideways at this distance from the robot, metres. */
-    static final double TURN_RADIUS = 0.48;
-
     private double x;
     private double y;
     private double heading;
@@ -154,14 +151,6 @@ public final class DeadReckoning {
     /** {@return the total distance rolled, forwards and backwards, metres} */
     public double way() {
         return way;
-    }
-
-    /**
-     * Returns how far the cones have moved sideways: the distance rolled, and that of a point beside the robot in
-     * turns.
-     */
-    double swept() {
-        return way + TURN_RADIUS * turning;
     }
 
     /** Returns the total angle turned in both directions, radians. */

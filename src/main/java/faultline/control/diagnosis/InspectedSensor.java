@@ -19,6 +19,9 @@ final class InspectedSensor {
     private static final double BACK = StrictMath.toRadians(150);
     private static final double AWAY = 0.35;
 
+    /** A turn moves a cone sideways at this distance from the robot, metres. */
+    private static final double TURN_RADIUS = 0.24;
+
     private final int index;
     private final ClaimRing claims = new ClaimRing();
     private MountedCone cone;
@@ -34,8 +37,6 @@ final class InspectedSensor {
     private ForeseenSurface missed;
     private double sideways;
     private boolean looksAway;
-    private boolean looksDiagonally;
-    private ApproachTest approach;
     private double markedWay = Double.NEGATIVE_INFINITY;
     private double markedTurning;
     private Rows rows = Rows.ODD;
@@ -54,16 +55,13 @@ final class InspectedSensor {
             cone = newCone;
             table = new ConeTable(newCone);
             looksAway = Math.abs(newCone.bearing()) > AHEAD && newCone.bearing() < BESIDE || newCone.bearing() > BACK;
-            looksDiagonally = NearTest.applies(newCone);
-            approach = ApproachTest.applies(newCone) ? new ApproachTest(newCone) : null;
             sideways = looksAway ? AWAY : 1;
         }
     }
 
     /** Returns how far its cone has moved sideways since what it sees was marked in the map, metres. */
     double movedSinceMark(DeadReckoning reckoning) {
-        return sideways * (reckoning.way() - markedWay)
-                + DeadReckoning.TURN_RADIUS * (reckoning.turning() - markedTurning);
+        return sideways * (reckoning.way() - markedWay) + TURN_RADIUS * (reckoning.turning() - markedTurning);
     }
 
     /** Returns whether its cone does not hold the way ahead. */
@@ -74,16 +72,6 @@ final class InspectedSensor {
     /** Returns whether it looks neither ahead nor to the wall's side. */
     boolean looksAway() {
         return looksAway;
-    }
-
-    /** Returns whether it looks diagonally ahead, on either side. */
-    boolean looksDiagonally() {
-        return looksDiagonally;
-    }
-
-    /** Returns the test that foresees surfaces ahead, null if it looks in another direction. */
-    ApproachTest approach() {
-        return approach;
     }
 
     /** Records that its claim is marked in the map, and returns the number of inspections that the mark stands for. */

@@ -31,10 +31,10 @@ final class MissedSurfaces {
      */
     void test(InspectedSensor sensor, double[] readings, double wantedDistance, int oldest, double time) {
         MountedCone cone = sensor.cone();
-        if (sensor.approach() != null) {
-            testFront(cone, sensor.approach().expectedAhead(sensor.claims(), reckoning), readings, oldest, time);
+        if (ApproachTest.applies(cone)) {
+            testFront(cone, ApproachTest.expectedAhead(cone, sensor.claims()), readings, oldest, time);
         }
-        if (sensor.looksDiagonally() && verdicts.mayBeRight(sensor) && reckoning.v() > DRIVING) {
+        if (NearTest.applies(cone) && verdicts.mayBeRight(sensor) && reckoning.v() > DRIVING) {
             testFront(cone, NearTest.expectedAhead(cone, sensor.claims(), wantedDistance), readings, oldest, time);
         }
     }

@@ -18,7 +18,7 @@ final class NearTest {
     private static final int CLAIMS = 3;
 
     /** Claims that differ by less than this from one inspection to the next agree, metres. */
-    private static final double STEP = 0.06;
+    private static final double STEP = 0.05;
 
     private NearTest() {}
 

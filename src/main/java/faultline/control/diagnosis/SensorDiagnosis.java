@@ -26,13 +26,10 @@ public final class SensorDiagnosis {
     /** Each claim is tested again after these numbers of inspections, because more has been seen free by then. */
     private static final int[] RETESTS = {5, 12, 24};
 
-    /** The same as long as nothing is suspicious, because there is more motion between two inspections then. */
-    private static final int[] CALM_RETESTS = {2, 5, 9};
-
     /**
      * As long as nothing is suspicious, a sensor's claim is marked after its cone has moved sideways by this, metres.
      */
-    private static final double MARKING = 0.07;
+    private static final double MARKING = 0.05;
 
     /**
      * A sector of less than this radius takes little time to mark. As long as nothing is suspicious, the free space of
@@ -45,23 +42,6 @@ public final class SensorDiagnosis {
 
     /** The time between two inspections for each of the sensors, seconds. */
     private static final double STEP = 0.01;
-
-    /**
-     * As long as nothing is suspicious, the sensors are inspected after the cones have moved sideways by this, metres.
-     */
-    private static final double CALM_MOTION = 0.04;
-
-    /** The same after this time at the latest, as a multiple of {@link #STEP}. */
-    private static final double CALM_STEPS = 3;
-
-    /** The robot is in no hurry if nothing beside its path is nearer than this, metres. */
-    private static final double CLOSE = 0.22;
-
-    /** After a jump of its reading a sensor is inspected as if it were suspicious for this long, seconds. */
-    private static final double JUMP_MEMORY = 1.5;
-
-    /** A slower robot turns on the spot, where what the cones see changes fast, metres per second. */
-    private static final double DRIVING = 0.06;
 
     private static final double FADE = 0.97;
 
@@ -88,20 +68,7 @@ public final class SensorDiagnosis {
     private long tick;
     private double time;
     private double untilInspection;
-    private double sweptAtInspection;
-    /** Whether at the last inspection a surface was near, or a reading had jumped lately. */
-    private boolean hurried;
-
     private boolean alert;
-    /**
-     * Whether this is a tick in which only the sensors of {@link #watched} are tested unless something is suspicious.
-     */
-    private boolean odd = true;
-    /** The sensors whose signals were remarkable lately, a bit for each. */
-    private int watched;
-
-    private double learntWay;
-    private double learntHeading;
     private double bodyMarkedWay = Double.NEGATIVE_INFINITY;
     private double wantedDistance = Double.POSITIVE_INFINITY;
 
@@ -132,57 +99,41 @@ public final class SensorDiagnosis {
         time += dt;
         clock.advance(reckoning.rolled(), reckoning.turned(), dt);
         lastReadings = observation.readings();
-        motion.advance(reckoning.rolled(), reckoning.turned());
-        odd = !odd;
-        if (odd && !alert) {
-            testSignals(watched);
-        } else {
-            testSignals((1 << sensors.length) - 1);
-            learnCurvature();
-        }
+        testSignals();
+        learnCurvature();
         untilInspection -= dt;
-        while (untilInspection < STEP / 2 && sensors.length > 0 && isInspectionDue()) {
+        while (untilInspection < STEP / 2 && sensors.length > 0) {
             inspectAll();
-            untilInspection = alert ? untilInspection + STEP * sensors.length : STEP * sensors.length;
+            untilInspection += STEP * sensors.length;
         }
-    }
-
-    private boolean isInspectionDue() {
-        return alert
-                || hurried
-                || reckoning.swept() - sweptAtInspection > CALM_MOTION
-                || untilInspection < (1 - CALM_STEPS) * STEP * sensors.length;
     }
 
     /** Learns beside straight walls how much more the path bends than the motors say. */
     private void learnCurvature() {
-        double rolled = motion.way() - learntWay;
-        double turned = motion.heading() - learntHeading;
-        learntWay = motion.way();
-        learntHeading = motion.heading();
         curvature.update(
                 wallLine.distance(lastReadings),
                 wallLine.sag(lastReadings),
-                rolled,
-                turned - curvature.curvature() * rolled);
+                reckoning.rolled(),
+                reckoning.turned() - curvature.curvature() * reckoning.rolled());
         reckoning.setCurvature(curvature.curvature());
-        int differs = agreement.update(wallLine, lastReadings, rolled, turned);
-        if (differs != WallAgreement.NONE) {
-            verdicts.blameDrift(wallLine.sensor(differs).index());
-        }
     }
 
     private void inspectAll() {
         alert = !verdicts.allTrusted() || time - verdicts.lastSuspicion() < SUSPICION;
-        hurried = reckoning.v() < DRIVING;
-        sweptAtInspection = reckoning.swept();
+        compareBesideWall();
         for (InspectedSensor sensor : inspectionOrder) {
-            hurried |= jumpedLately(sensor);
             inspect(sensor, lastReadings[sensor.index()]);
         }
         if (alert || reckoning.way() - bodyMarkedWay > MARKING) {
             bodyMarkedWay = reckoning.way();
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), robot.width() / 2, clock.moment());
+        }
+    }
+
+    private void compareBesideWall() {
+        int differs = agreement.update(wallLine, lastReadings, motion.way(), motion.heading());
+        if (differs != WallAgreement.NONE) {
+            verdicts.blameDrift(wallLine.sensor(differs).index());
         }
     }
 
@@ -222,13 +173,11 @@ public final class SensorDiagnosis {
                 .toArray(InspectedSensor[]::new);
     }
 
-    private void testSignals(int tested) {
-        for (int rest = tested; rest != 0; rest &= rest - 1) {
-            int i = Integer.numberOfTrailingZeros(rest);
-            SignalTest signal = signals[i];
-            SensorFinding finding = signal.test(lastReadings[i]);
-            watched = signal.isRemarkable() ? watched | 1 << i : watched & ~(1 << i);
-            if (signal.jumped()) {
+    private void testSignals() {
+        motion.advance(reckoning.rolled(), reckoning.turned());
+        for (int i = 0; i < signals.length; i++) {
+            SensorFinding finding = signals[i].test(lastReadings[i]);
+            if (signals[i].jumped()) {
                 sensors[i].jump(time);
             }
             if (finding != SensorFinding.NONE) {
@@ -248,7 +197,6 @@ public final class SensorDiagnosis {
             mark(sensor, sees, reading);
             retest(sensor);
             if (sees) {
-                hurried |= reading < CLOSE && sensor.looksDiagonally();
                 missedSurfaces.test(sensor, lastReadings, wantedDistance, clock.moment() - MEMORY, time);
             }
         }
@@ -278,8 +226,7 @@ public final class SensorDiagnosis {
     /** Marks the last claim in the map: at once if that takes little time, otherwise after some motion. */
     private void mark(InspectedSensor sensor, boolean sees, double reading) {
         sensor.countInspection();
-        boolean urgent = alert || jumpedLately(sensor);
-        boolean due = urgent || sensor.movedSinceMark(reckoning) > MARKING;
+        boolean due = alert || sensor.movedSinceMark(reckoning) > MARKING;
         double radius = (sees ? reading : sensor.cone().range()) - FREE_MARGIN;
         boolean small = radius < NEAR;
         if (due) {
@@ -293,13 +240,8 @@ public final class SensorDiagnosis {
             markFree(
                     sensor,
                     near ? Math.min(radius, NEAR) : radius,
-                    urgent || small || !sensor.looksAside() ? Rows.ALL : sensor.nextRows());
+                    alert || small || !sensor.looksAside() ? Rows.ALL : sensor.nextRows());
         }
-    }
-
-    /** Returns whether a bias may have set in a short time ago. */
-    private boolean jumpedLately(InspectedSensor sensor) {
-        return time - sensor.jumpedAt() < JUMP_MEMORY;
     }
 
     private boolean isConfirmed(InspectedSensor sensor) {
@@ -322,7 +264,11 @@ public final class SensorDiagnosis {
     }
 
     private void retest(InspectedSensor sensor) {
-        for (int age : alert || hurried ? RETESTS : CALM_RETESTS) {
+        if (!alert) {
+            retest(sensor, RETESTS[sensor.inspections() % RETESTS.length]);
+            return;
+        }
+        for (int age : RETESTS) {
             retest(sensor, age);
         }
     }

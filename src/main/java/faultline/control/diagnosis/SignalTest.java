@@ -55,15 +55,8 @@ final class SignalTest {
     private double before = Double.NaN;
     private double first = Double.NaN;
     private double second = Double.NaN;
-    /** How far the robot had rolled and turned at the last test. */
-    private double wayBefore;
-
-    private double headingBefore;
-    /** Since when the reading has not changed, by the motion until then. */
-    private boolean repeats;
-
-    private double stuckWay;
-    private double stuckHeading;
+    private double turn;
+    private double way;
     private double scatter;
     private double lastSpike = Double.NaN;
     private double flips;
@@ -101,23 +94,17 @@ final class SignalTest {
         // False for differences that are not numbers.
         jumped = Math.abs(newSecond) > JUMP && Math.abs(newSecond) < Reading.NOTHING;
         boolean smooth = newFirst != 0
-                && !repeats
                 && Math.abs(first) <= SPIKE
                 && Math.abs(newFirst) <= SPIKE
                 && Math.abs(newSecond - second) <= SCATTER;
         if (smooth) {
+            turn = 0;
+            way = 0;
             before = reading;
             first = newFirst;
             second = newSecond;
-            wayBefore = motion.way();
-            headingBefore = motion.heading();
         }
         return smooth;
-    }
-
-    /** Returns whether spikes, scatter or flips are remembered, so that each reading counts. */
-    boolean isRemarkable() {
-        return !unremarkable;
     }
 
     /** Returns whether the last reading jumped: it differs from what the two before it let expect. */
@@ -137,8 +124,6 @@ final class SignalTest {
         learnScatter(reading);
         learnFlips(reading);
         before = reading;
-        wayBefore = motion.way();
-        headingBefore = motion.heading();
         quiet = isQuiet();
         SensorFinding remembered = remembered();
         return stuck ? SensorFinding.STUCK : remembered;
@@ -167,21 +152,19 @@ final class SignalTest {
                 && flips < NEGLIGIBLE
                 && spikes < NEGLIGIBLE
                 && scatter <= MAX_SCATTER
+                && turn == 0
+                && way == 0
                 && Double.isNaN(second);
     }
 
     private boolean isStuck(double reading) {
         if (reading != before || reading == Reading.NOTHING) {
-            repeats = false;
+            turn = 0;
+            way = 0;
             return false;
         }
-        if (!repeats) {
-            repeats = true;
-            stuckWay = wayBefore;
-            stuckHeading = headingBefore;
-        }
-        double turn = motion.heading() - stuckHeading;
-        double way = motion.way() - stuckWay;
+        turn += motion.turned();
+        way += motion.rolled();
         return Math.abs(turn) > STUCK_TURN
                 || Math.abs(way * axisCos) > STUCK_DISTANCE && Math.abs(cone.bearing()) < cone.half()
                 || reading < 0.001 && Math.abs(way) + Math.abs(turn) > STUCK_DISTANCE;

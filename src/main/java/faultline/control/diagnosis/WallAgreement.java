@@ -36,25 +36,27 @@ final class WallAgreement {
     private static final int SENSORS = 3;
 
     private final double[] sums = new double[SENSORS];
-    private double way;
-    private double turned;
+    /** How far the robot had rolled and turned at the beginning of the leg. */
+    private double wayBefore;
+
+    private double headingBefore;
     private int count;
     private int odd = NONE;
     private double difference;
     private int legs;
 
     /**
-     * Takes the distances after a piece of motion.
+     * Takes the distances at an inspection.
      *
      * @param line the sensors
      * @param readings of all sensors
-     * @param rolledBy metres
-     * @param turnedBy radians
+     * @param way how far the robot has rolled so far, metres
+     * @param heading how far it has turned so far, radians
      * @return the sensor that is wrong, as a place in the line, or {@link #NONE}
      */
-    int update(WallLine line, double[] readings, double rolledBy, double turnedBy) {
+    int update(WallLine line, double[] readings, double way, double heading) {
         if (!line.isSeen(readings)) {
-            beginLeg();
+            beginLeg(way, heading);
             legs = 0;
             return NONE;
         }
@@ -62,22 +64,20 @@ final class WallAgreement {
             sums[i] += line.aside(i, readings);
         }
         count++;
-        way += Math.abs(rolledBy);
-        turned += turnedBy;
-        return way < LEG ? NONE : endLeg();
+        return Math.abs(way - wayBefore) < LEG ? NONE : endLeg(way, heading);
     }
 
-    private void beginLeg() {
+    private void beginLeg(double way, double heading) {
         Arrays.fill(sums, 0);
         count = 0;
-        way = 0;
-        turned = 0;
+        wayBefore = way;
+        headingBefore = heading;
     }
 
-    private int endLeg() {
-        int differs = Math.abs(turned) > MAX_TURN ? NONE : differing();
+    private int endLeg(double way, double heading) {
+        int differs = Math.abs(heading - headingBefore) > MAX_TURN ? NONE : differing();
         double by = differs == NONE ? 0 : (sums[differs] - sums[(differs + 1) % SENSORS]) / count;
-        beginLeg();
+        beginLeg(way, heading);
         boolean again = differs != NONE && differs == odd && Math.abs(by - difference) < STEADY;
         legs = differs == NONE ? 0 : again ? legs + 1 : 1;
         odd = differs;

@@ -20,6 +20,8 @@ class WallAgreementTest {
                     i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), 1)))
             .toArray(InspectedSensor[]::new));
     private final WallAgreement agreement = new WallAgreement();
+    private double way;
+    private double heading;
 
     /** Returns what the three read beside a wall at a distance from the robot's centre line. */
     private double[] beside(double distance) {
@@ -37,10 +39,12 @@ class WallAgreementTest {
 
     /** Drives along, with an error of a sensor, and returns the first finding. */
     private int drive(double metres, int sensor, double error, double turn) {
-        for (double way = 0; way < metres; way += STEP) {
+        for (double driven = 0; driven < metres; driven += STEP) {
+            way += STEP;
+            heading += turn;
             double[] readings = beside(0.4);
             readings[sensor] += error;
-            int found = agreement.update(line, readings, STEP, turn);
+            int found = agreement.update(line, readings, way, heading);
             if (found != WallAgreement.NONE) {
                 return line.sensor(found).index();
             }
@@ -77,7 +81,7 @@ class WallAgreementTest {
         assertEquals(WallAgreement.NONE, drive(0.4, FRONT_LEFT, 0.05, 0));
         double[] readings = beside(0.4);
         readings[REAR_LEFT] = Reading.NOTHING;
-        assertEquals(WallAgreement.NONE, agreement.update(line, readings, STEP, 0));
+        assertEquals(WallAgreement.NONE, agreement.update(line, readings, way, heading));
         assertEquals(WallAgreement.NONE, drive(0.4, FRONT_LEFT, 0.05, 0));
     }
 }
