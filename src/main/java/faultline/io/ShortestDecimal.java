@@ -42,7 +42,7 @@ public final class ShortestDecimal {
     /** All numbers are converted to this number of digits, with zeros at the end. */
     private static final int DIGITS = 17;
 
-    private static final long LEAST_WITH_ALL_DIGITS = 10_000_000_000_000_000L;
+    private static final long MIN_WITH_ALL_DIGITS = 10_000_000_000_000_000L;
     private static final int EIGHT_DIGITS = 100_000_000;
 
     /** Of the decimal point: before the first digit; smaller numbers have an exponent. */
@@ -158,7 +158,7 @@ public final class ShortestDecimal {
     /** Writes f 10^k, where f has 16 or 17 digits, and returns the end of the text. */
     private static int write(long f, int k, byte[] text, int start) {
         // -1 if there are 16.
-        int less = (int) (f - LEAST_WITH_ALL_DIGITS >> 63);
+        int less = (int) (f - MIN_WITH_ALL_DIGITS >> 63);
         long digits = f + (9 * f & less);
         // The first digit is at the power of ten point - 1.
         int point = DIGITS + less + k;

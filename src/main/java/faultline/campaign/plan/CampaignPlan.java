@@ -57,7 +57,7 @@ public final class CampaignPlan {
     private final Seeds seeds;
     private final List<ScenarioChange> constants;
     private final List<Factor> factors;
-    private final Sampler sampler;
+    private final UniformSampler sampler;
     private final long cells;
 
     CampaignPlan(
@@ -75,7 +75,7 @@ public final class CampaignPlan {
         this.seeds = seeds;
         this.constants = List.copyOf(constants);
         this.factors = List.copyOf(factors);
-        this.sampler = new Sampler(header.seed(), header.latin(), worlds.count() * seeds.count());
+        this.sampler = new UniformSampler(header.seed(), header.latin(), worlds.count() * seeds.count());
         this.cells =
                 factors.stream().mapToLong(factor -> factor.levels().size()).reduce(1, (a, b) -> a * b);
     }
@@ -187,7 +187,7 @@ public final class CampaignPlan {
     }
 
     /** Makes changes in a tree, in their order. */
-    XmlElement apply(XmlElement root, List<ScenarioChange> edits, Value.Uniforms numbers, long block)
+    XmlElement apply(XmlElement root, List<ScenarioChange> edits, AttributeValue.Uniforms numbers, long block)
             throws ScenarioException {
         XmlElement tree = root;
         for (ScenarioChange edit : edits) {

@@ -22,7 +22,7 @@ record Factor(FactorKind kind, List<Column> columns, List<Level> levels) {
      * @param cells what it writes in the factor's columns
      * @param edits what it changes in the scenario
      */
-    record Level(List<Value> cells, List<ScenarioChange> edits) {
+    record Level(List<AttributeValue> cells, List<ScenarioChange> edits) {
         Level {
             cells = List.copyOf(cells);
             edits = List.copyOf(edits);

@@ -44,7 +44,7 @@ final class FactorReader {
         AttributeReader fields = new AttributeReader(node, problems);
         Optional<AttributePath> path = readPath(fields);
         String name = columnName(fields, path.map(AttributePath::columnName).orElse("unnamed"));
-        Optional<List<Value>> values = readValues(fields, name);
+        Optional<List<AttributeValue>> values = readValues(fields, name);
         fields.reportUnknownAndMissing();
         if (path.isEmpty() || values.isEmpty()) {
             return Optional.empty();
@@ -58,8 +58,8 @@ final class FactorReader {
                 new Factor(FactorKind.SET, List.of(new Column(name, path.get().unit(), meaning)), levels));
     }
 
-    private static boolean isDrawn(List<Value> values) {
-        return values.get(0) instanceof Value.Drawn;
+    private static boolean isDrawn(List<AttributeValue> values) {
+        return values.get(0) instanceof AttributeValue.Drawn;
     }
 
     private static Optional<AttributePath> readPath(AttributeReader fields) {
@@ -71,9 +71,9 @@ final class FactorReader {
         return path;
     }
 
-    private static Optional<List<Value>> readValues(AttributeReader fields, String stream) {
+    private static Optional<List<AttributeValue>> readValues(AttributeReader fields, String stream) {
         String text = fields.requiredText("value", ValueSyntax.RULE);
-        Optional<List<Value>> values = ValueSyntax.parse(text, stream);
+        Optional<List<AttributeValue>> values = ValueSyntax.parse(text, stream);
         if (values.isEmpty() && fields.isPresent("value")) {
             fields.report("value", text, ValueSyntax.RULE);
         }
@@ -107,7 +107,7 @@ final class FactorReader {
         fields.reportUnknownAndMissing();
         List<ScenarioChange> edits = new ArrayList<>();
         node.childrenNamed("set").forEach(child -> readLiteral(child).ifPresent(edits::add));
-        return new Factor.Level(List.of(new Value.Fixed(name)), edits);
+        return new Factor.Level(List.of(new AttributeValue.Fixed(name)), edits);
     }
 
     private Optional<ScenarioChange> readLiteral(XmlElement node) {
@@ -116,7 +116,8 @@ final class FactorReader {
         Optional<AttributePath> path = readPath(fields);
         String value = fields.requiredText("value", "what the attribute of the scenario may be");
         fields.reportUnknownAndMissing();
-        return path.map(found -> new ScenarioChange.SetAttribute(found, new Value.Fixed(value), node.location()));
+        return path.map(
+                found -> new ScenarioChange.SetAttribute(found, new AttributeValue.Fixed(value), node.location()));
     }
 
     /** Reads a factor of sensors that are on: every combination of the given ones, or the listed ones. */
@@ -160,11 +161,12 @@ final class FactorReader {
                         new AttributePath(
                                 List.of(new AttributePath.Step("robot", ""), new AttributePath.Step("sensor", sensor)),
                                 "on"),
-                        new Value.Fixed(String.valueOf(on.contains(sensor))),
+                        new AttributeValue.Fixed(String.valueOf(on.contains(sensor))),
                         node.location()))
                 .toList();
         String text = on.isEmpty() ? "none" : String.join(" ", on);
-        return new Factor.Level(List.of(new Value.Fixed(text), new Value.Fixed(String.valueOf(on.size()))), edits);
+        return new Factor.Level(
+                List.of(new AttributeValue.Fixed(text), new AttributeValue.Fixed(String.valueOf(on.size()))), edits);
     }
 
     private static List<List<String>> subsets(List<String> sensors) {

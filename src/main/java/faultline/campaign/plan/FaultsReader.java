@@ -43,7 +43,7 @@ final class FaultsReader {
     private final Set<String> attributes = new LinkedHashSet<>(List.of("kind", "sensor", "value", "at", "until"));
 
     /** One level before its columns are known. */
-    private record Draft(Map<String, Value> attributes, XmlElement node) {}
+    private record Draft(Map<String, AttributeValue> attributes, XmlElement node) {}
 
     FaultsReader(Problems problems) {
         this.problems = problems;
@@ -80,31 +80,32 @@ final class FaultsReader {
     }
 
     /** Returns every combination of the values of one element; those of the last attribute change fastest. */
-    private List<Map<String, Value>> readFault(XmlElement node, String factor) {
+    private List<Map<String, AttributeValue>> readFault(XmlElement node, String factor) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
-        List<Map<String, Value>> levels = List.of(new LinkedHashMap<>());
+        List<Map<String, AttributeValue>> levels = List.of(new LinkedHashMap<>());
         for (Map.Entry<String, String> attribute : node.attributes().entrySet()) {
             String key = attribute.getKey();
-            Optional<List<Value>> values = key.equals(LABEL)
-                    ? Optional.of(List.of(new Value.Fixed(attribute.getValue())))
+            Optional<List<AttributeValue>> values = key.equals(LABEL)
+                    ? Optional.of(List.of(new AttributeValue.Fixed(attribute.getValue())))
                     : ValueSyntax.parse(attribute.getValue(), factor + "_" + key);
             if (values.isEmpty()) {
                 fields.report(key, attribute.getValue(), ValueSyntax.RULE);
             }
-            levels = combine(levels, key, values.orElse(List.of(Value.NONE)));
+            levels = combine(levels, key, values.orElse(List.of(AttributeValue.NONE)));
         }
-        List<Map<String, Value>> timed =
+        List<Map<String, AttributeValue>> timed =
                 levels.stream().map(FaultsReader::withEnd).toList();
         timed.forEach(level -> attributes.addAll(level.keySet()));
         return timed;
     }
 
-    private static List<Map<String, Value>> combine(List<Map<String, Value>> levels, String key, List<Value> values) {
-        List<Map<String, Value>> combined = new ArrayList<>();
-        for (Map<String, Value> level : levels) {
-            for (Value value : values) {
-                Map<String, Value> longer = new LinkedHashMap<>(level);
+    private static List<Map<String, AttributeValue>> combine(
+            List<Map<String, AttributeValue>> levels, String key, List<AttributeValue> values) {
+        List<Map<String, AttributeValue>> combined = new ArrayList<>();
+        for (Map<String, AttributeValue> level : levels) {
+            for (AttributeValue value : values) {
+                Map<String, AttributeValue> longer = new LinkedHashMap<>(level);
                 longer.put(key, value);
                 combined.add(longer);
             }
@@ -113,23 +114,23 @@ final class FaultsReader {
     }
 
     /** Replaces the duration of a fault by its end. */
-    private static Map<String, Value> withEnd(Map<String, Value> level) {
-        Map<String, Value> timed = new LinkedHashMap<>(level);
-        Value lasts = timed.remove("lasts");
+    private static Map<String, AttributeValue> withEnd(Map<String, AttributeValue> level) {
+        Map<String, AttributeValue> timed = new LinkedHashMap<>(level);
+        AttributeValue lasts = timed.remove("lasts");
         if (lasts != null) {
-            timed.put("until", new Value.Sum(timed.getOrDefault("at", Value.NONE), lasts));
+            timed.put("until", new AttributeValue.Sum(timed.getOrDefault("at", AttributeValue.NONE), lasts));
         }
         return timed;
     }
 
     private Factor.Level level(Draft draft) {
-        List<Value> cells = new ArrayList<>();
+        List<AttributeValue> cells = new ArrayList<>();
         for (String key : attributes) {
-            Value kind = draft.attributes.getOrDefault("kind", new Value.Fixed("none"));
-            Value missing = key.equals("kind") || key.equals(LABEL) ? kind : Value.NONE;
+            AttributeValue kind = draft.attributes.getOrDefault("kind", new AttributeValue.Fixed("none"));
+            AttributeValue missing = key.equals("kind") || key.equals(LABEL) ? kind : AttributeValue.NONE;
             cells.add(draft.attributes.getOrDefault(key, missing));
         }
-        Map<String, Value> fault = new LinkedHashMap<>(draft.attributes);
+        Map<String, AttributeValue> fault = new LinkedHashMap<>(draft.attributes);
         fault.remove(LABEL);
         List<ScenarioChange> edits =
                 fault.isEmpty() ? List.of() : List.of(new ScenarioChange.AddFault(fault, draft.node.location()));

@@ -11,10 +11,10 @@ sealed interface ScenarioChange {
     SourceLocation location();
 
     /** Sets an attribute. */
-    record SetAttribute(AttributePath path, Value value, SourceLocation location) implements ScenarioChange {}
+    record SetAttribute(AttributePath path, AttributeValue value, SourceLocation location) implements ScenarioChange {}
 
     /** Adds a {@code fault} with these attributes at the end of the timeline. */
-    record AddFault(Map<String, Value> attributes, SourceLocation location) implements ScenarioChange {
+    record AddFault(Map<String, AttributeValue> attributes, SourceLocation location) implements ScenarioChange {
         public AddFault {
             attributes = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
         }

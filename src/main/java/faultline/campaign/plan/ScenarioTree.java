@@ -22,10 +22,10 @@ final class ScenarioTree {
     private ScenarioTree() {}
 
     /** Signals a path that leads nowhere. */
-    private static final class NoSuchElementException extends Exception {
+    private static final class UnresolvedPathException extends Exception {
         private static final long serialVersionUID = 1L;
 
-        NoSuchElementException(String message) {
+        UnresolvedPathException(String message) {
             super(message);
         }
     }
@@ -38,7 +38,7 @@ final class ScenarioTree {
             throws ScenarioException {
         try {
             return set(root, path.steps(), path.attribute(), text, location);
-        } catch (NoSuchElementException e) {
+        } catch (UnresolvedPathException e) {
             Message message = PlanProblem.NO_SUCH_ATTRIBUTE.with(MessageText.excerpt(path.toString()), e.getMessage());
             throw new ScenarioException(List.of(new Problem(file, location, message)));
         }
@@ -46,7 +46,7 @@ final class ScenarioTree {
 
     private static XmlElement set(
             XmlElement node, List<AttributePath.Step> steps, String attribute, String text, SourceLocation location)
-            throws NoSuchElementException {
+            throws UnresolvedPathException {
         if (steps.isEmpty()) {
             Map<String, String> attributes = new LinkedHashMap<>(node.attributes());
             attributes.put(attribute, text);
@@ -77,13 +77,13 @@ final class ScenarioTree {
 
     /** Creates a sensor, or an element that has its defaults if it is missing. */
     private static XmlElement create(XmlElement node, AttributePath.Step step, SourceLocation location)
-            throws NoSuchElementException {
+            throws UnresolvedPathException {
         boolean sensor = node.name().equals("robot")
                 && step.element().equals("sensor")
                 && !step.key().isEmpty();
         if (!sensor
                 && !(OPTIONAL_ELEMENTS.contains(step.element()) && step.key().isEmpty())) {
-            throw new NoSuchElementException("<" + node.name() + "> has no " + step.element()
+            throw new UnresolvedPathException("<" + node.name() + "> has no " + step.element()
                     + (step.key().isEmpty() ? "" : "[" + step.key() + "]") + suggestion(node, step));
         }
         Map<String, String> attributes = sensor ? Map.of("id", step.key()) : Map.of();

@@ -45,11 +45,11 @@ public final class ValueSyntax {
      * @param text as in the plan
      * @param stream names the random numbers if they are drawn
      */
-    static Optional<List<Value>> parse(String text, String stream) {
+    static Optional<List<AttributeValue>> parse(String text, String stream) {
         String trimmed = text.strip();
         Matcher choice = CHOICE.matcher(trimmed);
         if (choice.matches()) {
-            return Optional.of(List.of(new Value.Drawn(stream, new DrawRange.Choice(words(choice.group(1))))));
+            return Optional.of(List.of(new AttributeValue.Drawn(stream, new DrawRange.Choice(words(choice.group(1))))));
         }
         Matcher interval = INTERVAL.matcher(trimmed);
         if (interval.matches()) {
@@ -58,21 +58,23 @@ public final class ValueSyntax {
         if (trimmed.isEmpty() || trimmed.contains("..")) {
             return Optional.empty();
         }
-        return Optional.of(words(trimmed).stream().<Value>map(Value.Fixed::new).toList());
+        return Optional.of(words(trimmed).stream()
+                .<AttributeValue>map(AttributeValue.Fixed::new)
+                .toList());
     }
 
     private static List<String> words(String text) {
         return Arrays.stream(text.strip().split("\\s+")).distinct().toList();
     }
 
-    private static Optional<List<Value>> parseInterval(Matcher interval, String stream) {
+    private static Optional<List<AttributeValue>> parseInterval(Matcher interval, String stream) {
         Optional<BigDecimal> from = DecimalText.parse(interval.group(1));
         Optional<BigDecimal> to = DecimalText.parse(interval.group(2));
         if (from.isEmpty() || to.isEmpty() || from.get().compareTo(to.get()) >= 0) {
             return Optional.empty();
         }
         if (interval.group(3) == null) {
-            return Optional.of(List.of(new Value.Drawn(stream, new DrawRange.Uniform(from.get(), to.get()))));
+            return Optional.of(List.of(new AttributeValue.Drawn(stream, new DrawRange.Uniform(from.get(), to.get()))));
         }
         int count = Integer.parseInt(interval.group(3));
         return count < 2 || count > MAX_VALUES
@@ -81,13 +83,14 @@ public final class ValueSyntax {
     }
 
     /** Values with both bounds among them, exact to twelve digits. */
-    private static List<Value> evenlySpaced(BigDecimal from, BigDecimal to, int count) {
-        List<Value> values = new ArrayList<>();
+    private static List<AttributeValue> evenlySpaced(BigDecimal from, BigDecimal to, int count) {
+        List<AttributeValue> values = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             BigDecimal step = to.subtract(from)
                     .multiply(BigDecimal.valueOf(i))
                     .divide(BigDecimal.valueOf(count - 1), TWELVE_DIGITS);
-            values.add(new Value.Fixed(DecimalText.format(from.add(step).doubleValue())));
+            values.add(
+                    new AttributeValue.Fixed(DecimalText.format(from.add(step).doubleValue())));
         }
         return values;
     }

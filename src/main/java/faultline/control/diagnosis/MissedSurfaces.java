@@ -31,11 +31,16 @@ final class MissedSurfaces {
      */
     void test(InspectedSensor sensor, double[] readings, double wantedDistance, int oldest, double time) {
         MountedCone cone = sensor.cone();
-        if (ApproachTest.applies(cone)) {
-            testFront(cone, ApproachTest.expectedAhead(cone, sensor.claims()), readings, oldest, time);
+        if (ApproachCheck.applies(cone)) {
+            testFront(cone, ApproachCheck.expectedAhead(cone, sensor.claims()), readings, oldest, time);
         }
-        if (NearTest.applies(cone) && verdicts.mayBeRight(sensor) && reckoning.v() > DRIVING) {
-            testFront(cone, NearTest.expectedAhead(cone, sensor.claims(), wantedDistance), readings, oldest, time);
+        if (NearSurfaceCheck.applies(cone) && verdicts.mayBeRight(sensor) && reckoning.v() > DRIVING) {
+            testFront(
+                    cone,
+                    NearSurfaceCheck.expectedAhead(cone, sensor.claims(), wantedDistance),
+                    readings,
+                    oldest,
+                    time);
         }
     }
 

@@ -54,13 +54,13 @@ public final class SensorDiagnosis {
     private RobotSpec robot;
     private InspectedSensor[] sensors = {};
     /** The tests of the sensors' signals in the same order. */
-    private SignalTest[] signals = {};
+    private SignalCheck[] signals = {};
     /** The sensors in the order in which they are inspected. */
     private InspectedSensor[] inspectionOrder = {};
 
     private WallLine wallLine;
     private EvidenceGrid grid;
-    private ClaimTest claimTest;
+    private ClaimCheck claimTest;
     private Verdicts verdicts;
     private MissedSurfaces missedSurfaces;
     private HealthReport report;
@@ -143,9 +143,9 @@ public final class SensorDiagnosis {
         robot = newRobot;
         if (!same) {
             sensors = new InspectedSensor[n];
-            signals = new SignalTest[n];
+            signals = new SignalCheck[n];
             grid = new EvidenceGrid(n + 1);
-            claimTest = new ClaimTest(grid);
+            claimTest = new ClaimCheck(grid);
             report = new HealthReport(newRobot);
         }
         for (int i = 0; i < n; i++) {
@@ -154,7 +154,7 @@ public final class SensorDiagnosis {
                 sensors[i].refit(cone);
             } else {
                 sensors[i] = new InspectedSensor(i, cone);
-                signals[i] = new SignalTest(cone, motion);
+                signals[i] = new SignalCheck(cone, motion);
             }
         }
         inspectionOrder = inOrder(sensors);
@@ -286,7 +286,7 @@ public final class SensorDiagnosis {
     /** Tests a claim against what was seen free since a moment. */
     private void test(InspectedSensor sensor, int age, int oldest) {
         int by = claimTest.contradicting(sensor, age, oldest, verdicts.trusted() | sensor.bit());
-        if (by != ClaimTest.POSSIBLE) {
+        if (by != ClaimCheck.POSSIBLE) {
             verdicts.blame(sensor.index(), by);
         }
     }

@@ -11,9 +11,9 @@ final class WallLine {
     private static final double QUARTER = StrictMath.PI / 2;
 
     /** Sensors ahead and behind look at the wall at a slant between these. */
-    private static final double LEAST_SLANT = StrictMath.toRadians(20);
+    private static final double MIN_SLANT = StrictMath.toRadians(20);
 
-    private static final double GREATEST_SLANT = StrictMath.toRadians(70);
+    private static final double MAX_SLANT = StrictMath.toRadians(70);
 
     /**
      * A sensor and the point of its mounting and the direction in its cone in which a wall beside the robot is nearest.
@@ -61,9 +61,9 @@ final class WallLine {
             double off = QUARTER - sensor.cone().bearing();
             if (Math.abs(off) < sensor.cone().half()) {
                 facing = Ray.of(sensor);
-            } else if (off > LEAST_SLANT && off < GREATEST_SLANT) {
+            } else if (off > MIN_SLANT && off < MAX_SLANT) {
                 ahead = Ray.of(sensor);
-            } else if (-off > LEAST_SLANT && -off < GREATEST_SLANT) {
+            } else if (-off > MIN_SLANT && -off < MAX_SLANT) {
                 behind = Ray.of(sensor);
             }
         }

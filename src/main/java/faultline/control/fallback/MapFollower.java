@@ -81,7 +81,7 @@ public final class MapFollower {
     private double wantedDistance;
     private final LocalMap map = new LocalMap();
     private final Heading heading = new Heading(map);
-    private final ProgressMonitor progress = new ProgressMonitor();
+    private final NoProgressDetector progress = new NoProgressDetector();
     private RobotSpec robot;
     private Gear gear = Gear.FORWARDS;
     private boolean stuck;

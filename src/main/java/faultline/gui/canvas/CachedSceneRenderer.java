@@ -62,17 +62,12 @@ final class CachedSceneRenderer {
         LayerBuffer.View view =
                 new LayerBuffer.View(camera, palette, graphics.getTransform().getScaleX());
         ScenePainter painter = new ScenePainter(layers, LocalizedLabels.create());
-        Set<String> apart = scene.selection().get().size() <= DragGesture.MAX_SEPARATE_PREVIEWS
-                ? scene.selection().get()
-                : Set.of();
-        discardImagesOfOtherWorld(frame.snapshot());
+        Set<String> apart = separatelyPainted(scene.selection().get());
         division = division.of(frame.snapshot().obstacles(), apart);
         Set<String> marked = apart.isEmpty() ? scene.selection().get() : Set.of();
         PathLayer driven = new PathLayer(frame.path(), PathStyle.of(layers));
         Optional<ReferenceOverlay> reference = scene.referenceOverlay().get();
-        if (reference.isEmpty()) {
-            referencePath.clear();
-        }
+        discardObsoleteImages(frame.snapshot(), reference.isPresent());
         updateGround(new GroundLayer(frame.snapshot(), division.ground(), marked, painter), view);
         ground.draw(graphics, camera);
         if (layers.contains(Layer.PATH)) {
@@ -89,17 +84,17 @@ final class CachedSceneRenderer {
                 frame,
                 division.separate(),
                 driven.tailStart(path.shownContent().orElse(null)));
-        division.separate().stream()
-                .filter(scene::isSelected)
-                .forEach(obstacle -> SelectionPainter.paintOutline(context, obstacle));
-        paintHandles(context, scene);
+        paintSelection(context, scene);
         painter.paintOverlays(context, frame.snapshot());
         reference.ifPresent(earlier ->
                 ReferenceOverlayPainter.paintAnnotations(context, earlier, frame.snapshot(), captionCorner, covered));
     }
 
     /** Otherwise the image of the last world would be shown until that of a new, large one is complete. */
-    private void discardImagesOfOtherWorld(Snapshot world) {
+    private void discardObsoleteImages(Snapshot world, boolean hasReference) {
+        if (!hasReference) {
+            referencePath.clear();
+        }
         if (shownWorld != null && (shownWorld.width() != world.width() || shownWorld.height() != world.height())) {
             ground.clear();
             path.clear();
@@ -122,7 +117,15 @@ final class CachedSceneRenderer {
         }
     }
 
-    private static void paintHandles(DrawContext context, CanvasModel scene) {
+    /** Returns the selected obstacles that are not part of the ground: all, or none if there are many. */
+    private static Set<String> separatelyPainted(Set<String> selection) {
+        return selection.size() <= DragGesture.MAX_SEPARATE_PREVIEWS ? selection : Set.of();
+    }
+
+    private void paintSelection(DrawContext context, CanvasModel scene) {
+        division.separate().stream()
+                .filter(scene::isSelected)
+                .forEach(obstacle -> SelectionPainter.paintOutline(context, obstacle));
         scene.singleSelected()
                 .ifPresent(
                         obstacle -> SelectionPainter.paintHandles(context, obstacle, ShapeHandles.positions(obstacle)));

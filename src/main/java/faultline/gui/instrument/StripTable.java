@@ -20,7 +20,7 @@ final class StripTable {
      * @param line the line
      * @param run the run
      */
-    private record Column(String name, ChartLine line, StripData run) {
+    private record LineColumn(String name, ChartLine line, StripData run) {
 
         private boolean isSingle() {
             return run.level().ticksPerBucket() == 1;
@@ -51,12 +51,12 @@ final class StripTable {
     /** Returns the table: the time, then the values of each line, and those of the reference run if there is one. */
     static String format(StripContent content) {
         StripData data = StripData.of(content.frame(), content.span(), Integer.MAX_VALUE / 4);
-        List<Column> columns = new ArrayList<>();
-        content.signal().lines().forEach(line -> columns.add(new Column(line.name(), line, data)));
+        List<LineColumn> columns = new ArrayList<>();
+        content.signal().lines().forEach(line -> columns.add(new LineColumn(line.name(), line, data)));
         content.referenceData(Integer.MAX_VALUE / 4).ifPresent(reference -> content.signal().lines().stream()
                 .filter(reference::contains)
                 .forEach(line -> columns.add(
-                        new Column(Messages.get("signal.reference") + ", " + line.name(), line, reference))));
+                        new LineColumn(Messages.get("signal.reference") + ", " + line.name(), line, reference))));
         StringBuilder out = new StringBuilder("t (s)");
         columns.forEach(
                 column -> out.append(',').append(column.header(content.signal().unit())));

@@ -99,6 +99,12 @@ final class MainPanel extends JPanel {
         add(new ObstaclePalette(actions), BorderLayout.LINE_START);
         add(panelSplit, BorderLayout.CENTER);
         add(statusBar, BorderLayout.SOUTH);
+        addCanvasListeners();
+        canvas.setPalette(Theme.current().palette());
+        RefreshSteps.add(this, MainPanel::scaleToText);
+    }
+
+    private void addCanvasListeners() {
         canvas.tools().addNoteListener(statusBar::showNote);
         canvas.tools()
                 .addSensorListener(sensor ->
@@ -106,8 +112,6 @@ final class MainPanel extends JPanel {
         controlPanel.addSelectionListener(canvas.tools()::selectSensor);
         canvas.addCursorListener(point -> statusBar.showCursor(point.orElse(null)));
         canvas.addCameraListener(camera -> statusBar.showScale(camera.scale()));
-        canvas.setPalette(Theme.current().palette());
-        RefreshSteps.add(this, MainPanel::scaleToText);
     }
 
     /** Changes the sizes between the dividers with the text size. */

@@ -7,7 +7,7 @@ import faultline.control.diagnosis.DeadReckoning;
  * square it has not left that square. This covers turning on the spot, being enclosed, and small laps, around a pole or
  * around nothing.
  */
-final class ProgressMonitor {
+final class NoProgressDetector {
 
     /** The time that counts, as a number of drives across the square. */
     private static final int CROSSINGS = 15;

@@ -6,7 +6,7 @@ import faultline.sensor.Reading;
  * Takes a surface that is very near to a sensor that looks diagonally ahead for one that crosses the path: if the front
  * sensor saw it, the robot would have turned before.
  */
-final class NearTest {
+final class NearSurfaceCheck {
 
     /** A surface this near crosses the path, metres. */
     private static final double NEAR = 0.14;
@@ -20,7 +20,7 @@ final class NearTest {
     /** Claims that differ by less than this from one inspection to the next agree, metres. */
     private static final double STEP = 0.05;
 
-    private NearTest() {}
+    private NearSurfaceCheck() {}
 
     static boolean applies(MountedCone cone) {
         double bearing = Math.abs(cone.bearing());

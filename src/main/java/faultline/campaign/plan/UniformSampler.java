@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentHashMap;
  * Makes the draws of a plan. A number follows from the plan's seed, the name of its stream and the block alone, so that
  * runs can be made in any order and anywhere; all runs of a block have the same draws, which pairs them.
  */
-final class Sampler implements Value.Uniforms {
+final class UniformSampler implements AttributeValue.Uniforms {
 
     private static final long GAMMA = 0x9E3779B97F4A7C15L;
 
@@ -24,7 +24,7 @@ final class Sampler implements Value.Uniforms {
      *     drawn from exactly once
      * @param blocks how many blocks the plan has
      */
-    Sampler(long seed, boolean latin, int blocks) {
+    UniformSampler(long seed, boolean latin, int blocks) {
         this.seed = seed;
         this.latin = latin;
         this.blocks = blocks;

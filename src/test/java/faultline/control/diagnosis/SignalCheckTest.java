@@ -11,14 +11,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class SignalTestTest {
+class SignalCheckTest {
 
     private final SplittableRandom random = new SplittableRandom(1);
 
     private static SensorFinding run(int sensor, int ticks, double rolled, double turned, IntToDoubleFunction reading) {
         Motion motion = new Motion();
-        SignalTest test =
-                new SignalTest(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1), motion);
+        SignalCheck test =
+                new SignalCheck(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1), motion);
         SensorFinding finding = SensorFinding.NONE;
         for (int i = 0; i < ticks; i++) {
             motion.advance(rolled, turned);

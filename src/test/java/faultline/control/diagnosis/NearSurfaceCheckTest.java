@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.sensor.Reading;
 import org.junit.jupiter.api.Test;
 
-class NearTestTest {
+class NearSurfaceCheckTest {
 
     private static final double DIAGONAL = Math.toRadians(45);
     private static final MountedCone CONE = new MountedCone(0.125, 0.1, DIAGONAL, Math.toRadians(10), 0.8);
@@ -15,7 +15,7 @@ class NearTestTest {
         for (double reading : readings) {
             claims.add(0, 0, DIAGONAL, Math.cos(DIAGONAL), Math.sin(DIAGONAL), reading, 0);
         }
-        return NearTest.expectedAhead(CONE, claims, wantedDistance);
+        return NearSurfaceCheck.expectedAhead(CONE, claims, wantedDistance);
     }
 
     @Test

@@ -8,7 +8,7 @@ import faultline.sensor.Reading;
  * surface extends across that edge, and the rate gives its slant: R = h / cos(e - phi), so -dR/ds = cos(phi) / cos(e -
  * phi), where e is the edge's bearing and phi that of the surface's normal.
  */
-final class ApproachTest {
+final class ApproachCheck {
 
     private static final int POINTS = 7;
 
@@ -23,7 +23,7 @@ final class ApproachTest {
     /** Beyond this distance from the path a surface need not extend to it, metres. */
     private static final double BESIDE = 0.33;
 
-    private ApproachTest() {}
+    private ApproachCheck() {}
 
     static boolean applies(MountedCone cone) {
         // Only on the side away from the wall: on the other side the wall itself comes and goes.

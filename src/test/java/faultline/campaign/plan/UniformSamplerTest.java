@@ -8,24 +8,24 @@ import java.util.BitSet;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-class SamplerTest {
+class UniformSamplerTest {
 
     @Test
     void aDrawDependsOnSeedStreamAndBlockAlone() {
-        Sampler sampler = new Sampler(7, false, 10);
+        UniformSampler sampler = new UniformSampler(7, false, 10);
         double third = sampler.uniform("speed", 3);
         sampler.uniform("cone", 1);
         assertEquals(third, sampler.uniform("speed", 3));
-        assertEquals(third, new Sampler(7, false, 99).uniform("speed", 3));
+        assertEquals(third, new UniformSampler(7, false, 99).uniform("speed", 3));
         assertNotEquals(third, sampler.uniform("speed", 4));
         assertNotEquals(third, sampler.uniform("cone", 3));
-        assertNotEquals(third, new Sampler(8, false, 10).uniform("speed", 3));
+        assertNotEquals(third, new UniformSampler(8, false, 10).uniform("speed", 3));
     }
 
     @Test
     void aLatinHypercubeHitsEachOfItsPartsOnce() {
         int blocks = 1000;
-        Sampler sampler = new Sampler(1, true, blocks);
+        UniformSampler sampler = new UniformSampler(1, true, blocks);
         for (String stream : new String[] {"speed", "cone"}) {
             BitSet hit = new BitSet();
             IntStream.range(0, blocks).forEach(block -> hit.set((int) (sampler.uniform(stream, block) * blocks)));
@@ -36,7 +36,7 @@ class SamplerTest {
     @Test
     void twoStreamsOfALatinHypercubeAreUncorrelated() {
         int blocks = 10_000;
-        Sampler sampler = new Sampler(1, true, blocks);
+        UniformSampler sampler = new UniformSampler(1, true, blocks);
         double sum = IntStream.range(0, blocks)
                 .mapToDouble(i -> (sampler.uniform("a", i) - 0.5) * (sampler.uniform("b", i) - 0.5))
                 .sum();

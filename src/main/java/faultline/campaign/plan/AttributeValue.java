@@ -5,16 +5,16 @@ import java.math.BigDecimal;
 import java.util.Optional;
 
 /** The text that an attribute gets in a run: the same in every run, or drawn for each block of runs. */
-sealed interface Value {
+sealed interface AttributeValue {
 
     /** Nothing, as in the columns of a fault in a run without one. */
-    Value NONE = new Fixed("");
+    AttributeValue NONE = new Fixed("");
 
     /** Returns the text for a block of runs, counted from 0, with the draws of the plan. */
     String text(Uniforms numbers, long block);
 
     /** A text that is the same in every run. */
-    record Fixed(String text) implements Value {
+    record Fixed(String text) implements AttributeValue {
         @Override
         public String text(Uniforms numbers, long block) {
             return text;
@@ -27,7 +27,7 @@ sealed interface Value {
      * @param stream names the random numbers: draws of the same stream are equal in all runs of a block
      * @param range what the text is drawn from
      */
-    record Drawn(String stream, DrawRange range) implements Value {
+    record Drawn(String stream, DrawRange range) implements AttributeValue {
         @Override
         public String text(Uniforms numbers, long block) {
             return range.at(numbers.uniform(stream, block));
@@ -35,7 +35,7 @@ sealed interface Value {
     }
 
     /** The sum of two numbers, exact; the first text as it is if either is no number. */
-    record Sum(Value first, Value second) implements Value {
+    record Sum(AttributeValue first, AttributeValue second) implements AttributeValue {
         @Override
         public String text(Uniforms numbers, long block) {
             String text = first.text(numbers, block);

@@ -7,7 +7,7 @@ import faultline.sensor.Reading;
  * The tests that need the readings of one sensor only: whether it answers, whether its reading changes, scatters, or
  * comes and goes.
  */
-final class SignalTest {
+final class SignalCheck {
 
     /** A reading that stays exactly the same over a turn of this angle is stuck, radians. */
     private static final double STUCK_TURN = StrictMath.toRadians(12);
@@ -69,7 +69,7 @@ final class SignalTest {
     /** Whether no spikes, scatter or flips are remembered. */
     private boolean unremarkable;
 
-    SignalTest(MountedCone cone, Motion motion) {
+    SignalCheck(MountedCone cone, Motion motion) {
         this.cone = cone;
         this.motion = motion;
         this.axisCos = StrictMath.cos(cone.bearing());

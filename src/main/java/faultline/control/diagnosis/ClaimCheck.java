@@ -4,7 +4,7 @@ package faultline.control.diagnosis;
  * Tests the claims of a sensor against the map: a surface must lie somewhere on the arc at the reported distance, so
  * not all of that arc can be free.
  */
-final class ClaimTest {
+final class ClaimCheck {
 
     /** No contradiction. */
     static final int POSSIBLE = -1;
@@ -14,7 +14,7 @@ final class ClaimTest {
 
     private final EvidenceGrid grid;
 
-    ClaimTest(EvidenceGrid grid) {
+    ClaimCheck(EvidenceGrid grid) {
         this.grid = grid;
     }
 
