@@ -11,6 +11,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JRootPane;
+import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 
 /**
@@ -33,7 +34,7 @@ public final class ScreenFit {
         dialog.pack();
         if (!GraphicsEnvironment.isHeadless()) {
             Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-            dialog.setSize(limit(dialog.getSize(), screen.getSize()));
+            dialog.setSize(fit(dialog.getSize(), screen.getSize(), new JScrollBar().getPreferredSize().width));
         }
         dialog.validate();
         // Without the borders, whose widths are known only after the window manager has added them.
@@ -80,6 +81,14 @@ public final class ScreenFit {
                 showFocused(field);
             }
         }
+    }
+
+    /**
+     * Limits a size to the screen. What is too high is wider by the vertical scroll bar, so that no other one appears.
+     */
+    static Dimension fit(Dimension size, Dimension screen, int bar) {
+        Dimension limited = limit(size, screen);
+        return limited.height == size.height ? limited : limit(new Dimension(size.width + bar, size.height), screen);
     }
 
     static Dimension limit(Dimension size, Dimension screen) {
