@@ -41,7 +41,6 @@ final class TraceText {
     }
 
     private void append(TraceRows rows, int row) {
-        int repeated = rows.columns();
         starts[0] = length;
         append((long) rows.number(row, 0));
         int unwritten = 1;
