@@ -11,6 +11,7 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.event.MouseAdapter;
+import java.util.List;
 import java.util.function.LongConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
@@ -19,6 +20,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
+import javax.swing.SwingConstants;
 
 /** Says how a run ended, over the canvas, so that nothing moves when it appears. */
 public final class VerdictBanner extends JPanel {
@@ -28,7 +30,8 @@ public final class VerdictBanner extends JPanel {
     private static final GlyphIcon SUCCESS = new GlyphIcon(Glyph.CHECK, 18, colours -> colours.accent());
     private static final GlyphIcon FAILURE = new GlyphIcon(Glyph.WARNING, 18, colours -> colours.warning());
 
-    private final JLabel title = new JLabel();
+    private final JLabel icon = new JLabel();
+    private final JTextArea title = new JTextArea();
     private final JTextArea detail = new JTextArea();
     private final JPanel buttons = new JPanel();
     private final JButton back = UiText.button("verdict.back");
@@ -58,6 +61,8 @@ public final class VerdictBanner extends JPanel {
         texts.setOpaque(false);
         texts.add(title, BorderLayout.NORTH);
         texts.add(detail, BorderLayout.CENTER);
+        icon.setVerticalAlignment(SwingConstants.TOP);
+        add(icon, BorderLayout.LINE_START);
         add(texts, BorderLayout.CENTER);
         add(buttons, BorderLayout.LINE_END);
         // Clicks must not reach the canvas below.
@@ -67,12 +72,15 @@ public final class VerdictBanner extends JPanel {
 
     private void configureTexts() {
         RefreshSteps.add(title, RefreshSteps::embolden);
-        detail.setEditable(false);
-        detail.setFocusable(false);
-        detail.setLineWrap(true);
-        detail.setWrapStyleWord(true);
-        detail.setOpaque(false);
-        detail.setBorder(BorderFactory.createEmptyBorder(2, SUCCESS.size() + title.getIconTextGap(), 0, 0));
+        for (JTextArea text : List.of(title, detail)) {
+            text.setEditable(false);
+            text.setFocusable(false);
+            text.setLineWrap(true);
+            text.setWrapStyleWord(true);
+            text.setOpaque(false);
+            text.setBorder(BorderFactory.createEmptyBorder());
+        }
+        detail.setBorder(BorderFactory.createEmptyBorder(2, 0, 0, 0));
     }
 
     /** Shows a verdict; one that the user has closed stays closed until there is another. */
@@ -87,11 +95,11 @@ public final class VerdictBanner extends JPanel {
         boolean closed = translated && !isVisible();
         verdict = next;
         title.setText(next.title());
-        title.setIcon(next.success() ? SUCCESS : FAILURE);
+        icon.setIcon(next.success() ? SUCCESS : FAILURE);
         detail.setText(next.detail());
         detail.setVisible(!next.detail().isEmpty());
         back.setVisible(next.event() >= 0);
-        wrapDetail();
+        wrapTexts();
         getAccessibleContext().setAccessibleName(next.title() + ". " + next.detail());
         updateBorder();
         setVisible(!closed);
@@ -104,10 +112,13 @@ public final class VerdictBanner extends JPanel {
         setVisible(false);
     }
 
-    /** Gives the text the width that it will have, because its height depends on it. */
-    private void wrapDetail() {
+    /** Gives the texts the width that they will have, because their height depends on it. */
+    private void wrapTexts() {
         int room = getParent() == null ? 0 : getParent().getWidth();
-        detail.setSize(Math.max(MIN_WIDTH, room - buttons.getPreferredSize().width - 4 * GAP), Short.MAX_VALUE);
+        int others = icon.getPreferredSize().width + buttons.getPreferredSize().width;
+        int width = Math.max(MIN_WIDTH, room - others - 5 * GAP);
+        title.setSize(width, Short.MAX_VALUE);
+        detail.setSize(width, Short.MAX_VALUE);
     }
 
     private void updateBorder() {

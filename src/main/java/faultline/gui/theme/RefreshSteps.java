@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.UIManager;
 
@@ -44,9 +43,9 @@ public final class RefreshSteps {
         }
     }
 
-    /** Gives a label a bold font; a step for {@link #add}, because the font follows the text size. */
-    public static void embolden(JLabel label) {
-        label.setFont(UIManager.getFont("Label.font").deriveFont(Font.BOLD));
+    /** Gives a component a bold font; a step for {@link #add}, because the font follows the text size. */
+    public static void embolden(JComponent component) {
+        component.setFont(UIManager.getFont("Label.font").deriveFont(Font.BOLD));
     }
 
     /** Returns the components of a container, or those of the popup of a menu. */
