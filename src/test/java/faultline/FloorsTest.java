@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Checks the layers and the size of the sources, decision 0001, and shows on seeded violations that each rule can fail.
@@ -76,6 +77,43 @@ class FloorsTest {
                 sources().stream().collect(Collectors.groupingBy(Path::getParent, Collectors.counting()));
         sizes.values().removeIf(size -> size <= MAX_FILES_PER_PACKAGE);
         assertEquals(Map.of(), sizes);
+    }
+
+    @Test
+    void everySimpleNameIsThatOfOneType() throws IOException {
+        Map<String, Long> types = typeNames().collect(Collectors.groupingBy(name -> name, Collectors.counting()));
+        assertTrue(types.size() > 800, "few types are where this test looks: " + types.size());
+        types.values().removeIf(count -> count == 1);
+        assertEquals(Map.of(), types);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"java.lang", "java.util", "java.util.function", "java.io", "java.nio.file"})
+    void noTypeHidesOneOfTheJdkInDailyUse(String packageName) throws IOException {
+        List<String> hidden =
+                typeNames().filter(name -> exists(packageName + "." + name)).toList();
+        assertEquals(List.of(), hidden);
+    }
+
+    /** Returns the simple names of all types that have one, also nested ones. */
+    private static Stream<String> typeNames() throws IOException {
+        try (Stream<Path> files = Files.walk(PackageGraph.compiledClasses())) {
+            return files
+                    .map(file -> file.getFileName().toString())
+                    .filter(name -> name.endsWith(".class") && !name.matches(".*\\$\\d.*|.*-info.class"))
+                    .map(name -> name.replaceFirst("\\.class$", "").replaceFirst(".*\\$", ""))
+                    .toList()
+                    .stream();
+        }
+    }
+
+    private static boolean exists(String type) {
+        try {
+            Class.forName(type, false, FloorsTest.class.getClassLoader());
+            return true;
+        } catch (ClassNotFoundException none) {
+            return false;
+        }
     }
 
     @Test

@@ -64,8 +64,8 @@ final class BenchmarkRooms {
         SplittableRandom random = new SplittableRandom(SEED);
         List<Obstacle> obstacles = new ArrayList<>();
         while (obstacles.size() < count) {
-            ObstacleShape.Rectangle shape =
-                    new ObstacleShape.Rectangle(random.nextDouble(0.1, 0.5), random.nextDouble(0.1, 0.5));
+            ObstacleShape.RectangleShape shape =
+                    new ObstacleShape.RectangleShape(random.nextDouble(0.1, 0.5), random.nextDouble(0.1, 0.5));
             Pose pose = new Pose(random.nextDouble(side), random.nextDouble(side), random.nextDouble(2 * Math.PI));
             double reach = Math.hypot(shape.width(), shape.height()) / 2;
             if (pose.position().distanceTo(middle) > CLEARING + reach) {

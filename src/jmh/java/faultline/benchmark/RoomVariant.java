@@ -20,9 +20,10 @@ import java.util.function.UnaryOperator;
 /** Rooms that differ from those of {@link BenchmarkRooms} in one respect each. */
 public enum RoomVariant {
     /** 10 000 circles. */
-    CIRCLES(() -> withShapes(10_000, shape -> new ObstacleShape.Circle(Math.min(shape.width(), shape.height()) / 2))),
+    CIRCLES(() ->
+            withShapes(10_000, shape -> new ObstacleShape.CircleShape(Math.min(shape.width(), shape.height()) / 2))),
     /** 10 000 ellipses. */
-    ELLIPSES(() -> withShapes(10_000, shape -> new ObstacleShape.Ellipse(shape.width() / 2, shape.height() / 2))),
+    ELLIPSES(() -> withShapes(10_000, shape -> new ObstacleShape.EllipseShape(shape.width() / 2, shape.height() / 2))),
     /** 10 000 polygons of five corners. */
     POLYGONS(() -> withShapes(10_000, RoomVariant::pentagon)),
     /** 400 segments that are sensed up to 20 degrees from the normal only. */
@@ -64,16 +65,16 @@ public enum RoomVariant {
                 world.obstacles().stream().map(change).toList()));
     }
 
-    private static SimulationSetup withShapes(int count, Function<ObstacleShape.Rectangle, ObstacleShape> shape) {
+    private static SimulationSetup withShapes(int count, Function<ObstacleShape.RectangleShape, ObstacleShape> shape) {
         return withObstacles(
                 EDGES * (count + 1),
-                obstacle -> obstacle.withShape(shape.apply((ObstacleShape.Rectangle) obstacle.shape())));
+                obstacle -> obstacle.withShape(shape.apply((ObstacleShape.RectangleShape) obstacle.shape())));
     }
 
-    private static ObstacleShape pentagon(ObstacleShape.Rectangle shape) {
+    private static ObstacleShape pentagon(ObstacleShape.RectangleShape shape) {
         double x = shape.width() / 2;
         double y = shape.height() / 2;
-        return new ObstacleShape.Polygon(List.of(
+        return new ObstacleShape.PolygonShape(List.of(
                 new Vector2(x, 0),
                 new Vector2(0, y),
                 new Vector2(-x, 0),
@@ -112,7 +113,7 @@ public enum RoomVariant {
             } while (place.distanceTo(middle) < 2.5);
             WaypointPath path = new WaypointPath(0.2, true, List.of(place, place.plus(new Vector2(1, 0))));
             obstacles.add(
-                    new Obstacle("m" + i, new ObstacleShape.Circle(0.1), new Pose(place.x(), place.y(), 0), path));
+                    new Obstacle("m" + i, new ObstacleShape.CircleShape(0.1), new Pose(place.x(), place.y(), 0), path));
         }
         return setup.withWorld(new WorldSpec(side, side, true, count, obstacles));
     }

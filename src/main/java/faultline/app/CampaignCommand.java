@@ -51,7 +51,7 @@ final class CampaignCommand {
         Runtime.getRuntime().addShutdownHook(hook);
         TerminalProgress progress = TerminalProgress.on(output.err());
         try {
-            CampaignRunner.Result result = runner.run(resume, progress::update, cancelled::get);
+            CampaignRunner.RunCounts result = runner.run(resume, progress::update, cancelled::get);
             progress.end();
             return report(result, folder);
         } finally {
@@ -78,7 +78,7 @@ final class CampaignCommand {
         }
     }
 
-    private int report(CampaignRunner.Result result, Path folder) {
+    private int report(CampaignRunner.RunCounts result, Path folder) {
         if (!result.isComplete()) {
             output.printError("faultline: stopped after " + result.made() + " of " + result.runs()
                     + " runs; --resume makes the rest");

@@ -148,14 +148,14 @@ final class CompareCommand {
             ControllerOptions options,
             Path replayFile,
             Map<Path, Scenario> replays) {
-        List<ControllerRuns.Run> runs = new ArrayList<>();
+        List<ControllerRuns.ComparedRun> runs = new ArrayList<>();
         List<ControllerRuns.Broken> broken = new ArrayList<>();
         for (int i = 0; i < seeds; i++) {
             SimulationSetup setup = scenario.setup().withSeed(scenario.setup().seed() + i);
             Ending ending = new Ending();
             try {
                 RunResult result = runOnce(choice, scenario.name(), setup, options, ending);
-                runs.add(new ControllerRuns.Run(result, ending.path));
+                runs.add(new ControllerRuns.ComparedRun(result, ending.path));
                 replays.putIfAbsent(replayFile, JournalScenario.create(scenario, ending.journal));
             } catch (ControllerStartException e) {
                 throw e;

@@ -46,12 +46,12 @@ final class RunCommand {
     }
 
     /** Something that runs a scenario. */
-    interface Run {
+    interface ScenarioRunner {
         RunResult make() throws IOException;
     }
 
     /** Runs a scenario; if only its result cannot be computed, the outputs are completed before the failure. */
-    static RunResult keepOutputs(Scenario scenario, RunOutputs outputs, Run run) throws IOException {
+    static RunResult keepOutputs(Scenario scenario, RunOutputs outputs, ScenarioRunner run) throws IOException {
         try {
             return run.make();
         } catch (HeadlessRun.ResultFailedException e) {

@@ -94,7 +94,7 @@ public record RandomRoom(WorldSpec world, Pose start) {
         return new RoomPlan.Item(
                 new Obstacle(
                         id,
-                        new ObstacleShape.Rectangle(width, depth),
+                        new ObstacleShape.RectangleShape(width, depth),
                         new Pose(at.x(), at.y(), heading),
                         WaypointPath.NONE),
                 outline(at, heading, width, depth),
@@ -125,7 +125,7 @@ public record RandomRoom(WorldSpec world, Pose start) {
                     .plus(plan.along(wall).perpendicular().times(radius));
         }
         return new RoomPlan.Item(
-                new Obstacle(id, new ObstacleShape.Circle(radius), new Pose(at.x(), at.y(), 0), WaypointPath.NONE),
+                new Obstacle(id, new ObstacleShape.CircleShape(radius), new Pose(at.x(), at.y(), 0), WaypointPath.NONE),
                 List.of(at),
                 radius,
                 wall);

@@ -55,8 +55,8 @@ final class RandomVisitors {
                 WaypointPath path = new WaypointPath(speed, true, List.of(line.b(), line.a()));
                 Pose pose = new Pose(line.ax(), line.ay(), 0);
                 lines.add(line);
-                visitors.add(
-                        new Obstacle("visitor-" + (visitors.size() + 1), new ObstacleShape.Circle(radius), pose, path));
+                visitors.add(new Obstacle(
+                        "visitor-" + (visitors.size() + 1), new ObstacleShape.CircleShape(radius), pose, path));
             }
         }
         return visitors;

@@ -130,7 +130,7 @@ final class RoomPlan {
         List<Obstacle> obstacles = new ArrayList<>();
         List<Vector2> closed = new ArrayList<>(ring);
         closed.add(ring.get(0));
-        obstacles.add(new Obstacle("walls", new ObstacleShape.Wall(closed), new Pose(0, 0, 0)));
+        obstacles.add(new Obstacle("walls", new ObstacleShape.WallShape(closed), new Pose(0, 0, 0)));
         items.forEach(item -> obstacles.add(item.obstacle()));
         return obstacles;
     }

@@ -14,14 +14,14 @@ public interface ControllerSource {
      * @param duration how long the run lasts, seconds
      * @param robot as built
      */
-    record Run(long seed, double dt, long periodTicks, double duration, RobotSpec robot) {}
+    record RunConditions(long seed, double dt, long periodTicks, double duration, RobotSpec robot) {}
 
     /**
      * {@return a controller for a run} One that is {@link AutoCloseable} is closed with the run.
      *
      * @param run what it is started for
      */
-    Controller start(Run run);
+    Controller start(RunConditions run);
 
     /**
      * {@return whether its controllers end a run themselves if no decision comes} Others are called on a thread of

@@ -33,8 +33,8 @@ public final class ControllerFactory {
         ControllerSpec spec = setup.controller();
         if (spec instanceof ControllerSpec.Chosen chosen) {
             long periodTicks = PeriodicController.ticksPerPeriod(spec.period(), setup.dt());
-            ControllerSource.Run run =
-                    new ControllerSource.Run(setup.seed(), setup.dt(), periodTicks, setup.duration(), setup.robot());
+            ControllerSource.RunConditions run = new ControllerSource.RunConditions(
+                    setup.seed(), setup.dt(), periodTicks, setup.duration(), setup.robot());
             return new PeriodicController(chosen.source().start(run), spec.period());
         }
         return create(spec);

@@ -58,7 +58,7 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
      * @throws RunFailedException if it cannot be started or does not become ready, in one sentence
      */
     @Override
-    public Controller start(Run run) {
+    public Controller start(RunConditions run) {
         RunDescription description = new RunDescription(
                 terms.program(),
                 terms.scenario(),

@@ -15,7 +15,7 @@ import java.util.Map;
 record ProviderSource(ControllerProvider provider, Map<String, String> settings) implements ControllerSource {
 
     @Override
-    public Controller start(Run run) {
+    public Controller start(RunConditions run) {
         return ControllerProviders.create(provider, settings);
     }
 

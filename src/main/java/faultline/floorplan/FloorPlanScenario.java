@@ -63,7 +63,7 @@ public final class FloorPlanScenario {
         Pose frame = frame(plan);
         List<Obstacle> obstacles = plan.rings().isEmpty()
                 ? List.of()
-                : List.of(new Obstacle(PLAN_ID, new ObstacleShape.Plan(rings(plan)), frame));
+                : List.of(new Obstacle(PLAN_ID, new ObstacleShape.PlanShape(rings(plan)), frame));
         Vector2 size = size(plan);
         WorldSpec world = new WorldSpec(size.x(), size.y(), true, WorldSpec.DEFAULT_MAX_MOVING, obstacles);
         SimulationSetup setup = SimulationSetup.of(world, start).withDuration(DURATION);

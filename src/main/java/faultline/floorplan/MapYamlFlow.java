@@ -14,7 +14,7 @@ final class MapYamlFlow {
      * @param text the entry without blanks around it
      * @param index of its first character in the mapping
      */
-    record Part(String text, int index) {}
+    record FlowEntry(String text, int index) {}
 
     /** Returns whether a line begins a mapping in braces, or a list in brackets behind its key. */
     static boolean begins(String line) {
@@ -33,8 +33,8 @@ final class MapYamlFlow {
     }
 
     /** Returns the entries of a text that begins and ends with a brace. */
-    static List<Part> parts(String text) {
-        List<Part> parts = new ArrayList<>();
+    static List<FlowEntry> parts(String text) {
+        List<FlowEntry> parts = new ArrayList<>();
         int end = text.lastIndexOf('}');
         int begin = text.indexOf('{') + 1;
         int depth = 0;
@@ -49,13 +49,13 @@ final class MapYamlFlow {
         return parts;
     }
 
-    private static void addPart(String text, int from, int end, List<Part> parts) {
+    private static void addPart(String text, int from, int end, List<FlowEntry> parts) {
         int begin = from;
         while (begin < end && Character.isWhitespace(text.charAt(begin))) {
             begin++;
         }
         if (begin < end) {
-            parts.add(new Part(text.substring(begin, end).strip(), begin));
+            parts.add(new FlowEntry(text.substring(begin, end).strip(), begin));
         }
     }
 

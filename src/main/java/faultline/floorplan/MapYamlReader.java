@@ -30,14 +30,14 @@ final class MapYamlReader {
             List.of("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode");
 
     /** A value and the place that it was read from. */
-    private record Entry(int line, int column, List<String> values) {
+    private record YamlEntry(int line, int column, List<String> values) {
         String text() {
             return String.join(", ", values);
         }
     }
 
     private final Path file;
-    private final Map<String, Entry> entries = new LinkedHashMap<>();
+    private final Map<String, YamlEntry> entries = new LinkedHashMap<>();
 
     private MapYamlReader(Path file) {
         this.file = file;
@@ -112,7 +112,7 @@ final class MapYamlReader {
         int line = lineNumber;
         int lineBegin = 0;
         int at = 0;
-        for (MapYamlFlow.Part part : MapYamlFlow.parts(text)) {
+        for (MapYamlFlow.FlowEntry part : MapYamlFlow.parts(text)) {
             for (; at < part.index(); at++) {
                 if (text.charAt(at) == '\n') {
                     line++;
@@ -137,7 +137,7 @@ final class MapYamlReader {
         if (entries.containsKey(key)) {
             throw problem(lineNumber, firstColumn, MessageText.quoted(key) + " is given twice; expected once");
         }
-        entries.put(key, new Entry(lineNumber, column, splitValue(value)));
+        entries.put(key, new YamlEntry(lineNumber, column, splitValue(value)));
         return key;
     }
 
@@ -277,7 +277,7 @@ final class MapYamlReader {
     }
 
     private FloorPlanException wrong(String key, String allowed) {
-        Entry entry = entries.get(key);
+        YamlEntry entry = entries.get(key);
         return problem(
                 entry.line(),
                 entry.column(),

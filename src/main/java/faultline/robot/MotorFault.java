@@ -4,7 +4,7 @@ package faultline.robot;
  * A way in which the motors of a side fail. A fault changes the voltage that reaches them, after the supply has limited
  * it; the faults of one side act in the order in which they were added.
  */
-public sealed interface MotorFault permits MotorFault.Weak, MotorFault.Dead, MotorFault.DeadBand {
+public sealed interface MotorFault permits MotorFault.Weak, MotorFault.NoDrive, MotorFault.DeadBand {
 
     /**
      * {@return the voltage that has an effect}
@@ -39,7 +39,7 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.Dead, Mot
     }
 
     /** No voltage has an effect, so the wheels stop: file kind {@code dead}. */
-    record Dead() implements MotorFault {
+    record NoDrive() implements MotorFault {
         @Override
         public double apply(double volts) {
             return 0;

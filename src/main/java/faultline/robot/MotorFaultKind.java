@@ -13,7 +13,7 @@ public enum MotorFaultKind implements FaultDescriptor<MotorFault> {
     WEAK("", 0, 1, 0.7, MotorFault.Weak::new),
 
     /** No voltage has an effect; no number. */
-    DEAD("", 0, 0, 0, value -> new MotorFault.Dead()),
+    DEAD("", 0, 0, 0, value -> new MotorFault.NoDrive()),
 
     /** Small voltages have no effect; the number is the greatest of them. */
     DEAD_BAND("V", 0, 10_000, 0.5, MotorFault.DeadBand::new);

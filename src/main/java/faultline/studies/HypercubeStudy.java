@@ -33,7 +33,7 @@ final class HypercubeStudy implements Figure {
             wall. Dotted: measured as by theory.""";
 
     /** The quantities, in the order of the columns. */
-    private enum Quantity {
+    private enum VariedQuantity {
         DISTANCE(0.1, 0.45),
         RANGE(0.7, 1.5),
         CONE(4, 50),
@@ -45,7 +45,7 @@ final class HypercubeStudy implements Figure {
         private final double low;
         private final double high;
 
-        Quantity(double low, double high) {
+        VariedQuantity(double low, double high) {
             this.low = low;
             this.high = high;
         }
@@ -88,8 +88,8 @@ final class HypercubeStudy implements Figure {
     /** Returns the values of all quantities for each trial. */
     private static double[][] design() {
         SplittableRandom random = new SplittableRandom(SEED);
-        double[][] design = new double[TRIALS][Quantity.values().length];
-        for (Quantity quantity : Quantity.values()) {
+        double[][] design = new double[TRIALS][VariedQuantity.values().length];
+        for (VariedQuantity quantity : VariedQuantity.values()) {
             int[] order = permutation(random);
             for (int i = 0; i < TRIALS; i++) {
                 double share = (order[i] + random.nextDouble()) / TRIALS;

@@ -76,7 +76,8 @@ final class ThinObjects implements Figure {
         Obstacle pole = SetupVariations.findObstacle(BASE, "pole");
         Pose place = new Pose(pole.pose().x(), AlignmentTrial.WALL_Y - away - diameter / 2, 0);
         SimulationSetup varied = SetupVariations.with(
-                BASE, pole.withShape(new ObstacleShape.Circle(diameter / 2)).withPose(place));
+                BASE,
+                pole.withShape(new ObstacleShape.CircleShape(diameter / 2)).withPose(place));
         RobotSpec robot = SetupVariations.withSensors(BASE.robot(), sensor -> sensor.withCone(Degrees.toRadians(cone)));
         return HeadlessRun.run(varied.withRobot(robot), ControllerMode.DIRECT, List.of());
     }

@@ -29,7 +29,7 @@ final class WallScenes {
         List<Vector2> points = List.of(new Vector2(WALL_Y - WALL_LENGTH, WALL_Y), new Vector2(WALL_Y + ahead, WALL_Y));
         return SetupVariations.with(
                 endless(base, distance, variant),
-                SetupVariations.findObstacle(base, "wall").withShape(new ObstacleShape.Wall(points)));
+                SetupVariations.findObstacle(base, "wall").withShape(new ObstacleShape.WallShape(points)));
     }
 
     /**
@@ -45,7 +45,7 @@ final class WallScenes {
         Vector2 start =
                 corner.plus(alongFirst.times(START_OFFSET + 0.0213 * variant)).plus(inward.times(distance + 0.3));
         SimulationSetup bent = SetupVariations.with(
-                base, SetupVariations.findObstacle(base, "corner").withShape(new ObstacleShape.Wall(points)));
+                base, SetupVariations.findObstacle(base, "corner").withShape(new ObstacleShape.WallShape(points)));
         return bent.withStart(new Pose(start.x(), start.y(), inward.angle() + StrictMath.PI + Degrees.toRadians(2)));
     }
 }

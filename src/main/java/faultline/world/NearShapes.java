@@ -14,7 +14,7 @@ import java.util.Comparator;
 final class NearShapes {
 
     /** A shape with the numbers that a reading needs. */
-    private static final class Entry {
+    private static final class NearShape {
         private double lowerBound;
         private ConvexShape shape;
         private double tangent;
@@ -39,9 +39,9 @@ final class NearShapes {
         }
     }
 
-    private static final Comparator<Entry> BY_LOWER_BOUND = Comparator.comparingDouble(entry -> entry.lowerBound);
+    private static final Comparator<NearShape> BY_LOWER_BOUND = Comparator.comparingDouble(entry -> entry.lowerBound);
 
-    private Entry[] entries = new Entry[0];
+    private NearShape[] entries = new NearShape[0];
     private int size;
 
     void clear() {
@@ -63,7 +63,7 @@ final class NearShapes {
         if (size == entries.length) {
             entries = Arrays.copyOf(entries, 2 * size + 4);
             for (int i = size; i < entries.length; i++) {
-                entries[i] = new Entry();
+                entries[i] = new NearShape();
             }
         }
         entries[size++].set(shape, tangent, lowerBound);
@@ -80,7 +80,7 @@ final class NearShapes {
     double nearest(SectorDistance sector) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < size && entries[i].lowerBound < least; i++) {
-            Entry entry = entries[i];
+            NearShape entry = entries[i];
             least = Math.min(
                     least,
                     entry.mattSegment

@@ -68,35 +68,35 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
 
     /** Returns the parts of a shape in a frame; of segments, only those near a point of the shape's own frame. */
     private record Placement(RigidMotion frame, Vector2 centre, double reach)
-            implements ObstacleShape.Visitor<List<ConvexShape>> {
+            implements ObstacleShape.ShapeVisitor<List<ConvexShape>> {
 
         @Override
-        public List<ConvexShape> visit(ObstacleShape.Rectangle shape) {
+        public List<ConvexShape> visit(ObstacleShape.RectangleShape shape) {
             return segments(shape.corners(), true);
         }
 
         @Override
-        public List<ConvexShape> visit(ObstacleShape.Circle shape) {
+        public List<ConvexShape> visit(ObstacleShape.CircleShape shape) {
             return List.of(new Disc(frame.x(), frame.y(), shape.radius()));
         }
 
         @Override
-        public List<ConvexShape> visit(ObstacleShape.Ellipse shape) {
+        public List<ConvexShape> visit(ObstacleShape.EllipseShape shape) {
             return List.of(new Ellipse(frame, shape.rx(), shape.ry()));
         }
 
         @Override
-        public List<ConvexShape> visit(ObstacleShape.Polygon shape) {
+        public List<ConvexShape> visit(ObstacleShape.PolygonShape shape) {
             return segments(shape.points(), true);
         }
 
         @Override
-        public List<ConvexShape> visit(ObstacleShape.Wall shape) {
+        public List<ConvexShape> visit(ObstacleShape.WallShape shape) {
             return segments(shape.points(), false);
         }
 
         @Override
-        public List<ConvexShape> visit(ObstacleShape.Plan shape) {
+        public List<ConvexShape> visit(ObstacleShape.PlanShape shape) {
             List<ConvexShape> segments = new ArrayList<>();
             shape.rings().forEach(ring -> addSegments(ring, true, segments));
             return segments;

@@ -5,7 +5,7 @@ import java.util.List;
 
 /**
  * The shape of an obstacle in its own frame. All shapes except the wall are solid. Code that depends on the kind of
- * shape implements {@link Visitor}, so that a new shape does not compile until it is handled everywhere.
+ * shape implements {@link ShapeVisitor}, so that a new shape does not compile until it is handled everywhere.
  */
 public sealed interface ObstacleShape {
 
@@ -15,7 +15,7 @@ public sealed interface ObstacleShape {
      * @param <R> the type of the result
      * @param visitor the visitor
      */
-    <R> R accept(Visitor<R> visitor);
+    <R> R accept(ShapeVisitor<R> visitor);
 
     /**
      * {@return whether a point of the obstacle's frame is inside; a point on the outline may give either result}
@@ -37,48 +37,48 @@ public sealed interface ObstacleShape {
      *
      * @param <R> the result type
      */
-    interface Visitor<R> {
+    interface ShapeVisitor<R> {
         /**
-         * {@return the result for a {@link Rectangle}}
+         * {@return the result for a {@link RectangleShape}}
          *
          * @param shape the shape to visit
          */
-        R visit(Rectangle shape);
+        R visit(RectangleShape shape);
 
         /**
-         * {@return the result for a {@link Circle}}
+         * {@return the result for a {@link CircleShape}}
          *
          * @param shape the shape to visit
          */
-        R visit(Circle shape);
+        R visit(CircleShape shape);
 
         /**
-         * {@return the result for a {@link Ellipse}}
+         * {@return the result for a {@link EllipseShape}}
          *
          * @param shape the shape to visit
          */
-        R visit(Ellipse shape);
+        R visit(EllipseShape shape);
 
         /**
-         * {@return the result for a {@link Polygon}}
+         * {@return the result for a {@link PolygonShape}}
          *
          * @param shape the shape to visit
          */
-        R visit(Polygon shape);
+        R visit(PolygonShape shape);
 
         /**
-         * {@return the result for a {@link Wall}}
+         * {@return the result for a {@link WallShape}}
          *
          * @param shape the shape to visit
          */
-        R visit(Wall shape);
+        R visit(WallShape shape);
 
         /**
-         * {@return the result for a {@link Plan}}
+         * {@return the result for a {@link PlanShape}}
          *
          * @param shape the shape to visit
          */
-        R visit(Plan shape);
+        R visit(PlanShape shape);
     }
 
     /**
@@ -87,7 +87,7 @@ public sealed interface ObstacleShape {
      * @param width along x, metres, positive
      * @param height along y, metres, positive
      */
-    record Rectangle(double width, double height) implements ObstacleShape {
+    record RectangleShape(double width, double height) implements ObstacleShape {
         /**
          * Creates a rectangle.
          *
@@ -95,13 +95,13 @@ public sealed interface ObstacleShape {
          * @param height along y, metres, positive
          * @throws IllegalArgumentException if a side is not positive and finite
          */
-        public Rectangle {
+        public RectangleShape {
             requirePositive("width", width);
             requirePositive("height", height);
         }
 
         @Override
-        public <R> R accept(Visitor<R> visitor) {
+        public <R> R accept(ShapeVisitor<R> visitor) {
             return visitor.visit(this);
         }
 
@@ -128,19 +128,19 @@ public sealed interface ObstacleShape {
      *
      * @param radius metres, positive
      */
-    record Circle(double radius) implements ObstacleShape {
+    record CircleShape(double radius) implements ObstacleShape {
         /**
          * Creates a circle.
          *
          * @param radius metres, positive
          * @throws IllegalArgumentException if the radius is not positive and finite
          */
-        public Circle {
+        public CircleShape {
             requirePositive("radius", radius);
         }
 
         @Override
-        public <R> R accept(Visitor<R> visitor) {
+        public <R> R accept(ShapeVisitor<R> visitor) {
             return visitor.visit(this);
         }
 
@@ -166,7 +166,7 @@ public sealed interface ObstacleShape {
      * @param rx half axis along x, metres, positive
      * @param ry half axis along y, metres, positive
      */
-    record Ellipse(double rx, double ry) implements ObstacleShape {
+    record EllipseShape(double rx, double ry) implements ObstacleShape {
         /**
          * Creates an ellipse.
          *
@@ -174,13 +174,13 @@ public sealed interface ObstacleShape {
          * @param ry half axis along y, metres, positive
          * @throws IllegalArgumentException if a half axis is not positive and finite
          */
-        public Ellipse {
+        public EllipseShape {
             requirePositive("rx", rx);
             requirePositive("ry", ry);
         }
 
         @Override
-        public <R> R accept(Visitor<R> visitor) {
+        public <R> R accept(ShapeVisitor<R> visitor) {
             return visitor.visit(this);
         }
 
@@ -205,19 +205,19 @@ public sealed interface ObstacleShape {
      *
      * @param points at least three, in order; the last is connected to the first
      */
-    record Polygon(List<Vector2> points) implements ObstacleShape {
+    record PolygonShape(List<Vector2> points) implements ObstacleShape {
         /**
          * Creates a polygon.
          *
          * @param points at least three, in order; the last is connected to the first
          * @throws IllegalArgumentException if there are fewer than three points, or one is not finite
          */
-        public Polygon {
+        public PolygonShape {
             points = requirePoints("polygon", points, 3);
         }
 
         @Override
-        public <R> R accept(Visitor<R> visitor) {
+        public <R> R accept(ShapeVisitor<R> visitor) {
             return visitor.visit(this);
         }
 
@@ -237,19 +237,19 @@ public sealed interface ObstacleShape {
      *
      * @param points at least two, in order
      */
-    record Wall(List<Vector2> points) implements ObstacleShape {
+    record WallShape(List<Vector2> points) implements ObstacleShape {
         /**
          * Creates a wall.
          *
          * @param points at least two, in order
          * @throws IllegalArgumentException if there are fewer than two points, or one is not finite
          */
-        public Wall {
+        public WallShape {
             points = requirePoints("wall", points, 2);
         }
 
         @Override
-        public <R> R accept(Visitor<R> visitor) {
+        public <R> R accept(ShapeVisitor<R> visitor) {
             return visitor.visit(this);
         }
 
@@ -270,7 +270,7 @@ public sealed interface ObstacleShape {
      *
      * @param rings at least one; each has at least three points, in order, and its last point is connected to the first
      */
-    record Plan(List<List<Vector2>> rings) implements ObstacleShape {
+    record PlanShape(List<List<Vector2>> rings) implements ObstacleShape {
         /**
          * Creates a floor plan.
          *
@@ -279,7 +279,7 @@ public sealed interface ObstacleShape {
          * @throws IllegalArgumentException if there is no ring, a ring has fewer than three points, or a point is not
          *     finite
          */
-        public Plan {
+        public PlanShape {
             if (rings.isEmpty()) {
                 throw new IllegalArgumentException("a plan needs at least one ring");
             }
@@ -287,7 +287,7 @@ public sealed interface ObstacleShape {
         }
 
         @Override
-        public <R> R accept(Visitor<R> visitor) {
+        public <R> R accept(ShapeVisitor<R> visitor) {
             return visitor.visit(this);
         }
 

@@ -35,7 +35,7 @@ class RandomRoomTest {
 
     private static List<Vector2> ring(RandomRoom room) {
         List<Vector2> points =
-                ((ObstacleShape.Wall) room.world().obstacles().get(0).shape()).points();
+                ((ObstacleShape.WallShape) room.world().obstacles().get(0).shape()).points();
         return points.subList(0, points.size() - 1);
     }
 
@@ -177,14 +177,14 @@ class RandomRoomTest {
 
     private static List<Vector2> corners(Obstacle obstacle) {
         List<Vector2> corners = new ArrayList<>();
-        if (obstacle.shape() instanceof ObstacleShape.Wall wall) {
+        if (obstacle.shape() instanceof ObstacleShape.WallShape wall) {
             corners.addAll(wall.points().subList(0, wall.points().size() - 1));
-        } else if (obstacle.shape() instanceof ObstacleShape.Rectangle box) {
+        } else if (obstacle.shape() instanceof ObstacleShape.RectangleShape box) {
             for (int[] sign : new int[][] {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
                 corners.add(new Vector2(sign[0] * box.width() / 2, sign[1] * box.height() / 2));
             }
         } else {
-            double radius = ((ObstacleShape.Circle) obstacle.shape()).radius();
+            double radius = ((ObstacleShape.CircleShape) obstacle.shape()).radius();
             for (int i = 0; i < 16; i++) {
                 corners.add(Vector2.direction(i * Math.PI / 8).times(radius));
             }
@@ -255,11 +255,11 @@ class RandomRoomTest {
         assertNotEquals(with, RandomRoom.ofSeed(740_002, SHARP_AND_VISITED));
     }
 
-    /** The rooms of campaigns that were made before there were rules. */
+    /** The rooms of campaigns that were made before there were rules, when the shapes had shorter names. */
     @Test
     void roomsByTheDefaultRulesStayTheSame() {
         RandomRoom room = RandomRoom.ofSeed(7);
-        assertEquals(HASH_OF_ROOM_7, room.toString().hashCode());
+        assertEquals(HASH_OF_ROOM_7, room.toString().replace("Shape[", "[").hashCode());
     }
 
     private static final int HASH_OF_ROOM_7 = -1_247_155_165;

@@ -200,8 +200,8 @@ class DeterminismTest {
                 true,
                 3,
                 List.of(
-                        new Obstacle("desk", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(2, 1.5, 0.4)),
-                        new Obstacle("visitor", new ObstacleShape.Circle(0.15), new Pose(2.5, 2.2, 0), walk)));
+                        new Obstacle("desk", new ObstacleShape.RectangleShape(0.6, 0.4), new Pose(2, 1.5, 0.4)),
+                        new Obstacle("visitor", new ObstacleShape.CircleShape(0.15), new Pose(2.5, 2.2, 0), walk)));
         List<SimulationSetup.TimedCommand> timeline = List.of(
                 new SimulationSetup.TimedCommand(5, new Command.InjectFault("left", new Fault.Dropout(0.1))),
                 new SimulationSetup.TimedCommand(10, new Command.ClearFaults("left")),

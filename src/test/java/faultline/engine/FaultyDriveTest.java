@@ -92,7 +92,7 @@ class FaultyDriveTest {
                 RobotSpec.DEFAULT.withMotor(new MotorSpec(0.1, 0.1, 6)),
                 3,
                 3,
-                breaking(2, MotorSide.LEFT, new MotorFault.Dead()));
+                breaking(2, MotorSide.LEFT, new MotorFault.NoDrive()));
         runTo(simulation, 2.1);
         assertEquals(
                 0.3 * Math.exp(-(0.1 + 0.01) / 0.1), simulation.wheelSpeeds().left(), 0.3 * 0.02);

@@ -98,12 +98,12 @@ final class RandomWorlds {
     /** A shape of any kind, from a millimetre to two metres. */
     ObstacleShape randomShape() {
         return switch (random.nextInt(5)) {
-            case 0 -> new ObstacleShape.Rectangle(randomLength(), randomLength());
-            case 1 -> new ObstacleShape.Circle(randomLength());
-            case 2 -> new ObstacleShape.Ellipse(randomLength(), randomLength());
+            case 0 -> new ObstacleShape.RectangleShape(randomLength(), randomLength());
+            case 1 -> new ObstacleShape.CircleShape(randomLength());
+            case 2 -> new ObstacleShape.EllipseShape(randomLength(), randomLength());
             case 3 ->
-                new ObstacleShape.Polygon(List.of(randomVertex(), randomVertex(), randomVertex(), randomVertex()));
-            default -> new ObstacleShape.Wall(List.of(randomVertex(), randomVertex(), randomVertex()));
+                new ObstacleShape.PolygonShape(List.of(randomVertex(), randomVertex(), randomVertex(), randomVertex()));
+            default -> new ObstacleShape.WallShape(List.of(randomVertex(), randomVertex(), randomVertex()));
         };
     }
 

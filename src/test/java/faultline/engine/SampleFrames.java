@@ -116,22 +116,27 @@ public final class SampleFrames {
         Pose robot = new Pose(2.2, 1.2, Degrees.toRadians(20));
         List<Obstacle> obstacles = List.of(
                 new Obstacle(
-                        "table", new ObstacleShape.Rectangle(1.4, 0.5), new Pose(3.08, 1.62, Degrees.toRadians(30))),
-                new Obstacle("box", new ObstacleShape.Rectangle(0.5, 0.3), new Pose(3.2, 3.2, Degrees.toRadians(-22))),
-                new Obstacle("sofa", new ObstacleShape.Ellipse(0.5, 0.25), new Pose(1.1, 3.2, Degrees.toRadians(15))),
-                new Obstacle("pole", new ObstacleShape.Circle(0.02), new Pose(1.7, 1.75, 0)),
+                        "table",
+                        new ObstacleShape.RectangleShape(1.4, 0.5),
+                        new Pose(3.08, 1.62, Degrees.toRadians(30))),
+                new Obstacle(
+                        "box", new ObstacleShape.RectangleShape(0.5, 0.3), new Pose(3.2, 3.2, Degrees.toRadians(-22))),
+                new Obstacle(
+                        "sofa", new ObstacleShape.EllipseShape(0.5, 0.25), new Pose(1.1, 3.2, Degrees.toRadians(15))),
+                new Obstacle("pole", new ObstacleShape.CircleShape(0.02), new Pose(1.7, 1.75, 0)),
                 new Obstacle(
                         "niche",
-                        new ObstacleShape.Polygon(List.of(
+                        new ObstacleShape.PolygonShape(List.of(
                                 new Vector2(0, 0), new Vector2(1, 0), new Vector2(1, 0.9), new Vector2(0.5, 0.4))),
                         new Pose(4.8, 0.3, 0)),
                 new Obstacle(
                         "partition",
-                        new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(0.8, 0), new Vector2(0.8, 0.7))),
+                        new ObstacleShape.WallShape(
+                                List.of(new Vector2(0, 0), new Vector2(0.8, 0), new Vector2(0.8, 0.7))),
                         new Pose(0, 2.2, 0)),
                 new Obstacle(
                         "visitor",
-                        new ObstacleShape.Circle(0.3),
+                        new ObstacleShape.CircleShape(0.3),
                         new Pose(4.6, 2.9, 0),
                         new WaypointPath(
                                 0.2,

@@ -90,8 +90,8 @@ class SoakTest {
                 new Command.PlaceObstacle(new Obstacle(
                         "soak" + random.nextInt(3),
                         random.nextBoolean()
-                                ? new ObstacleShape.Circle(0.02 + 0.2 * random.nextDouble())
-                                : new ObstacleShape.Wall(List.of(Vector2.ZERO, new Vector2(1, 0))),
+                                ? new ObstacleShape.CircleShape(0.02 + 0.2 * random.nextDouble())
+                                : new ObstacleShape.WallShape(List.of(Vector2.ZERO, new Vector2(1, 0))),
                         pose));
         };
     }

@@ -224,7 +224,7 @@ class SweptCollisionTest {
     @Test
     void aWallWithoutThicknessStopsARobotAtFiftyMetresASecondInOneTick() {
         Obstacle wall = new Obstacle(
-                "wall", new ObstacleShape.Wall(List.of(new Vector2(0, -1), new Vector2(0, 1))), new Pose(3, 2, 0));
+                "wall", new ObstacleShape.WallShape(List.of(new Vector2(0, -1), new Vector2(0, 1))), new Pose(3, 2, 0));
         RobotSpec fast = new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, new MotorSpec(0, 1, 50), DriveScale.NONE, List.of());
         SimulationSetup dash = SimulationSetup.of(new WorldSpec(6, 4, true, 0, List.of(wall)), new Pose(1, 2, 0))
                 .withRobot(fast)

@@ -75,10 +75,10 @@ class FloorPlanScenarioTest {
         FloorPlan plan = plan(new Random(6), 60, 60, 0);
         SimulationSetup setup = FloorPlanScenario.create("Room", plan).setup();
         List<Obstacle> polygons = new ArrayList<>();
-        ObstacleShape.Plan shape =
-                (ObstacleShape.Plan) setup.world().obstacles().get(0).shape();
+        ObstacleShape.PlanShape shape =
+                (ObstacleShape.PlanShape) setup.world().obstacles().get(0).shape();
         for (List<Vector2> ring : shape.rings()) {
-            polygons.add(new Obstacle("p" + polygons.size(), new ObstacleShape.Polygon(ring), new Pose(0, 0, 0)));
+            polygons.add(new Obstacle("p" + polygons.size(), new ObstacleShape.PolygonShape(ring), new Pose(0, 0, 0)));
         }
         WorldSpec other = setup.world().withObstacles(polygons);
         Random random = new Random(7);
@@ -117,7 +117,7 @@ class FloorPlanScenarioTest {
         Scenario scenario = FloorPlanScenario.create("Room", plan);
         WorldSpec world = scenario.setup().world();
         Obstacle obstacle = world.obstacles().get(0);
-        for (List<Vector2> ring : ((ObstacleShape.Plan) obstacle.shape()).rings()) {
+        for (List<Vector2> ring : ((ObstacleShape.PlanShape) obstacle.shape()).rings()) {
             for (Vector2 point : ring) {
                 Vector2 p = obstacle.pose().toParent(point);
                 assertTrue(

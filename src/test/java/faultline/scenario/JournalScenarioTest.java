@@ -27,7 +27,7 @@ class JournalScenarioTest {
             411, new Command.InjectFault("front-right", new Fault.Bias(1.0 / 3)),
             777,
                     new Command.PlaceObstacle(new Obstacle(
-                            "box", new ObstacleShape.Rectangle(0.3, 0.1 + 0.2), new Pose(0.5, 2, 1.0 / 7))),
+                            "box", new ObstacleShape.RectangleShape(0.3, 0.1 + 0.2), new Pose(0.5, 2, 1.0 / 7))),
             1203, new Command.MoveObstacle("box", new Pose(0.9, 2.1, 2.0 / 7)),
             1500, new Command.SetPlatform(0.24, 0.19, 0.25),
             1999,

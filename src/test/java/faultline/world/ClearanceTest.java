@@ -26,9 +26,9 @@ class ClearanceTest {
             rings.add(ring);
         }
         return switch (random.nextInt(3)) {
-            case 0 -> new ObstacleShape.Plan(rings);
-            case 1 -> new ObstacleShape.Polygon(rings.get(0));
-            default -> new ObstacleShape.Wall(rings.get(0));
+            case 0 -> new ObstacleShape.PlanShape(rings);
+            case 1 -> new ObstacleShape.PolygonShape(rings.get(0));
+            default -> new ObstacleShape.WallShape(rings.get(0));
         };
     }
 

@@ -137,11 +137,11 @@ class FastPathsTest {
 
     private ObstacleShape shape() {
         return switch (random.nextInt(5)) {
-            case 0 -> new ObstacleShape.Rectangle(length(), length());
-            case 1 -> new ObstacleShape.Circle(length());
-            case 2 -> new ObstacleShape.Ellipse(length(), length());
-            case 3 -> new ObstacleShape.Polygon(List.of(vertex(), vertex(), vertex(), vertex()));
-            default -> new ObstacleShape.Wall(List.of(vertex(), vertex(), vertex()));
+            case 0 -> new ObstacleShape.RectangleShape(length(), length());
+            case 1 -> new ObstacleShape.CircleShape(length());
+            case 2 -> new ObstacleShape.EllipseShape(length(), length());
+            case 3 -> new ObstacleShape.PolygonShape(List.of(vertex(), vertex(), vertex(), vertex()));
+            default -> new ObstacleShape.WallShape(List.of(vertex(), vertex(), vertex()));
         };
     }
 

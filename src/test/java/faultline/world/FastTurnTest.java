@@ -24,7 +24,7 @@ class FastTurnTest {
 
     private static World worldWithWallAt(double x) {
         Obstacle wall = new Obstacle(
-                "wall", new ObstacleShape.Wall(List.of(new Vector2(0, -3), new Vector2(0, 3))), new Pose(x, 5, 0));
+                "wall", new ObstacleShape.WallShape(List.of(new Vector2(0, -3), new Vector2(0, 3))), new Pose(x, 5, 0));
         return new World(new WorldSpec(10, 10, false, 0, List.of(wall)), FAST, new Pose(5, 5, 0), TICK, 1);
     }
 

@@ -21,7 +21,7 @@ class MovingObstaclesTest {
 
     private static Obstacle visitor(double x, double y, double speed, boolean loop, Vector2... points) {
         WaypointPath motion = new WaypointPath(speed, loop, List.of(points));
-        return new Obstacle("visitor", new ObstacleShape.Circle(0.1), new Pose(x, y, 0), motion);
+        return new Obstacle("visitor", new ObstacleShape.CircleShape(0.1), new Pose(x, y, 0), motion);
     }
 
     private static Vector2 positionAfter(World world, double seconds) {

@@ -41,10 +41,10 @@ class ShapeInteriorTest {
         for (int i = 0; i < 20; i++) {
             List<Vector2> vertices = vertices(3 + i % 5);
             Map<ObstacleShape, Shape> shapes = Map.of(
-                    new ObstacleShape.Polygon(vertices), path(vertices),
-                    new ObstacleShape.Rectangle(1.4, 0.6), new Rectangle2D.Double(-0.7, -0.3, 1.4, 0.6),
-                    new ObstacleShape.Circle(0.8), new Ellipse2D.Double(-0.8, -0.8, 1.6, 1.6),
-                    new ObstacleShape.Ellipse(0.9, 0.4), new Ellipse2D.Double(-0.9, -0.4, 1.8, 0.8));
+                    new ObstacleShape.PolygonShape(vertices), path(vertices),
+                    new ObstacleShape.RectangleShape(1.4, 0.6), new Rectangle2D.Double(-0.7, -0.3, 1.4, 0.6),
+                    new ObstacleShape.CircleShape(0.8), new Ellipse2D.Double(-0.8, -0.8, 1.6, 1.6),
+                    new ObstacleShape.EllipseShape(0.9, 0.4), new Ellipse2D.Double(-0.9, -0.4, 1.8, 0.8));
             for (int n = 0; n < POINTS; n++) {
                 Vector2 point = new Vector2(random.nextDouble(-1.2, 1.2), random.nextDouble(-1.2, 1.2));
                 shapes.forEach((shape, expected) -> assertEquals(
@@ -55,10 +55,10 @@ class ShapeInteriorTest {
 
     @Test
     void theCircleAboutAShapeGoesThroughItsFarthestPoint() {
-        assertEquals(2.5, new ObstacleShape.Rectangle(3, 4).boundingRadius(), 1e-15);
-        assertEquals(0.9, new ObstacleShape.Ellipse(0.4, 0.9).boundingRadius());
-        assertEquals(0.3, new ObstacleShape.Circle(0.3).boundingRadius());
+        assertEquals(2.5, new ObstacleShape.RectangleShape(3, 4).boundingRadius(), 1e-15);
+        assertEquals(0.9, new ObstacleShape.EllipseShape(0.4, 0.9).boundingRadius());
+        assertEquals(0.3, new ObstacleShape.CircleShape(0.3).boundingRadius());
         List<Vector2> triangle = List.of(new Vector2(0, 0), new Vector2(3, 4), new Vector2(-1, 2));
-        assertEquals(5, new ObstacleShape.Polygon(triangle).boundingRadius());
+        assertEquals(5, new ObstacleShape.PolygonShape(triangle).boundingRadius());
     }
 }

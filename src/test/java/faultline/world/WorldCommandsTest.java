@@ -26,7 +26,7 @@ class WorldCommandsTest {
 
     private static final int FRONT = 0;
     private static final Obstacle DESK =
-            new Obstacle("desk", new ObstacleShape.Rectangle(0.5, 0.5), new Pose(3.375, 2, 0));
+            new Obstacle("desk", new ObstacleShape.RectangleShape(0.5, 0.5), new Pose(3.375, 2, 0));
     private static final Optional<String> SUCCESS = Optional.empty();
 
     private World world;
@@ -116,7 +116,7 @@ class WorldCommandsTest {
     @Test
     void anObstacleThatOverlapsAsSoonAsItIsTurnedIsRefused() {
         world.execute(new Command.PlaceObstacle(
-                new Obstacle("beam", new ObstacleShape.Rectangle(0.1, 3.9), new Pose(2.3, 2, 0))));
+                new Obstacle("beam", new ObstacleShape.RectangleShape(0.1, 3.9), new Pose(2.3, 2, 0))));
         Optional<String> refusal = refusal(new Command.MoveObstacle("beam", new Pose(2.3, 2, StrictMath.PI / 2)));
         assertEquals(Optional.of("beam cannot be put there: it would overlap the robot"), refusal);
         assertTrue(world.collision().isEmpty());
@@ -146,8 +146,8 @@ class WorldCommandsTest {
     @Test
     void noMoreObstaclesMayMoveThanTheWorldAllows() {
         WaypointPath motion = new WaypointPath(0.1, true, List.of(new Vector2(1, 1), new Vector2(5, 1)));
-        Obstacle one = new Obstacle("one", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0), motion);
-        Obstacle two = new Obstacle("two", new ObstacleShape.Circle(0.1), new Pose(5, 1, 0), motion);
+        Obstacle one = new Obstacle("one", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0), motion);
+        Obstacle two = new Obstacle("two", new ObstacleShape.CircleShape(0.1), new Pose(5, 1, 0), motion);
         assertEquals(SUCCESS, refusal(new Command.PlaceObstacle(one)));
         assertEquals(SUCCESS, refusal(new Command.PlaceObstacle(one)));
         assertEquals(Optional.of("at most 1 obstacles may move"), refusal(new Command.PlaceObstacle(two)));
@@ -188,7 +188,7 @@ class WorldCommandsTest {
     void aMovingObstacleStopsWhereItTouchesTheRobot() {
         WaypointPath path = new WaypointPath(0.37, false, List.of(new Vector2(2.9, 2), new Vector2(1, 2)));
         world.execute(new Command.PlaceObstacle(
-                new Obstacle("cart", new ObstacleShape.Circle(0.1), new Pose(2.9, 2, 0), path)));
+                new Obstacle("cart", new ObstacleShape.CircleShape(0.1), new Pose(2.9, 2, 0), path)));
         for (int i = 0; i < 1000 && world.collision().isEmpty(); i++) {
             world.move(0, 0);
         }
@@ -231,9 +231,9 @@ class WorldCommandsTest {
     void everyCommandHasAnExactInverse() {
         assertInvertedExactly(new Command.MoveObstacle("desk", new Pose(5, 3, 1)));
         assertInvertedExactly(
-                new Command.PlaceObstacle(new Obstacle("desk", new ObstacleShape.Circle(0.1), new Pose(1, 3, 0))));
+                new Command.PlaceObstacle(new Obstacle("desk", new ObstacleShape.CircleShape(0.1), new Pose(1, 3, 0))));
         assertInvertedExactly(
-                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.1), new Pose(1, 3, 0))));
+                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.CircleShape(0.1), new Pose(1, 3, 0))));
         assertInvertedExactly(new Command.RemoveObstacle("desk"));
         assertInvertedExactly(new Command.SetPlatform(0.3, 0.2, 0.1));
         assertInvertedExactly(new Command.SwitchSensor("front", false));

@@ -29,7 +29,7 @@ class WorldReadingsTest {
     private static final Optional<String> SUCCESS = Optional.empty();
 
     private static World room(double wall) {
-        Obstacle desk = new Obstacle("desk", new ObstacleShape.Rectangle(0.5, 0.5), new Pose(wall + 0.25, 2, 0));
+        Obstacle desk = new Obstacle("desk", new ObstacleShape.RectangleShape(0.5, 0.5), new Pose(wall + 0.25, 2, 0));
         return new World(new WorldSpec(6, 4, true, 1, List.of(desk)), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 9);
     }
 
@@ -140,7 +140,7 @@ class WorldReadingsTest {
         assertEquals(0, headingAfterDriving(sound));
         for (MotorSide side : MotorSide.values()) {
             World world = room(4);
-            MotorFault dead = new MotorFault.Dead();
+            MotorFault dead = new MotorFault.NoDrive();
             assertEquals(SUCCESS, refusal(world, new Command.InjectMotorFault(side, dead)));
             assertEquals(List.of(dead), world.motorFaults().of(side));
             double heading = headingAfterDriving(world);
@@ -152,7 +152,7 @@ class WorldReadingsTest {
     void faultsOfMotorsAreClearedOneByOneOrAllAtOnceAndRestored() {
         World world = room(4);
         MotorFault weak = new MotorFault.Weak(0.5);
-        MotorFault dead = new MotorFault.Dead();
+        MotorFault dead = new MotorFault.NoDrive();
         world.execute(new Command.InjectMotorFault(MotorSide.RIGHT, weak));
         world.execute(new Command.InjectMotorFault(MotorSide.RIGHT, dead));
         assertEquals(SUCCESS, refusal(world, new Command.ClearMotorFault(MotorSide.RIGHT, weak)));
@@ -184,7 +184,7 @@ class WorldReadingsTest {
     void aPostIsTouchedWhereItIsNearest() {
         World world = room(4);
         world.execute(new Command.PlaceObstacle(
-                new Obstacle("post", new ObstacleShape.Circle(0.05), new Pose(2.6, 2.05, 0))));
+                new Obstacle("post", new ObstacleShape.CircleShape(0.05), new Pose(2.6, 2.05, 0))));
         Collision collision = drive(world);
         assertEquals("post", collision.obstacle());
         assertEquals(0, collision.point().distanceTo(new Vector2(2.55, 2.05)), 1e-6);

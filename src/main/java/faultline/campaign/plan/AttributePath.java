@@ -18,7 +18,7 @@ import java.util.stream.Stream;
  * @param steps from the root element's child down to the element that has the attribute; empty for the root element
  * @param attribute its name
  */
-record AttributePath(List<Step> steps, String attribute) {
+record AttributePath(List<PathStep> steps, String attribute) {
 
     /** What a plan may give. */
     static final String RULE =
@@ -60,7 +60,7 @@ record AttributePath(List<Step> steps, String attribute) {
      * @param element the element's name
      * @param key its id, or its number among those of its name, from 1; empty for the only one
      */
-    record Step(String element, String key) {}
+    record PathStep(String element, String key) {}
 
     /** Parses a path, empty if the text is none. A leading {@code scenario/} may be there. */
     static Optional<AttributePath> parse(String text) {
@@ -69,13 +69,13 @@ record AttributePath(List<Step> steps, String attribute) {
             parts.remove(0);
         }
         Matcher attribute = ATTRIBUTE.matcher(parts.remove(parts.size() - 1));
-        List<Step> steps = new ArrayList<>();
+        List<PathStep> steps = new ArrayList<>();
         for (String part : parts) {
             Matcher step = STEP.matcher(part);
             if (!step.matches()) {
                 return Optional.empty();
             }
-            steps.add(new Step(step.group(1), step.group(2) == null ? "" : step.group(2)));
+            steps.add(new PathStep(step.group(1), step.group(2) == null ? "" : step.group(2)));
         }
         return attribute.matches() ? Optional.of(new AttributePath(steps, attribute.group(1))) : Optional.empty();
     }
@@ -98,7 +98,7 @@ record AttributePath(List<Step> steps, String attribute) {
         if (steps.isEmpty()) {
             return name;
         }
-        Step last = steps.get(steps.size() - 1);
+        PathStep last = steps.get(steps.size() - 1);
         String owner = last.key.isEmpty() ? last.element : last.key;
         return (owner.matches("\\d.*") ? snake(last.element + "_" + owner) : snake(owner)) + "_" + name;
     }
@@ -119,7 +119,7 @@ record AttributePath(List<Step> steps, String attribute) {
     @Override
     public String toString() {
         StringBuilder text = new StringBuilder();
-        for (Step step : steps) {
+        for (PathStep step : steps) {
             text.append(step.element)
                     .append(step.key.isEmpty() ? "" : "[" + step.key + "]")
                     .append('/');

@@ -8,13 +8,13 @@ import java.util.Optional;
 sealed interface AttributeValue {
 
     /** Nothing, as in the columns of a fault in a run without one. */
-    AttributeValue NONE = new Fixed("");
+    AttributeValue NONE = new FixedValue("");
 
     /** Returns the text for a block of runs, counted from 0, with the draws of the plan. */
     String text(Uniforms numbers, long block);
 
     /** A text that is the same in every run. */
-    record Fixed(String text) implements AttributeValue {
+    record FixedValue(String text) implements AttributeValue {
         @Override
         public String text(Uniforms numbers, long block) {
             return text;

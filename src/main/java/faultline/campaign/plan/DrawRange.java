@@ -25,9 +25,9 @@ sealed interface DrawRange {
     }
 
     /** One of several words, each equally likely. */
-    record Choice(List<String> words) implements DrawRange {
+    record Words(List<String> words) implements DrawRange {
 
-        public Choice {
+        public Words {
             words = List.copyOf(words);
         }
 

@@ -107,7 +107,7 @@ final class FactorReader {
         fields.reportUnknownAndMissing();
         List<ScenarioChange> edits = new ArrayList<>();
         node.childrenNamed("set").forEach(child -> readLiteral(child).ifPresent(edits::add));
-        return new Factor.Level(List.of(new AttributeValue.Fixed(name)), edits);
+        return new Factor.Level(List.of(new AttributeValue.FixedValue(name)), edits);
     }
 
     private Optional<ScenarioChange> readLiteral(XmlElement node) {
@@ -117,7 +117,7 @@ final class FactorReader {
         String value = fields.requiredText("value", "what the attribute of the scenario may be");
         fields.reportUnknownAndMissing();
         return path.map(
-                found -> new ScenarioChange.SetAttribute(found, new AttributeValue.Fixed(value), node.location()));
+                found -> new ScenarioChange.SetAttribute(found, new AttributeValue.FixedValue(value), node.location()));
     }
 
     /** Reads a factor of sensors that are on: every combination of the given ones, or the listed ones. */
@@ -159,14 +159,17 @@ final class FactorReader {
         List<ScenarioChange> edits = sensors.stream()
                 .<ScenarioChange>map(sensor -> new ScenarioChange.SetAttribute(
                         new AttributePath(
-                                List.of(new AttributePath.Step("robot", ""), new AttributePath.Step("sensor", sensor)),
+                                List.of(
+                                        new AttributePath.PathStep("robot", ""),
+                                        new AttributePath.PathStep("sensor", sensor)),
                                 "on"),
-                        new AttributeValue.Fixed(String.valueOf(on.contains(sensor))),
+                        new AttributeValue.FixedValue(String.valueOf(on.contains(sensor))),
                         node.location()))
                 .toList();
         String text = on.isEmpty() ? "none" : String.join(" ", on);
         return new Factor.Level(
-                List.of(new AttributeValue.Fixed(text), new AttributeValue.Fixed(String.valueOf(on.size()))), edits);
+                List.of(new AttributeValue.FixedValue(text), new AttributeValue.FixedValue(String.valueOf(on.size()))),
+                edits);
     }
 
     private static List<List<String>> subsets(List<String> sensors) {

@@ -87,7 +87,7 @@ final class FaultsReader {
         for (Map.Entry<String, String> attribute : node.attributes().entrySet()) {
             String key = attribute.getKey();
             Optional<List<AttributeValue>> values = key.equals(LABEL)
-                    ? Optional.of(List.of(new AttributeValue.Fixed(attribute.getValue())))
+                    ? Optional.of(List.of(new AttributeValue.FixedValue(attribute.getValue())))
                     : ValueSyntax.parse(attribute.getValue(), factor + "_" + key);
             if (values.isEmpty()) {
                 fields.report(key, attribute.getValue(), ValueSyntax.RULE);
@@ -126,7 +126,7 @@ final class FaultsReader {
     private Factor.Level level(Draft draft) {
         List<AttributeValue> cells = new ArrayList<>();
         for (String key : attributes) {
-            AttributeValue kind = draft.attributes.getOrDefault("kind", new AttributeValue.Fixed("none"));
+            AttributeValue kind = draft.attributes.getOrDefault("kind", new AttributeValue.FixedValue("none"));
             AttributeValue missing = key.equals("kind") || key.equals(LABEL) ? kind : AttributeValue.NONE;
             cells.add(draft.attributes.getOrDefault(key, missing));
         }

@@ -127,7 +127,7 @@ final class PlanReader {
     private void addSet(XmlElement node, FactorReader reader) {
         reader.readSet(node).ifPresent(factor -> {
             Factor.Level first = factor.levels().get(0);
-            boolean constant = factor.levels().size() == 1 && first.cells().get(0) instanceof AttributeValue.Fixed;
+            boolean constant = factor.levels().size() == 1 && first.cells().get(0) instanceof AttributeValue.FixedValue;
             if (constant) {
                 constants.addAll(first.edits());
             } else {

@@ -45,15 +45,15 @@ final class ScenarioTree {
     }
 
     private static XmlElement set(
-            XmlElement node, List<AttributePath.Step> steps, String attribute, String text, SourceLocation location)
+            XmlElement node, List<AttributePath.PathStep> steps, String attribute, String text, SourceLocation location)
             throws UnresolvedPathException {
         if (steps.isEmpty()) {
             Map<String, String> attributes = new LinkedHashMap<>(node.attributes());
             attributes.put(attribute, text);
             return new XmlElement(node.name(), location, attributes, node.children(), node.text());
         }
-        AttributePath.Step step = steps.get(0);
-        List<AttributePath.Step> rest = steps.subList(1, steps.size());
+        AttributePath.PathStep step = steps.get(0);
+        List<AttributePath.PathStep> rest = steps.subList(1, steps.size());
         Optional<XmlElement> child = find(node, step);
         if (child.isEmpty()) {
             return append(node, set(create(node, step, location), rest, attribute, text, location));
@@ -63,7 +63,7 @@ final class ScenarioTree {
         return new XmlElement(node.name(), node.location(), node.attributes(), children, node.text());
     }
 
-    private static Optional<XmlElement> find(XmlElement node, AttributePath.Step step) {
+    private static Optional<XmlElement> find(XmlElement node, AttributePath.PathStep step) {
         List<XmlElement> named = node.childrenNamed(step.element()).toList();
         Optional<XmlElement> withId = named.stream()
                 .filter(child -> step.key().equals(child.attributes().getOrDefault("id", "")))
@@ -76,7 +76,7 @@ final class ScenarioTree {
     }
 
     /** Creates a sensor, or an element that has its defaults if it is missing. */
-    private static XmlElement create(XmlElement node, AttributePath.Step step, SourceLocation location)
+    private static XmlElement create(XmlElement node, AttributePath.PathStep step, SourceLocation location)
             throws UnresolvedPathException {
         boolean sensor = node.name().equals("robot")
                 && step.element().equals("sensor")
@@ -90,7 +90,7 @@ final class ScenarioTree {
         return new XmlElement(step.element(), location, attributes, List.of(), "");
     }
 
-    private static String suggestion(XmlElement node, AttributePath.Step step) {
+    private static String suggestion(XmlElement node, AttributePath.PathStep step) {
         List<String> ids = node.childrenNamed(step.element())
                 .map(child -> child.attributes().getOrDefault("id", ""))
                 .toList();

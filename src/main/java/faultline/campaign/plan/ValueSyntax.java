@@ -49,7 +49,7 @@ public final class ValueSyntax {
         String trimmed = text.strip();
         Matcher choice = CHOICE.matcher(trimmed);
         if (choice.matches()) {
-            return Optional.of(List.of(new AttributeValue.Drawn(stream, new DrawRange.Choice(words(choice.group(1))))));
+            return Optional.of(List.of(new AttributeValue.Drawn(stream, new DrawRange.Words(words(choice.group(1))))));
         }
         Matcher interval = INTERVAL.matcher(trimmed);
         if (interval.matches()) {
@@ -59,7 +59,7 @@ public final class ValueSyntax {
             return Optional.empty();
         }
         return Optional.of(words(trimmed).stream()
-                .<AttributeValue>map(AttributeValue.Fixed::new)
+                .<AttributeValue>map(AttributeValue.FixedValue::new)
                 .toList());
     }
 
@@ -89,8 +89,8 @@ public final class ValueSyntax {
             BigDecimal step = to.subtract(from)
                     .multiply(BigDecimal.valueOf(i))
                     .divide(BigDecimal.valueOf(count - 1), TWELVE_DIGITS);
-            values.add(
-                    new AttributeValue.Fixed(DecimalText.format(from.add(step).doubleValue())));
+            values.add(new AttributeValue.FixedValue(
+                    DecimalText.format(from.add(step).doubleValue())));
         }
         return values;
     }

@@ -60,7 +60,7 @@ final class ComparisonChart {
         plan.drawWorld(setup.world());
         plan.drawRobot(setup.robot(), setup.start(), START_OPACITY);
         for (int i = 0; i < controllers.size(); i++) {
-            List<ControllerRuns.Run> runs = controllers.get(i).runs();
+            List<ControllerRuns.ComparedRun> runs = controllers.get(i).runs();
             for (int j = runs.size() - 1; j >= 0; j--) {
                 RobotPath path = runs.get(j).path();
                 List<Vector2> points = path.simplified(TOLERANCE / scale);

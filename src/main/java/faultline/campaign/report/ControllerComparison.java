@@ -55,7 +55,7 @@ public final class ControllerComparison {
         return out.toString();
     }
 
-    private static String row(ControllerRuns controller, ControllerRuns.Run run) {
+    private static String row(ControllerRuns controller, ControllerRuns.ComparedRun run) {
         List<String> cells = new ArrayList<>(
                 List.of(controller.controller(), "" + run.result().seed()));
         for (Metric metric : Metric.values()) {

@@ -11,7 +11,7 @@ import java.util.List;
  * @param runs that came to their end, in the order of their seeds
  * @param broken runs that did not
  */
-public record ControllerRuns(String controller, List<Run> runs, List<Broken> broken) {
+public record ControllerRuns(String controller, List<ComparedRun> runs, List<Broken> broken) {
 
     /**
      * Creates the runs of one controller, from copies of the lists.
@@ -31,7 +31,7 @@ public record ControllerRuns(String controller, List<Run> runs, List<Broken> bro
      * @param result its seed and what it came to
      * @param path where the robot drove
      */
-    public record Run(RunResult result, RobotPath path) {
+    public record ComparedRun(RunResult result, RobotPath path) {
 
         /** Returns the length of the path, metres. */
         double metres() {

@@ -23,9 +23,9 @@ enum Metric {
     private final String column;
     private final String meaning;
     private final String format;
-    private final Function<ControllerRuns.Run, OptionalDouble> value;
+    private final Function<ControllerRuns.ComparedRun, OptionalDouble> value;
 
-    Metric(String column, String meaning, String format, Function<ControllerRuns.Run, OptionalDouble> value) {
+    Metric(String column, String meaning, String format, Function<ControllerRuns.ComparedRun, OptionalDouble> value) {
         this.column = column;
         this.meaning = meaning;
         this.format = format;
@@ -51,12 +51,12 @@ enum Metric {
     }
 
     /** Returns the value of a run, empty if it has none. */
-    OptionalDouble of(ControllerRuns.Run run) {
+    OptionalDouble of(ControllerRuns.ComparedRun run) {
         return value.apply(run);
     }
 
     /** Returns the values of those runs that have one. */
-    double[] values(List<ControllerRuns.Run> runs) {
+    double[] values(List<ControllerRuns.ComparedRun> runs) {
         return runs.stream().flatMapToDouble(run -> of(run).stream()).toArray();
     }
 

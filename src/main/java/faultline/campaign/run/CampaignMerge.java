@@ -16,11 +16,11 @@ import java.util.function.Function;
 /** Puts the parts of a campaign together: the same table as that of a campaign that was never divided. */
 public final class CampaignMerge {
 
-    private final List<Part> parts;
+    private final List<ShardFolder> parts;
     private final CampaignPlan plan;
 
     /** A folder that holds a part. */
-    private record Part(CampaignFolder folder, Shard shard) {}
+    private record ShardFolder(CampaignFolder folder, Shard shard) {}
 
     /**
      * Looks at the parts.
@@ -37,7 +37,7 @@ public final class CampaignMerge {
             if (!CampaignManifest.sameCampaign(first, manifest)) {
                 throw new IOException(folder + ": this is of another campaign than " + folders.get(0));
             }
-            parts.add(new Part(folder, CampaignManifest.shard(manifest).orElseThrow()));
+            parts.add(new ShardFolder(folder, CampaignManifest.shard(manifest).orElseThrow()));
         }
         plan = folders.get(0).readPlan();
         parts.sort(Comparator.comparing(part -> part.shard.firstRun(plan.runCount())));
@@ -51,7 +51,7 @@ public final class CampaignMerge {
     /** Checks that every run is in exactly one part. */
     private void checkWhole() throws IOException {
         long next = 0;
-        for (Part part : parts) {
+        for (ShardFolder part : parts) {
             long first = part.shard.firstRun(plan.runCount());
             if (first != next) {
                 throw new IOException(part.folder + ": its runs begin with " + first + ", but run " + next
@@ -71,14 +71,14 @@ public final class CampaignMerge {
      * @return how many runs there are, and how many of them broke
      * @throws IOException if a part is not finished, or the folder cannot be used, in one sentence
      */
-    public CampaignRunner.Result writeTo(CampaignFolder out) throws IOException {
+    public CampaignRunner.RunCounts writeTo(CampaignFolder out) throws IOException {
         FileChannel lock = out.lock();
         try (lock) {
             if (out.readManifest().isPresent()) {
                 throw new IOException(out + ": there is a campaign already; expected another folder");
             }
             List<Path> inputs = new ArrayList<>();
-            for (Part part : parts) {
+            for (ShardFolder part : parts) {
                 inputs.addAll(part.folder.files());
             }
             out.checkTables(inputs);
@@ -86,7 +86,7 @@ public final class CampaignMerge {
             concatenate(out.timing(), CampaignFolder::timing, false);
             new WorstRuns(plan, out).writeReplays();
             out.writeMerged(plan);
-            return new CampaignRunner.Result(plan.runCount(), plan.runCount(), broken);
+            return new CampaignRunner.RunCounts(plan.runCount(), plan.runCount(), broken);
         }
     }
 
@@ -94,10 +94,10 @@ public final class CampaignMerge {
         long broken = 0;
         try (AtomicFile out = AtomicFile.create(target)) {
             boolean header = true;
-            for (Part part : parts) {
+            for (ShardFolder part : parts) {
                 long first = part.shard.firstRun(plan.runCount());
                 long end = part.shard.endRun(plan.runCount());
-                Rows rows = new Rows(table.apply(part.folder), out.stream(), header);
+                TableCopy rows = new TableCopy(table.apply(part.folder), out.stream(), header);
                 broken += rows.copy(first, end, complete, part);
                 header = false;
             }
@@ -107,9 +107,9 @@ public final class CampaignMerge {
     }
 
     /** Copies the rows of one table. */
-    private record Rows(Path file, OutputStream out, boolean withHeader) {
+    private record TableCopy(Path file, OutputStream out, boolean withHeader) {
 
-        long copy(long first, long end, boolean complete, Part part) throws IOException {
+        long copy(long first, long end, boolean complete, ShardFolder part) throws IOException {
             long next = first;
             long broken = 0;
             try (LineReader in = new LineReader(file)) {

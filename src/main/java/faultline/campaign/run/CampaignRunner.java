@@ -38,7 +38,7 @@ public final class CampaignRunner {
      * @param runs how many it has
      * @param broken how many of those in the table broke
      */
-    public record Result(long made, long runs, long broken) {
+    public record RunCounts(long made, long runs, long broken) {
 
         /** {@return whether every run is in the table} */
         public boolean isComplete() {
@@ -90,7 +90,7 @@ public final class CampaignRunner {
      * @return what there is now
      * @throws IOException if the folder cannot be used, in one sentence
      */
-    public Result run(boolean resume, Progress progress, BooleanSupplier cancelled) throws IOException {
+    public RunCounts run(boolean resume, Progress progress, BooleanSupplier cancelled) throws IOException {
         long first = shard.firstRun(plan.runCount());
         long end = shard.endRun(plan.runCount());
         FileChannel lock = folder.lock();
@@ -99,7 +99,7 @@ public final class CampaignRunner {
             try (RunTable table = new RunTable(folder, ResultColumns.header(plan), first, end)) {
                 makeRuns(table, first, end, progress, cancelled);
                 table.force();
-                Result result = new Result(table.next() - first, end - first, table.broken());
+                RunCounts result = new RunCounts(table.next() - first, end - first, table.broken());
                 if (result.isComplete()) {
                     new WorstRuns(plan, folder).writeReplays();
                 }

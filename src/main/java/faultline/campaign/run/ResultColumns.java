@@ -22,99 +22,99 @@ public final class ResultColumns {
     private record Measures(RunResult result, CarryOnMetrics carry, DiagnosisMetrics diagnosis) {}
 
     /** A column with the way in which its cell is made. */
-    private record Result(Column column, Function<Measures, String> cell) {
-        Result(String name, String unit, String meaning, Function<Measures, String> cell) {
+    private record ResultColumn(Column column, Function<Measures, String> cell) {
+        ResultColumn(String name, String unit, String meaning, Function<Measures, String> cell) {
             this(new Column(name, unit, meaning), cell);
         }
     }
 
-    private static final List<Result> RESULTS = List.of(
-            new Result(
+    private static final List<ResultColumn> RESULTS = List.of(
+            new ResultColumn(
                     "outcome",
                     "",
                     "carried_on, collided, stopped (at rest without contact), lost, undecided (the run was too short),"
                             + " or broken",
                     run -> Outcome.of(run.result(), run.carry()).word()),
-            new Result(
+            new ResultColumn(
                     "carried_on",
                     "",
                     "1 if there was no contact and 0.80 of the wall was passed within 0.15 m of the wanted path in"
                             + " the time of two laps after the fault, 0 if not, empty if undecided",
                     run -> carriedOn(run.result(), run.carry())),
-            new Result(
+            new ResultColumn(
                     "collided",
                     "",
                     "1 if the robot touched something, 0 if not",
                     run -> run.result().collision().isPresent() ? "1" : "0"),
-            new Result("collision_time_s", "s", "time of the first contact", run -> run.result()
+            new ResultColumn("collision_time_s", "s", "time of the first contact", run -> run.result()
                     .collision()
                     .map(contact -> fixed(contact.time(), 3))
                     .orElse("")),
-            new Result("collided_with", "", "what it touched", run -> run.result()
+            new ResultColumn("collided_with", "", "what it touched", run -> run.result()
                     .collision()
                     .map(contact -> contact.obstacle())
                     .orElse("")),
-            new Result(
+            new ResultColumn(
                     "wall_share",
                     "",
                     "share of the wall that was passed within 0.15 m of the wanted path since the clock started",
                     run -> fixed(run.carry().share().orElse(Double.NaN), 4)),
-            new Result(
+            new ResultColumn(
                     "laps",
                     "",
                     "how often the wall was passed since the clock started, on average over its length",
                     run -> fixed(run.carry().laps().orElse(Double.NaN), 3)),
-            new Result(
+            new ResultColumn(
                     "clock_start_s",
                     "s",
                     "start of the clock: the last fault to begin, or the first meeting with a wall if that is later",
                     run -> fixed(run.carry().clockStart().orElse(Double.NaN), 3)),
-            new Result(
+            new ResultColumn(
                     "coverage",
                     "",
                     "share of the wall that was followed within 0.05 m in the whole run",
                     run -> fixed(run.result().coverage().orElse(Double.NaN), 4)),
-            new Result(
+            new ResultColumn(
                     "distance_rms_m",
                     "m",
                     "distance error on straight walls, root mean square",
                     run -> fixed(run.result().distanceRms().orElse(Double.NaN), 6)),
-            new Result(
+            new ResultColumn(
                     "follow_rms_m",
                     "m",
                     "distance error in all of FOLLOW, root mean square",
                     run -> fixed(run.result().followRmsOrNaN(), 6)),
-            new Result("final_state", "", "last state of the controller", run -> run.result()
+            new ResultColumn("final_state", "", "last state of the controller", run -> run.result()
                     .finalState()
                     .name()),
-            new Result(
+            new ResultColumn(
                     "final_rung",
                     "",
                     "last strategy of the controller, empty without a diagnosis",
                     run -> run.diagnosis().rung()),
-            new Result(
+            new ResultColumn(
                     "detection_delay_s",
                     "s",
                     "time from the first fault until the diagnosis does not trust its sensor, empty if it always does",
                     run -> fixed(run.diagnosis().detectionDelay().orElse(Double.NaN), 3)),
-            new Result(
+            new ResultColumn(
                     "false_alarms",
                     "",
                     "sensors without a fault that the diagnosis did not trust at some time, empty without a diagnosis",
                     run -> run.diagnosis().falseAlarms().isPresent()
                             ? Integer.toString(run.diagnosis().falseAlarms().getAsInt())
                             : ""),
-            new Result(
+            new ResultColumn(
                     "simulated_s",
                     "s",
                     "how long the run lasted",
                     run -> fixed(run.result().simulatedSeconds(), 9)),
-            new Result(
+            new ResultColumn(
                     "trajectory_hash",
                     "",
                     "hash over all ticks, the same for every run of the same scenario",
                     run -> RunSummary.formatHash(run.result())),
-            new Result("failure", "", "why the run broke, empty if it did not", run -> ""));
+            new ResultColumn("failure", "", "why the run broke, empty if it did not", run -> ""));
 
     private ResultColumns() {}
 

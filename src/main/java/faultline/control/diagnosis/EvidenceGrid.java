@@ -24,7 +24,7 @@ public final class EvidenceGrid {
     private static final int PLANE = SIZE * SIZE;
 
     /** Which rows of a sector are marked: every second one takes half the time, and the next mark covers the others. */
-    enum Rows {
+    enum RowParity {
         ALL(1, 0),
         EVEN(2, 0),
         ODD(2, 1);
@@ -32,7 +32,7 @@ public final class EvidenceGrid {
         private final int step;
         private final int parity;
 
-        Rows(int step, int parity) {
+        RowParity(int step, int parity) {
             this.step = step;
             this.parity = parity;
         }
@@ -188,7 +188,7 @@ public final class EvidenceGrid {
             ConeTable cone,
             double radius,
             int moment,
-            Rows rows) {
+            RowParity rows) {
         sector.find(x, y, axisCos, axisSin, cone, radius, rows);
         for (int i = 0; i < sector.count(); i++) {
             markRow(source, sector.row(i), sector.from(i), sector.to(i), moment);

@@ -1,7 +1,7 @@
 package faultline.control.diagnosis;
 
 import faultline.control.SensorFinding;
-import faultline.control.diagnosis.EvidenceGrid.Rows;
+import faultline.control.diagnosis.EvidenceGrid.RowParity;
 
 /** A sensor under diagnosis: its mounting, its recent claims, and the findings against it. */
 final class InspectedSensor {
@@ -39,7 +39,7 @@ final class InspectedSensor {
     private boolean looksAway;
     private double markedWay = Double.NEGATIVE_INFINITY;
     private double markedTurning;
-    private Rows rows = Rows.ODD;
+    private RowParity rows = RowParity.ODD;
     private int inspections;
     private int markedInspections;
     private int openSample;
@@ -101,8 +101,8 @@ final class InspectedSensor {
     }
 
     /** Returns the rows that the next mark of every second row takes. */
-    Rows nextRows() {
-        rows = rows == Rows.EVEN ? Rows.ODD : Rows.EVEN;
+    RowParity nextRows() {
+        rows = rows == RowParity.EVEN ? RowParity.ODD : RowParity.EVEN;
         return rows;
     }
 

@@ -1,6 +1,6 @@
 package faultline.control.diagnosis;
 
-import faultline.control.diagnosis.EvidenceGrid.Rows;
+import faultline.control.diagnosis.EvidenceGrid.RowParity;
 
 /**
  * The cells of a map whose centres lie in a sector, row by row. All rows are found before any is marked, because the
@@ -33,7 +33,7 @@ final class SectorRows {
      * @param radius metres
      * @param rows which rows are wanted
      */
-    void find(double x, double y, double axisCos, double axisSin, ConeTable cone, double radius, Rows rows) {
+    void find(double x, double y, double axisCos, double axisSin, ConeTable cone, double radius, RowParity rows) {
         int edge = ConeTable.SAMPLES - 1;
         double leftSin = cone.sin(edge, axisCos, axisSin);
         double rightSin = cone.sin(0, axisCos, axisSin);
@@ -66,7 +66,7 @@ final class SectorRows {
         }
     }
 
-    private void chooseRows(Rows rows, int first, int last) {
+    private void chooseRows(RowParity rows, int first, int last) {
         step = rows.step();
         firstRow = rows.first(first);
         count = (last - firstRow + step) / step;

@@ -3,7 +3,7 @@ package faultline.control.diagnosis;
 import faultline.control.Observation;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
-import faultline.control.diagnosis.EvidenceGrid.Rows;
+import faultline.control.diagnosis.EvidenceGrid.RowParity;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.util.Arrays;
@@ -240,7 +240,7 @@ public final class SensorDiagnosis {
             markFree(
                     sensor,
                     near ? Math.min(radius, NEAR) : radius,
-                    alert || small || !sensor.looksAside() ? Rows.ALL : sensor.nextRows());
+                    alert || small || !sensor.looksAside() ? RowParity.ALL : sensor.nextRows());
         }
     }
 
@@ -249,7 +249,7 @@ public final class SensorDiagnosis {
         return claimTest.confirm(sensor, now, now - MEMORY, verdicts.trusted() & ~sensor.bit());
     }
 
-    private void markFree(InspectedSensor sensor, double radius, Rows rows) {
+    private void markFree(InspectedSensor sensor, double radius, RowParity rows) {
         ClaimRing ring = sensor.claims();
         grid.markSector(
                 sensor.index(),

@@ -18,12 +18,13 @@ final class WallLine {
     /**
      * A sensor and the point of its mounting and the direction in its cone in which a wall beside the robot is nearest.
      */
-    private record Ray(InspectedSensor sensor, int index, double range, double x, double y, double cos, double sin) {
+    private record WallRay(
+            InspectedSensor sensor, int index, double range, double x, double y, double cos, double sin) {
 
-        static Ray of(InspectedSensor sensor) {
+        static WallRay of(InspectedSensor sensor) {
             MountedCone cone = sensor.cone();
             double nearest = Math.max(cone.bearing() - cone.half(), Math.min(cone.bearing() + cone.half(), QUARTER));
-            return new Ray(
+            return new WallRay(
                     sensor,
                     sensor.index(),
                     cone.range(),
@@ -50,24 +51,24 @@ final class WallLine {
     /** The place of the sensor that faces the wall, between the one ahead and the one behind. */
     static final int BESIDE = 1;
 
-    private Ray facing;
-    private Ray ahead;
-    private Ray behind;
+    private WallRay facing;
+    private WallRay ahead;
+    private WallRay behind;
     /** All three in the order from ahead to behind, null if one is missing. */
-    private final Ray[] rays;
+    private final WallRay[] rays;
 
     WallLine(InspectedSensor[] sensors) {
         for (InspectedSensor sensor : sensors) {
             double off = QUARTER - sensor.cone().bearing();
             if (Math.abs(off) < sensor.cone().half()) {
-                facing = Ray.of(sensor);
+                facing = WallRay.of(sensor);
             } else if (off > MIN_SLANT && off < MAX_SLANT) {
-                ahead = Ray.of(sensor);
+                ahead = WallRay.of(sensor);
             } else if (-off > MIN_SLANT && -off < MAX_SLANT) {
-                behind = Ray.of(sensor);
+                behind = WallRay.of(sensor);
             }
         }
-        rays = facing == null || ahead == null || behind == null ? null : new Ray[] {ahead, facing, behind};
+        rays = facing == null || ahead == null || behind == null ? null : new WallRay[] {ahead, facing, behind};
     }
 
     /** Returns the reading of the sensor that faces the wall. */

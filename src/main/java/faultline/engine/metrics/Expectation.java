@@ -60,7 +60,7 @@ public record Expectation(List<Condition> conditions) {
      *
      * @param wanted whether it is expected to
      */
-    public record Collision(boolean wanted) implements Condition {
+    public record Collides(boolean wanted) implements Condition {
 
         @Override
         public Optional<String> unmet(RunOutcome result) {
@@ -68,7 +68,7 @@ public record Expectation(List<Condition> conditions) {
                     ? Optional.empty()
                     : Condition.expected(
                             wanted ? "a collision" : "no collision",
-                            result.collision().map(Collision::describe).orElse("there was none"));
+                            result.collision().map(Collides::describe).orElse("there was none"));
         }
 
         private static String describe(faultline.world.Collision collision) {

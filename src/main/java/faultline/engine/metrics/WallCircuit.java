@@ -13,7 +13,7 @@ import java.util.function.IntConsumer;
  */
 public final class WallCircuit {
 
-    private final List<WallReference.Sample> places;
+    private final List<WallReference.WallSample> places;
     private final double tolerance;
     private final int[] paths;
     private final double[] lengths;
@@ -48,7 +48,7 @@ public final class WallCircuit {
      * @param joinDistance places nearer to each other than this belong to one path, metres
      * @param tolerance how far from a place a robot still passes it, at least the join distance, metres
      */
-    WallCircuit(List<WallReference.Sample> places, double spacing, double joinDistance, double tolerance) {
+    WallCircuit(List<WallReference.WallSample> places, double spacing, double joinDistance, double tolerance) {
         this.places = new ArrayList<>(places);
         this.tolerance = tolerance;
         int count = places.size();

@@ -11,11 +11,11 @@ public final class WallCircuits {
 
     private static final int MAX_KEPT = 16;
 
-    private final Map<Key, WallCircuit> kept = new LinkedHashMap<>(MAX_KEPT, 0.75f, true) {
+    private final Map<CircuitKey, WallCircuit> kept = new LinkedHashMap<>(MAX_KEPT, 0.75f, true) {
         private static final long serialVersionUID = 1L;
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<Key, WallCircuit> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<CircuitKey, WallCircuit> eldest) {
             return size() > MAX_KEPT;
         }
     };
@@ -23,7 +23,7 @@ public final class WallCircuits {
     /** Creates a cache without circuits. */
     public WallCircuits() {}
 
-    private record Key(WorldSpec world, double distance) {}
+    private record CircuitKey(WorldSpec world, double distance) {}
 
     /**
      * {@return the circuit for {@link CarryOnMetrics}}
@@ -35,7 +35,7 @@ public final class WallCircuits {
         if (distance.isEmpty()) {
             return WallCircuit.empty();
         }
-        Key key = new Key(setup.world(), distance.getAsDouble());
+        CircuitKey key = new CircuitKey(setup.world(), distance.getAsDouble());
         synchronized (kept) {
             WallCircuit known = kept.get(key);
             if (known != null) {

@@ -94,7 +94,7 @@ public final class WallReference {
      * @param distance from the wall to the robot's centre, metres
      * @param spacing of the samples along the walls, metres
      */
-    public List<Sample> samples(double distance, double spacing) {
+    public List<WallSample> samples(double distance, double spacing) {
         return samples(distance, spacing, 0);
     }
 
@@ -105,12 +105,12 @@ public final class WallReference {
      * @param distance from the wall to the robot's centre, metres
      * @param spacing of the samples along the path, metres
      */
-    public List<Sample> samplesAlongPath(double distance, double spacing) {
+    public List<WallSample> samplesAlongPath(double distance, double spacing) {
         return samples(distance, spacing, distance);
     }
 
-    private List<Sample> samples(double distance, double spacing, double reach) {
-        List<Sample> places = new ArrayList<>();
+    private List<WallSample> samples(double distance, double spacing, double reach) {
+        List<WallSample> places = new ArrayList<>();
         List<Vector2> circle = PlaceRow.circle(distance, spacing);
         for (int i = 0; i < walls().size(); i++) {
             List<PlaceRow> rows = PlaceRow.of(walls().shape(i), distance, spacing, reach, circle);
@@ -127,14 +127,14 @@ public final class WallReference {
         return places;
     }
 
-    private void addInTurn(PlaceRow left, PlaceRow right, double distance, List<Sample> places) {
+    private void addInTurn(PlaceRow left, PlaceRow right, double distance, List<WallSample> places) {
         for (int place = 0; place < left.size(); place++) {
             addIfFree(left, place, distance, places);
             addIfFree(right, place, distance, places);
         }
     }
 
-    private void addIfFree(PlaceRow row, int index, double distance, List<Sample> places) {
+    private void addIfFree(PlaceRow row, int index, double distance, List<WallSample> places) {
         Vector2 place = row.place(index);
         CandidateBuffer near = findNear(place, distance);
         for (int i = 0; i < near.size(); i++) {
@@ -142,7 +142,7 @@ public final class WallReference {
                 return;
             }
         }
-        places.add(new Sample(place, row.wallLength(index)));
+        places.add(new WallSample(place, row.wallLength(index)));
     }
 
     /**
@@ -166,5 +166,5 @@ public final class WallReference {
      * @param position of the robot's centre
      * @param wallLength the length of the piece of wall, metres; 0 for a corner, which only joins two walls
      */
-    public record Sample(Vector2 position, double wallLength) {}
+    public record WallSample(Vector2 position, double wallLength) {}
 }

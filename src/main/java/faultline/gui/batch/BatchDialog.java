@@ -193,7 +193,7 @@ final class BatchDialog extends JDialog {
         }
     }
 
-    private void ended(BatchRun ended, CampaignRunner.Result result) {
+    private void ended(BatchRun ended, CampaignRunner.RunCounts result) {
         running = false;
         if (!isDisplayable()) {
             delete(ended);

@@ -95,14 +95,14 @@ final class BatchRun {
      * @throws ScenarioException with everything that is wrong with the plan
      * @throws IOException if the temporary folder cannot be used
      */
-    CampaignRunner.Result make() throws IOException, ScenarioException {
+    CampaignRunner.RunCounts make() throws IOException, ScenarioException {
         folder = Files.createTempDirectory("faultline-batch-");
         CampaignPlan read = batch.prepare(folder);
         lines.add(ResultColumns.of(read).stream().map(column -> column.name()).toList());
         completion = new Completion(0, read.runCount(), 0);
         plan = read;
         CampaignRunner runner = new CampaignRunner(read, new CampaignFolder(results()), Shard.ALL, jobs);
-        CampaignRunner.Result result = runner.run(false, new RowCollector(), () -> !progress.isActive());
+        CampaignRunner.RunCounts result = runner.run(false, new RowCollector(), () -> !progress.isActive());
         cells = computeCells();
         return result;
     }

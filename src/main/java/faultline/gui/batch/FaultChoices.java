@@ -28,10 +28,10 @@ final class FaultChoices extends JPanel {
     private static final int VALUE_COLUMNS = 9;
     private static final double SPREAD = 2;
 
-    private final List<Row> rows = new ArrayList<>();
+    private final List<FaultChoiceRow> rows = new ArrayList<>();
 
     /** A kind, whether it is chosen, and its number; kinds without a number have no visible field. */
-    private record Row(FaultKind kind, JCheckBox box, JTextField value) {}
+    private record FaultChoiceRow(FaultKind kind, JCheckBox box, JTextField value) {}
 
     /** Creates choices with one kind selected; {@code onChange} is called after every change. */
     FaultChoices(Runnable onChange) {
@@ -52,7 +52,7 @@ final class FaultChoices extends JPanel {
         setValues(FaultChoices::drawnValues);
     }
 
-    private Row createRow(FaultKind kind, JPanel grid, Runnable onChange) {
+    private FaultChoiceRow createRow(FaultKind kind, JPanel grid, Runnable onChange) {
         JCheckBox box = new JCheckBox("", kind == FaultKind.STUCK);
         box.addActionListener(event -> onChange.run());
         JTextField value = new JTextField(VALUE_COLUMNS);
@@ -70,7 +70,7 @@ final class FaultChoices extends JPanel {
             JLabel unit = share ? UiText.label("faults.share") : new JLabel(MotorFaultText.unitOf(kind));
             grid.add(unit, FormConstraints.fillCell(2, row));
         }
-        return new Row(kind, box, value);
+        return new FaultChoiceRow(kind, box, value);
     }
 
     private static JButton button(String key, Runnable action, Runnable onChange) {

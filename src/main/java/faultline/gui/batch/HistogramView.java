@@ -34,15 +34,17 @@ final class HistogramView extends JPanel {
     private static final Dimension MIN_SIZE = new Dimension(420, 260);
     private static final MathContext THREE_DIGITS = new MathContext(3);
 
-    private final NamedChoice<Quantity> choice = new NamedChoice<>(
-            Quantity.values(), quantity -> Messages.get("batch.quantity." + quantity), ignored -> showChosen());
+    private final NamedChoice<HistogramQuantity> choice = new NamedChoice<>(
+            HistogramQuantity.values(),
+            quantity -> Messages.get("batch.quantity." + quantity),
+            ignored -> showChosen());
     private final JLabel summary = new JLabel(" ");
     private final HistogramPlot canvas = new HistogramPlot();
-    private final transient Function<Quantity, double[]> values;
+    private final transient Function<HistogramQuantity, double[]> values;
     private boolean outdated;
 
     /** A number of a run. */
-    enum Quantity {
+    enum HistogramQuantity {
         COVERAGE("coverage", 1),
         DISTANCE_RMS("distance_rms_m", 1000),
         FOLLOW_RMS("follow_rms_m", 1000);
@@ -50,7 +52,7 @@ final class HistogramView extends JPanel {
         private final String column;
         private final double scale;
 
-        Quantity(String column, double scale) {
+        HistogramQuantity(String column, double scale) {
             this.column = column;
             this.scale = scale;
         }
@@ -62,7 +64,7 @@ final class HistogramView extends JPanel {
     }
 
     /** Creates a view; the function returns the values of a number, of those runs that have it. */
-    HistogramView(Function<Quantity, double[]> values) {
+    HistogramView(Function<HistogramQuantity, double[]> values) {
         super(new BorderLayout(0, 6));
         this.values = values;
         setBorder(BorderFactory.createEmptyBorder(8, 8, 0, 8));
@@ -91,7 +93,7 @@ final class HistogramView extends JPanel {
 
     private void showChosen() {
         outdated = false;
-        Quantity quantity = choice.value();
+        HistogramQuantity quantity = choice.value();
         double[] found = Arrays.stream(values.apply(quantity))
                 .map(value -> value * quantity.scale)
                 .sorted()

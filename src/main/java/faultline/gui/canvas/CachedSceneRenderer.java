@@ -59,8 +59,8 @@ final class CachedSceneRenderer {
             Frame frame,
             CanvasModel scene,
             List<Rectangle2D> covered) {
-        LayerBuffer.View view =
-                new LayerBuffer.View(camera, palette, graphics.getTransform().getScaleX());
+        LayerBuffer.LayerView view = new LayerBuffer.LayerView(
+                camera, palette, graphics.getTransform().getScaleX());
         ScenePainter painter = new ScenePainter(layers, LocalizedLabels.create());
         Set<String> apart = separatelyPainted(scene.selection().get());
         division = division.of(frame.snapshot().obstacles(), apart);
@@ -102,14 +102,14 @@ final class CachedSceneRenderer {
         shownWorld = world;
     }
 
-    private void updateGround(GroundLayer wanted, LayerBuffer.View view) {
+    private void updateGround(GroundLayer wanted, LayerBuffer.LayerView view) {
         budget = new FrameBudget(clock);
         ground.update(wanted, view, budget);
         complete = ground.isComplete();
     }
 
     /** Updates a path once the ground, and the path before it, are complete. */
-    private void updatePath(CachedLayer<PathLayer> layer, PathLayer wanted, LayerBuffer.View view) {
+    private void updatePath(CachedLayer<PathLayer> layer, PathLayer wanted, LayerBuffer.LayerView view) {
         complete = complete && !budget.isSpent();
         if (complete) {
             layer.update(wanted, view, budget);

@@ -14,13 +14,13 @@ public final class PointShapes {
     /** Returns a closed polygon of at least three points in the world, metres. */
     public static Obstacle polygon(String id, List<Vector2> points) {
         Pose frame = frame(points);
-        return new Obstacle(id, new ObstacleShape.Polygon(toLocal(points, frame)), frame);
+        return new Obstacle(id, new ObstacleShape.PolygonShape(toLocal(points, frame)), frame);
     }
 
     /** Returns an open wall of at least two points in the world, metres. */
     public static Obstacle wall(String id, List<Vector2> points) {
         Pose frame = frame(points);
-        return new Obstacle(id, new ObstacleShape.Wall(toLocal(points, frame)), frame);
+        return new Obstacle(id, new ObstacleShape.WallShape(toLocal(points, frame)), frame);
     }
 
     private static Pose frame(List<Vector2> points) {

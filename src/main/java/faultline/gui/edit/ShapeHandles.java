@@ -84,40 +84,40 @@ public final class ShapeHandles {
         String sizeText(Obstacle obstacle, int handle);
     }
 
-    private static final ObstacleShape.Visitor<Handles> HANDLES = new ObstacleShape.Visitor<>() {
+    private static final ObstacleShape.ShapeVisitor<Handles> HANDLES = new ObstacleShape.ShapeVisitor<>() {
         @Override
-        public Handles visit(ObstacleShape.Rectangle shape) {
+        public Handles visit(ObstacleShape.RectangleShape shape) {
             return new RectangleHandles(shape);
         }
 
         @Override
-        public Handles visit(ObstacleShape.Circle shape) {
+        public Handles visit(ObstacleShape.CircleShape shape) {
             return new CircleHandles(shape);
         }
 
         @Override
-        public Handles visit(ObstacleShape.Ellipse shape) {
+        public Handles visit(ObstacleShape.EllipseShape shape) {
             return new EllipseHandles(shape);
         }
 
         @Override
-        public Handles visit(ObstacleShape.Polygon shape) {
-            return new CornerHandles(shape.points(), ObstacleShape.Polygon::new);
+        public Handles visit(ObstacleShape.PolygonShape shape) {
+            return new CornerHandles(shape.points(), ObstacleShape.PolygonShape::new);
         }
 
         @Override
-        public Handles visit(ObstacleShape.Wall shape) {
-            return new CornerHandles(shape.points(), ObstacleShape.Wall::new);
+        public Handles visit(ObstacleShape.WallShape shape) {
+            return new CornerHandles(shape.points(), ObstacleShape.WallShape::new);
         }
 
         @Override
-        public Handles visit(ObstacleShape.Plan shape) {
+        public Handles visit(ObstacleShape.PlanShape shape) {
             // It is moved and rotated as a whole; its thousands of corners have no handles.
             return new CornerHandles(List.of(), points -> shape);
         }
     };
 
-    private record RectangleHandles(ObstacleShape.Rectangle shape) implements Handles {
+    private record RectangleHandles(ObstacleShape.RectangleShape shape) implements Handles {
         @Override
         public List<Vector2> positions() {
             return SIDES.stream()
@@ -135,7 +135,7 @@ public final class ShapeHandles {
                     .toParent(new Vector2(side.x() * (w - shape.width()) / 2, side.y() * (h - shape.height()) / 2));
             return with(
                     obstacle,
-                    new ObstacleShape.Rectangle(w, h),
+                    new ObstacleShape.RectangleShape(w, h),
                     // Finely, so that the opposite side of a rotated rectangle stays.
                     obstacle.pose()
                             .withPosition(Rounding.roundFinely(obstacle.pose().position(), middle)));
@@ -147,7 +147,7 @@ public final class ShapeHandles {
         }
     }
 
-    private record CircleHandles(ObstacleShape.Circle shape) implements Handles {
+    private record CircleHandles(ObstacleShape.CircleShape shape) implements Handles {
         @Override
         public List<Vector2> positions() {
             return AXES.stream().map(axis -> axis.times(shape.radius())).toList();
@@ -156,7 +156,7 @@ public final class ShapeHandles {
         @Override
         public Obstacle drag(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
             double radius = size(obstacle.pose().toLocal(to).length(), snap);
-            return obstacle.withShape(new ObstacleShape.Circle(radius));
+            return obstacle.withShape(new ObstacleShape.CircleShape(radius));
         }
 
         @Override
@@ -165,7 +165,7 @@ public final class ShapeHandles {
         }
     }
 
-    private record EllipseHandles(ObstacleShape.Ellipse shape) implements Handles {
+    private record EllipseHandles(ObstacleShape.EllipseShape shape) implements Handles {
         @Override
         public List<Vector2> positions() {
             return AXES.stream()
@@ -179,7 +179,7 @@ public final class ShapeHandles {
             boolean alongX = AXES.get(handle).y() == 0;
             double rx = alongX ? size(Math.abs(local.x()), snap) : shape.rx();
             double ry = alongX ? shape.ry() : size(Math.abs(local.y()), snap);
-            return obstacle.withShape(new ObstacleShape.Ellipse(rx, ry));
+            return obstacle.withShape(new ObstacleShape.EllipseShape(rx, ry));
         }
 
         @Override

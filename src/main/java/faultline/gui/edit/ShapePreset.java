@@ -60,9 +60,9 @@ public enum ShapePreset {
 
     private ObstacleShape shape(double w, double h) {
         return switch (this) {
-            case RECTANGLE, SQUARE -> new ObstacleShape.Rectangle(w, h);
-            case CIRCLE -> new ObstacleShape.Circle(w / 2);
-            case ELLIPSE -> new ObstacleShape.Ellipse(w / 2, h / 2);
+            case RECTANGLE, SQUARE -> new ObstacleShape.RectangleShape(w, h);
+            case CIRCLE -> new ObstacleShape.CircleShape(w / 2);
+            case ELLIPSE -> new ObstacleShape.EllipseShape(w / 2, h / 2);
             case TRIANGLE ->
                 polygon(List.of(new Vector2(-w / 2, -h / 2), new Vector2(w / 2, -h / 2), new Vector2(0, h / 2)));
             case HEXAGON ->
@@ -81,6 +81,6 @@ public enum ShapePreset {
     }
 
     private static ObstacleShape polygon(List<Vector2> points) {
-        return new ObstacleShape.Polygon(Rounding.round(points));
+        return new ObstacleShape.PolygonShape(Rounding.round(points));
     }
 }

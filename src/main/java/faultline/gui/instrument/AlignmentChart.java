@@ -45,12 +45,12 @@ final class AlignmentChart {
                         "s",
                         DoubleStream.concat(
                                 DoubleStream.of(0, 0.5),
-                                trace.samples().stream().mapToDouble(AlignmentTrace.Sample::clock))),
+                                trace.samples().stream().mapToDouble(AlignmentTrace.AlignmentSample::clock))),
                 Axis.covering(
                         "m",
                         DoubleStream.concat(
                                 DoubleStream.of(0, 0.2),
-                                trace.samples().stream().mapToDouble(AlignmentTrace.Sample::reading))));
+                                trace.samples().stream().mapToDouble(AlignmentTrace.AlignmentSample::reading))));
         painter = new PlotPainter(surface, plot);
         textStyle = TextStyle.plain(TEXT_SIZE, theme.palette().text());
     }

@@ -28,7 +28,7 @@ import java.util.OptionalDouble;
  * @param achievedHeading the heading at the end of ALIGN, radians; NaN if not yet known
  */
 record AlignmentTrace(
-        List<Sample> samples,
+        List<AlignmentSample> samples,
         double start,
         double rate,
         double headingNow,
@@ -44,7 +44,7 @@ record AlignmentTrace(
      * @param clock the time, seconds
      * @param reading the distance, metres; infinite if nothing is in range
      */
-    record Sample(double clock, double reading) {}
+    record AlignmentSample(double clock, double reading) {}
 
     AlignmentTrace {
         samples = List.copyOf(samples);
@@ -90,10 +90,10 @@ record AlignmentTrace(
         double start = headingAt(level, ticks.turn() - 1);
         double turnedBy = headingAt(level, ticks.align() - 1) - start;
         double rate = Math.copySign(frame.snapshot().robot().turnRate(), turnedBy == 0 ? -1 : turnedBy);
-        List<Sample> samples = new ArrayList<>();
+        List<AlignmentSample> samples = new ArrayList<>();
         // The reading that the controller reports in a tick was taken at the end of the tick before.
         for (long tick = ticks.turn(); tick < ticks.align(); tick++) {
-            samples.add(new Sample(
+            samples.add(new AlignmentSample(
                     (headingAt(level, tick - 1) - start) / rate, level.min(TraceChannels.MEASURED_DISTANCE, tick)));
         }
         Telemetry.EdgeTimes shown = frame.telemetry().edges();

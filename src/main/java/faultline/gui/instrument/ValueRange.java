@@ -10,29 +10,29 @@ import java.util.stream.DoubleStream;
  * @param low the least value of a fixed range
  * @param high the greatest value of a fixed range, above low
  */
-record ValueRange(Kind kind, double low, double high) {
+record ValueRange(RangeKind kind, double low, double high) {
 
     /** The values and zero. */
-    static final ValueRange FROM_ZERO = new ValueRange(Kind.FROM_ZERO, 0, 1);
+    static final ValueRange FROM_ZERO = new ValueRange(RangeKind.FROM_ZERO, 0, 1);
     /** The values only, so that small changes of large values are visible. */
-    static final ValueRange FITTED = new ValueRange(Kind.FITTED, 0, 1);
+    static final ValueRange FITTED = new ValueRange(RangeKind.FITTED, 0, 1);
 
     private static final double MIN_SIZE = 1e-5;
 
     /** The ways to choose a range. */
-    enum Kind {
+    enum RangeKind {
         FROM_ZERO,
         FITTED,
         FIXED
     }
 
     static ValueRange fixed(double low, double high) {
-        return new ValueRange(Kind.FIXED, low, Math.max(high, low + MIN_SIZE));
+        return new ValueRange(RangeKind.FIXED, low, Math.max(high, low + MIN_SIZE));
     }
 
     /** Returns the axis of some finite values. */
     Axis axis(String unit, double[] values) {
-        if (kind == Kind.FIXED) {
+        if (kind == RangeKind.FIXED) {
             return Axis.linear(unit, low, high);
         }
         if (DoubleStream.of(values).allMatch(value -> value == 0)) {
@@ -41,7 +41,8 @@ record ValueRange(Kind kind, double low, double high) {
         return Axis.covering(
                 unit,
                 DoubleStream.concat(
-                        kind == Kind.FROM_ZERO ? DoubleStream.of(0) : DoubleStream.empty(), DoubleStream.of(values)));
+                        kind == RangeKind.FROM_ZERO ? DoubleStream.of(0) : DoubleStream.empty(),
+                        DoubleStream.of(values)));
     }
 
     /** Returns the range of an axis scaled by a factor, with the value at a share of it kept in place. */

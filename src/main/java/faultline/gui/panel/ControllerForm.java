@@ -26,13 +26,13 @@ import javax.swing.JPanel;
 public final class ControllerForm {
 
     /** The kinds of controllers. */
-    private enum Kind {
+    private enum ControllerKind {
         FOLLOWER,
         DRIVE,
         NONE,
         FOREIGN;
 
-        static Kind of(ControllerSpec spec) {
+        static ControllerKind of(ControllerSpec spec) {
             if (!(spec instanceof ControllerSpec.BuiltIn)) {
                 return FOREIGN;
             }
@@ -46,8 +46,8 @@ public final class ControllerForm {
     private static final double MAX_VOLTS = 100;
 
     private final Consumer<ControllerSpec.BuiltIn> onChange;
-    private final NamedChoice<Kind> kind = new NamedChoice<>(
-            Kind.values(), value -> Messages.get("controller.kind." + value.name()), this::selectKind);
+    private final NamedChoice<ControllerKind> kind = new NamedChoice<>(
+            ControllerKind.values(), value -> Messages.get("controller.kind." + value.name()), this::selectKind);
     private final NumberSpinner distance = new NumberSpinner(
             "0.00##", MIN_DISTANCE, MAX_DISTANCE, 0.01, value -> change(old -> old.withDistance(value)));
     private final NamedChoice<WallSide> side = new NamedChoice<>(
@@ -144,8 +144,8 @@ public final class ControllerForm {
         return shown instanceof ControllerSpec.Drive drive ? drive : new ControllerSpec.Drive(1, 1);
     }
 
-    private void selectKind(Kind selected) {
-        if (selected != Kind.of(shown) && selected != Kind.FOREIGN) {
+    private void selectKind(ControllerKind selected) {
+        if (selected != ControllerKind.of(shown) && selected != ControllerKind.FOREIGN) {
             send(
                     switch (selected) {
                         case FOLLOWER -> WallFollowing.DEFAULT;
@@ -184,8 +184,8 @@ public final class ControllerForm {
     public void setController(ControllerSpec controller, RobotSpec robot, double dt) {
         shown = controller;
         boolean follows = shown instanceof WallFollowing;
-        kind.setValue(Kind.of(shown));
-        kind.setEnabled(Kind.of(shown) != Kind.FOREIGN);
+        kind.setValue(ControllerKind.of(shown));
+        kind.setEnabled(ControllerKind.of(shown) != ControllerKind.FOREIGN);
         for (JComponent field : new JComponent[] {distance, side, timing, period, diagnosis}) {
             field.setEnabled(follows);
         }

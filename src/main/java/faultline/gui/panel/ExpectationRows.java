@@ -43,7 +43,7 @@ final class ExpectationRows extends JPanel {
     }
 
     private static void setStatus(JLabel label, Expectation.Condition item, boolean met, boolean ended) {
-        boolean failed = !met && (ended || item.equals(new Expectation.Collision(false)));
+        boolean failed = !met && (ended || item.equals(new Expectation.Collides(false)));
         Icon icon = met ? MET : failed ? FAILED : OPEN;
         if (label.getIcon() != icon) {
             label.setIcon(icon);

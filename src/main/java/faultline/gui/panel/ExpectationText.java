@@ -14,7 +14,7 @@ final class ExpectationText {
 
     /** Returns what is expected. */
     static String format(Expectation.Condition condition) {
-        if (condition instanceof Expectation.Collision collision) {
+        if (condition instanceof Expectation.Collides collision) {
             return Messages.get(collision.wanted() ? "expect.collision" : "expect.noCollision");
         }
         if (condition instanceof Expectation.MinCoverage coverage) {
@@ -30,7 +30,7 @@ final class ExpectationText {
 
     /** Returns what the run has come to. */
     static String value(Expectation.Condition condition, RunOutcome outcome) {
-        if (condition instanceof Expectation.Collision) {
+        if (condition instanceof Expectation.Collides) {
             return Messages.get(outcome.collision().isEmpty() ? "expect.none" : "expect.collided");
         }
         if (condition instanceof Expectation.MinCoverage) {

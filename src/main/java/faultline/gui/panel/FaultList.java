@@ -25,10 +25,10 @@ final class FaultList extends JPanel {
     private static final GlyphIcon REMOVE_ICON = new GlyphIcon(Glyph.REMOVE, 14, colours -> colours.text());
 
     private final transient UndoController editor;
-    private transient List<ActiveFault> shownFaults = List.of();
+    private transient List<ListedFault> shownFaults = List.of();
 
     /** A fault of a sensor. */
-    private record ActiveFault(String sensor, Fault fault) {}
+    private record ListedFault(String sensor, Fault fault) {}
 
     FaultList(UndoController editor) {
         super(new GridBagLayout());
@@ -37,9 +37,9 @@ final class FaultList extends JPanel {
     }
 
     void setSensors(List<SensorSnapshot> sensors) {
-        List<ActiveFault> now = sensors.stream()
+        List<ListedFault> now = sensors.stream()
                 .flatMap(sensor -> sensor.faults().stream()
-                        .map(fault -> new ActiveFault(sensor.spec().id(), fault)))
+                        .map(fault -> new ListedFault(sensor.spec().id(), fault)))
                 .toList();
         if (!now.equals(shownFaults)) {
             shownFaults = now;
@@ -63,7 +63,7 @@ final class FaultList extends JPanel {
         repaint();
     }
 
-    private void addRow(int row, ActiveFault active) {
+    private void addRow(int row, ListedFault active) {
         JLabel label = new JLabel(WARNING_ICON, JLabel.LEADING);
         add(RefreshSteps.add(label, self -> self.setText(text(active))), FormConstraints.fillCell(0, row));
         JButton mend = new JButton(REMOVE_ICON);
@@ -76,14 +76,14 @@ final class FaultList extends JPanel {
         add(mend, FormConstraints.cell(1, row));
     }
 
-    private static String text(ActiveFault active) {
+    private static String text(ListedFault active) {
         return active.sensor() + ": " + ReadingText.format(active.fault());
     }
 
     private void addClearAll(int row) {
         JButton all = UiText.button("faults.mendAll");
         all.addActionListener(event -> editor.send(shownFaults.stream()
-                .map(ActiveFault::sensor)
+                .map(ListedFault::sensor)
                 .distinct()
                 .<Command>map(Command.ClearFaults::new)
                 .toList()));

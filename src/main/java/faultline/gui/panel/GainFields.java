@@ -18,12 +18,12 @@ import javax.swing.JPanel;
 final class GainFields extends JPanel {
 
     /** How the gains are chosen. */
-    private enum Choice {
+    private enum GainChoice {
         AUTOMATIC,
         LENGTH,
         FIXED;
 
-        static Choice of(GainRule rule) {
+        static GainChoice of(GainRule rule) {
             return rule instanceof GainRule.Length ? LENGTH : rule instanceof GainRule.Fixed ? FIXED : AUTOMATIC;
         }
     }
@@ -33,8 +33,8 @@ final class GainFields extends JPanel {
     private static final double ROUNDING = 1e4;
 
     private final transient Consumer<GainRule> onChange;
-    private final NamedChoice<Choice> choice =
-            new NamedChoice<>(Choice.values(), value -> Messages.get("controller.gains." + value.name()), this::select);
+    private final NamedChoice<GainChoice> choice = new NamedChoice<>(
+            GainChoice.values(), value -> Messages.get("controller.gains." + value.name()), this::select);
     private final NumberSpinner length =
             new NumberSpinner("0.00####", MIN_GAIN, MAX_GAIN, 0.01, value -> send(new GainRule.Length(value)));
     private final NumberSpinner proportional = new NumberSpinner(
@@ -61,7 +61,7 @@ final class GainFields extends JPanel {
     }
 
     /** Keeps the values that are shown when another choice is made. */
-    private void select(Choice selected) {
+    private void select(GainChoice selected) {
         send(
                 switch (selected) {
                     case AUTOMATIC -> GainRule.AUTOMATIC;
@@ -81,7 +81,7 @@ final class GainFields extends JPanel {
         shown = follower.gainRule();
         double lag = robot.motor().timeConstant() + dt * PeriodicController.ticksPerPeriod(follower.period(), dt);
         PdGains gains = shown.gains(robot.speed(), lag);
-        choice.setValue(Choice.of(shown));
+        choice.setValue(GainChoice.of(shown));
         proportional.setWorldValue(
                 shown instanceof GainRule.Fixed ? gains.proportional() : rounded(gains.proportional()));
         derivative.setWorldValue(shown instanceof GainRule.Fixed ? gains.derivative() : rounded(gains.derivative()));

@@ -17,14 +17,14 @@ final class HealthRows extends JPanel {
 
     private static final double PERCENT = 100;
 
-    private record Row(JLabel name, ValueLabel finding, ValueLabel evidence, ValueLabel since) {
+    private record HealthRow(JLabel name, ValueLabel finding, ValueLabel evidence, ValueLabel since) {
 
         void clear() {
             Stream.of(finding, evidence, since).forEach(value -> value.setValue(ValueLabel.NONE));
         }
     }
 
-    private final transient List<Row> rows = new ArrayList<>();
+    private final transient List<HealthRow> rows = new ArrayList<>();
     /** Null before the first run. */
     private List<String> sensors;
 
@@ -49,11 +49,11 @@ final class HealthRows extends JPanel {
             rebuild();
         }
         if (health.isEmpty()) {
-            rows.forEach(Row::clear);
+            rows.forEach(HealthRow::clear);
         }
         for (int i = 0; i < health.size(); i++) {
             SensorHealth sensor = health.get(i);
-            Row row = rows.get(i);
+            HealthRow row = rows.get(i);
             row.finding.setValue(name(sensor.finding()));
             row.evidence.setValue(
                     sensor.evidence() > 0 ? format("%.0f %%", PERCENT * sensor.evidence()) : ValueLabel.NONE);
@@ -90,7 +90,7 @@ final class HealthRows extends JPanel {
     }
 
     private void addRow(String id) {
-        Row row = new Row(
+        HealthRow row = new HealthRow(
                 new JLabel(id),
                 value(id, "health.finding", () -> Stream.of(SensorFinding.values())
                         .map(HealthRows::name)

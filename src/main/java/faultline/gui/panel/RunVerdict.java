@@ -75,7 +75,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
     }
 
     private static RunVerdict atCollision(Collision collision, List<Expectation.Condition> required) {
-        boolean expected = required.contains(new Expectation.Collision(true));
+        boolean expected = required.contains(new Expectation.Collides(true));
         return new RunVerdict(
                 expected,
                 Messages.get("verdict.collided", collision.obstacle(), time(collision.time())),

@@ -22,7 +22,7 @@ import javax.swing.JPanel;
 final class ExpectationForm extends JPanel {
 
     /** What is expected of collisions. */
-    private enum Contact {
+    private enum ContactChoice {
         NOT_CHECKED,
         NONE,
         EXPECTED
@@ -32,8 +32,8 @@ final class ExpectationForm extends JPanel {
     private static final double USUAL_COVERAGE = 0.8;
     private static final double USUAL_RMS = 0.02;
 
-    private final NamedChoice<Contact> contact =
-            new NamedChoice<>(Contact.values(), value -> Messages.get("expect.contact." + value), value -> {});
+    private final NamedChoice<ContactChoice> contact =
+            new NamedChoice<>(ContactChoice.values(), value -> Messages.get("expect.contact." + value), value -> {});
     private final JCheckBox coverageBox = new JCheckBox(Messages.get("expect.form.coverage"));
     private final NumberSpinner coverage = new NumberSpinner("0.0##", 0, 1, 0.05, value -> {});
     private final JCheckBox rmsBox = new JCheckBox(Messages.get("expect.form.rms"));
@@ -73,7 +73,7 @@ final class ExpectationForm extends JPanel {
 
     /** Shows an expectation. */
     void setExpectation(Expectation expectation) {
-        contact.setValue(Contact.NOT_CHECKED);
+        contact.setValue(ContactChoice.NOT_CHECKED);
         coverageBox.setSelected(false);
         coverage.setWorldValue(USUAL_COVERAGE);
         rmsBox.setSelected(false);
@@ -92,8 +92,8 @@ final class ExpectationForm extends JPanel {
     }
 
     private void show(Expectation.Condition condition) {
-        if (condition instanceof Expectation.Collision collision) {
-            contact.setValue(collision.wanted() ? Contact.EXPECTED : Contact.NONE);
+        if (condition instanceof Expectation.Collides collision) {
+            contact.setValue(collision.wanted() ? ContactChoice.EXPECTED : ContactChoice.NONE);
         } else if (condition instanceof Expectation.MinCoverage least) {
             coverageBox.setSelected(true);
             coverage.setWorldValue(least.share());
@@ -112,8 +112,8 @@ final class ExpectationForm extends JPanel {
     /** Returns the expectation of the fields. */
     Expectation expectation() {
         List<Expectation.Condition> conditions = new ArrayList<>();
-        if (contact.getSelectedItem() != Contact.NOT_CHECKED) {
-            conditions.add(new Expectation.Collision(contact.getSelectedItem() == Contact.EXPECTED));
+        if (contact.getSelectedItem() != ContactChoice.NOT_CHECKED) {
+            conditions.add(new Expectation.Collides(contact.getSelectedItem() == ContactChoice.EXPECTED));
         }
         if (coverageBox.isSelected()) {
             conditions.add(new Expectation.MinCoverage(coverage.doubleValue()));

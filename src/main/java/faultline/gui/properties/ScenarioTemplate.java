@@ -20,9 +20,9 @@ enum ScenarioTemplate {
             5,
             true,
             new Pose(1, 1, 0),
-            new Obstacle("cabinet", new ObstacleShape.Rectangle(1.6, 0.5), new Pose(1.4, 4.74, 0)),
-            new Obstacle("desk", new ObstacleShape.Rectangle(0.8, 1.6), new Pose(5.59, 2.4, 0)),
-            new Obstacle("table", new ObstacleShape.Circle(0.5), new Pose(2.6, 2.4, 0))),
+            new Obstacle("cabinet", new ObstacleShape.RectangleShape(1.6, 0.5), new Pose(1.4, 4.74, 0)),
+            new Obstacle("desk", new ObstacleShape.RectangleShape(0.8, 1.6), new Pose(5.59, 2.4, 0)),
+            new Obstacle("table", new ObstacleShape.CircleShape(0.5), new Pose(2.6, 2.4, 0))),
     /** A long corridor. */
     CORRIDOR(12, 1.8, true, new Pose(1, 0.9, 0)),
     /** A square room with a pillar, whose outer corners must be rounded. */
@@ -31,14 +31,14 @@ enum ScenarioTemplate {
             6,
             true,
             new Pose(1.2, 3, 0),
-            new Obstacle("pillar", new ObstacleShape.Rectangle(1.2, 1.2), new Pose(3, 3, 0))),
+            new Obstacle("pillar", new ObstacleShape.RectangleShape(1.2, 1.2), new Pose(3, 3, 0))),
     /** A building in the open. */
     OPEN_GROUND(
             10,
             8,
             false,
             new Pose(1.5, 4, 0),
-            new Obstacle("building", new ObstacleShape.Rectangle(4, 3), new Pose(5, 4, 0)));
+            new Obstacle("building", new ObstacleShape.RectangleShape(4, 3), new Pose(5, 4, 0)));
 
     private final transient WorldSpec world;
     private final transient Pose start;
@@ -55,6 +55,6 @@ enum ScenarioTemplate {
                 "",
                 false,
                 SimulationSetup.of(world, start),
-                new Expectation(List.of(new Expectation.Collision(false))));
+                new Expectation(List.of(new Expectation.Collides(false))));
     }
 }

@@ -12,7 +12,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /** The size of an obstacle: two lengths, or points. */
-final class SizeFields implements ObstacleShape.Visitor<SizeFields.Size> {
+final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
 
     private static final double MIN_SIZE = 0.001;
     private static final double MAX_SIZE = 10_000;
@@ -79,21 +79,22 @@ final class SizeFields implements ObstacleShape.Visitor<SizeFields.Size> {
     }
 
     private boolean change(double newFirst, double newSecond) {
-        if (shape instanceof ObstacleShape.Rectangle) {
-            return onChange.test(new ObstacleShape.Rectangle(newFirst, newSecond));
+        if (shape instanceof ObstacleShape.RectangleShape) {
+            return onChange.test(new ObstacleShape.RectangleShape(newFirst, newSecond));
         }
-        if (shape instanceof ObstacleShape.Circle) {
-            return onChange.test(new ObstacleShape.Circle(newFirst));
+        if (shape instanceof ObstacleShape.CircleShape) {
+            return onChange.test(new ObstacleShape.CircleShape(newFirst));
         }
-        return shape instanceof ObstacleShape.Ellipse && onChange.test(new ObstacleShape.Ellipse(newFirst, newSecond));
+        return shape instanceof ObstacleShape.EllipseShape
+                && onChange.test(new ObstacleShape.EllipseShape(newFirst, newSecond));
     }
 
     private boolean changePoints(List<Vector2> entered) {
         try {
             return onChange.test(
-                    shape instanceof ObstacleShape.Wall
-                            ? new ObstacleShape.Wall(entered)
-                            : new ObstacleShape.Polygon(entered));
+                    shape instanceof ObstacleShape.WallShape
+                            ? new ObstacleShape.WallShape(entered)
+                            : new ObstacleShape.PolygonShape(entered));
         } catch (IllegalArgumentException notAllowed) {
             return false;
         }
@@ -116,32 +117,32 @@ final class SizeFields implements ObstacleShape.Visitor<SizeFields.Size> {
     }
 
     @Override
-    public Size visit(ObstacleShape.Rectangle rectangle) {
+    public Size visit(ObstacleShape.RectangleShape rectangle) {
         return new Size("rectangle", rectangle.width(), rectangle.height(), List.of());
     }
 
     @Override
-    public Size visit(ObstacleShape.Circle circle) {
+    public Size visit(ObstacleShape.CircleShape circle) {
         return new Size("circle", circle.radius(), Double.NaN, List.of());
     }
 
     @Override
-    public Size visit(ObstacleShape.Ellipse ellipse) {
+    public Size visit(ObstacleShape.EllipseShape ellipse) {
         return new Size("ellipse", ellipse.rx(), ellipse.ry(), List.of());
     }
 
     @Override
-    public Size visit(ObstacleShape.Polygon polygon) {
+    public Size visit(ObstacleShape.PolygonShape polygon) {
         return new Size("rectangle", Double.NaN, Double.NaN, polygon.points());
     }
 
     @Override
-    public Size visit(ObstacleShape.Wall wall) {
+    public Size visit(ObstacleShape.WallShape wall) {
         return new Size("rectangle", Double.NaN, Double.NaN, wall.points());
     }
 
     @Override
-    public Size visit(ObstacleShape.Plan plan) {
+    public Size visit(ObstacleShape.PlanShape plan) {
         return new Size("rectangle", Double.NaN, Double.NaN, List.of());
     }
 }

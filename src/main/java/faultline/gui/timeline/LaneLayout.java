@@ -77,7 +77,7 @@ final class LaneLayout {
     }
 
     /** The part of an item that the mouse takes hold of. */
-    enum Part {
+    enum Grip {
         START,
         BODY,
         END
@@ -89,7 +89,7 @@ final class LaneLayout {
      * @param index the index of the item
      * @param part its part
      */
-    record Hit(int index, Part part) {}
+    record Hit(int index, Grip part) {}
 
     /** Returns the number of rows that all lanes take. */
     static int rowCount(List<Lane> lanes, List<TimelineItem> items) {
@@ -192,17 +192,17 @@ final class LaneLayout {
                     && y <= bounds.getMaxY()
                     && x >= bounds.getMinX() - EDGE
                     && x <= bounds.getMaxX() + EDGE) {
-                return new Hit(i, items.get(i).isInterval() ? part(bounds, x) : Part.BODY);
+                return new Hit(i, items.get(i).isInterval() ? part(bounds, x) : Grip.BODY);
             }
         }
         return null;
     }
 
-    private static Part part(Rectangle2D bounds, double x) {
+    private static Grip part(Rectangle2D bounds, double x) {
         double edge = Math.min(EDGE, bounds.getWidth() / 3);
         if (x >= bounds.getMaxX() - edge) {
-            return Part.END;
+            return Grip.END;
         }
-        return x <= bounds.getMinX() + edge ? Part.START : Part.BODY;
+        return x <= bounds.getMinX() + edge ? Grip.START : Grip.BODY;
     }
 }

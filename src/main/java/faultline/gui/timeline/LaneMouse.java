@@ -124,7 +124,7 @@ final class LaneMouse extends MouseAdapter {
     @Override
     public void mouseMoved(MouseEvent event) {
         LaneLayout.Hit under = view.lanes().hit(event.getX(), event.getY());
-        boolean edge = under != null && under.part() != LaneLayout.Part.BODY;
+        boolean edge = under != null && under.part() != LaneLayout.Grip.BODY;
         view.setCursor(Cursor.getPredefinedCursor(
                 edge ? Cursor.E_RESIZE_CURSOR : under == null ? Cursor.DEFAULT_CURSOR : Cursor.HAND_CURSOR));
     }

@@ -185,10 +185,10 @@ final class MainPanel extends JPanel {
         frame.setGlassPane(marker);
         TourCard card = new TourCard(
                 List.of(
-                        new TourCard.Step("break", controlPanel.sensorDetails()),
-                        new TourCard.Step("health", controlPanel.runPanel()),
-                        new TourCard.Step("timeline", timeline.lanes()),
-                        new TourCard.Step("ghost", ghostMenu)),
+                        new TourCard.TourStep("break", controlPanel.sensorDetails()),
+                        new TourCard.TourStep("health", controlPanel.runPanel()),
+                        new TourCard.TourStep("timeline", timeline.lanes()),
+                        new TourCard.TourStep("ghost", ghostMenu)),
                 marker::setTarget);
         overlays.addCard(card);
         return card;

@@ -15,19 +15,19 @@ final class ToolBarLayout extends BarLayout {
 
     private static final int ROW_GAP = 4;
 
-    private record Row(List<Component> components, int width, int height) {}
+    private record ToolBarRow(List<Component> components, int width, int height) {}
 
-    private static List<Row> rows(Container bar) {
+    private static List<ToolBarRow> rows(Container bar) {
         Insets insets = bar.getInsets();
         int room = bar.getWidth() > 0 ? bar.getWidth() - insets.left - insets.right : Integer.MAX_VALUE;
-        List<Row> rows = new ArrayList<>();
+        List<ToolBarRow> rows = new ArrayList<>();
         List<Component> open = new ArrayList<>();
         int width = 0;
         int height = 0;
         for (Component part : bar.getComponents()) {
             Dimension size = part.getPreferredSize();
             if (width + size.width > room && !open.isEmpty()) {
-                rows.add(new Row(List.copyOf(open), width, height));
+                rows.add(new ToolBarRow(List.copyOf(open), width, height));
                 open.clear();
                 width = 0;
                 height = 0;
@@ -36,7 +36,7 @@ final class ToolBarLayout extends BarLayout {
             width += size.width;
             height = Math.max(height, size.height);
         }
-        rows.add(new Row(List.copyOf(open), width, height));
+        rows.add(new ToolBarRow(List.copyOf(open), width, height));
         return rows;
     }
 
@@ -44,7 +44,7 @@ final class ToolBarLayout extends BarLayout {
     public void layoutContainer(Container bar) {
         Insets insets = bar.getInsets();
         int y = insets.top;
-        for (Row row : rows(bar)) {
+        for (ToolBarRow row : rows(bar)) {
             int x = insets.left;
             for (Component part : row.components()) {
                 Dimension size = part.getPreferredSize();
@@ -58,8 +58,8 @@ final class ToolBarLayout extends BarLayout {
     @Override
     public Dimension preferredLayoutSize(Container bar) {
         Insets insets = bar.getInsets();
-        List<Row> rows = rows(bar);
-        int width = rows.stream().mapToInt(Row::width).max().orElse(0);
+        List<ToolBarRow> rows = rows(bar);
+        int width = rows.stream().mapToInt(ToolBarRow::width).max().orElse(0);
         int height = rows.stream().mapToInt(row -> row.height() + ROW_GAP).sum() - ROW_GAP;
         return new Dimension(insets.left + width + insets.right, insets.top + height + insets.bottom);
     }

@@ -40,9 +40,9 @@ final class TourCard extends JPanel {
      * @param key the end of the keys of its texts
      * @param target the control to use
      */
-    record Step(String key, JComponent target) {}
+    record TourStep(String key, JComponent target) {}
 
-    private final transient List<Step> steps;
+    private final transient List<TourStep> steps;
     private final transient Consumer<JComponent> marker;
     private final JLabel title = new JLabel();
     private final JTextArea text = new JTextArea();
@@ -54,7 +54,7 @@ final class TourCard extends JPanel {
     /**
      * Creates a card that is not visible; {@code marker} marks a control in the window, or none if it receives null.
      */
-    TourCard(List<Step> steps, Consumer<JComponent> marker) {
+    TourCard(List<TourStep> steps, Consumer<JComponent> marker) {
         super(new BorderLayout(0, GAP));
         this.steps = steps;
         this.marker = marker;
@@ -117,7 +117,7 @@ final class TourCard extends JPanel {
     }
 
     private void updateTexts() {
-        Step now = steps.get(shown);
+        TourStep now = steps.get(shown);
         String name = Messages.get("tour." + now.key());
         title.setText(Messages.get("tour.title", Integer.toString(shown + 1), Integer.toString(steps.size()), name));
         text.setText(Messages.get("tour." + now.key() + ".text"));

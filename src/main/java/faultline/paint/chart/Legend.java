@@ -19,12 +19,12 @@ final class Legend {
 
     private final ChartStyle style;
     private final TextStyle textStyle;
-    private final List<Entry> entries = new ArrayList<>();
+    private final List<LegendItem> entries = new ArrayList<>();
     private double nextX;
     private int row;
 
     /** A name, the series or class that it belongs to, and its position. */
-    private record Entry(String name, Series series, int index, double x, int row) {}
+    private record LegendItem(String name, Series series, int index, double x, int row) {}
 
     Legend(List<Series> allSeries, ChartStyle style, double width) {
         this.style = style;
@@ -46,7 +46,7 @@ final class Legend {
             nextX = 0;
             row++;
         }
-        entries.add(new Entry(name, series, index, nextX, row));
+        entries.add(new LegendItem(name, series, index, nextX, row));
         nextX += needed + GAP;
     }
 
@@ -56,14 +56,14 @@ final class Legend {
     }
 
     void paint(Surface surface, double x, double y) {
-        for (Entry entry : entries) {
+        for (LegendItem entry : entries) {
             Vector2 left = new Vector2(x + entry.x(), y + entry.row() * ROW_HEIGHT + ROW_HEIGHT / 2);
             paintSample(surface, entry, left);
             surface.drawText(entry.name(), left.plus(new Vector2(SAMPLE_WIDTH + 5, 4)), textStyle);
         }
     }
 
-    private void paintSample(Surface surface, Entry entry, Vector2 left) {
+    private void paintSample(Surface surface, LegendItem entry, Vector2 left) {
         List<Vector2> box =
                 PlotPainter.corners(new PixelRectangle(left.x(), left.y() - 5, SAMPLE_WIDTH, 10), 0, 1, 1, 0);
         if (entry.series() instanceof Series.Line line) {

@@ -17,36 +17,36 @@ import java.util.List;
 /** Converts obstacles to shapes of {@link java.awt.geom}, in metres. */
 public final class ObstacleOutlines {
 
-    private static final ObstacleShape.Visitor<Shape> OUTLINE = new ObstacleShape.Visitor<>() {
+    private static final ObstacleShape.ShapeVisitor<Shape> OUTLINE = new ObstacleShape.ShapeVisitor<>() {
         @Override
-        public Shape visit(ObstacleShape.Rectangle shape) {
+        public Shape visit(ObstacleShape.RectangleShape shape) {
             return centred(new Rectangle2D.Double(), shape.width(), shape.height());
         }
 
         @Override
-        public Shape visit(ObstacleShape.Circle shape) {
+        public Shape visit(ObstacleShape.CircleShape shape) {
             return centred(new Ellipse2D.Double(), 2 * shape.radius(), 2 * shape.radius());
         }
 
         @Override
-        public Shape visit(ObstacleShape.Ellipse shape) {
+        public Shape visit(ObstacleShape.EllipseShape shape) {
             return centred(new Ellipse2D.Double(), 2 * shape.rx(), 2 * shape.ry());
         }
 
         @Override
-        public Shape visit(ObstacleShape.Polygon shape) {
+        public Shape visit(ObstacleShape.PolygonShape shape) {
             Path2D path = polyline(shape.points());
             path.closePath();
             return path;
         }
 
         @Override
-        public Shape visit(ObstacleShape.Wall shape) {
+        public Shape visit(ObstacleShape.WallShape shape) {
             return polyline(shape.points());
         }
 
         @Override
-        public Shape visit(ObstacleShape.Plan shape) {
+        public Shape visit(ObstacleShape.PlanShape shape) {
             Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
             shape.rings().forEach(ring -> path.append(Shapes.polygon(ring), false));
             return path;

@@ -51,7 +51,7 @@ final class ObstaclePainter {
         Color outline = moves ? palette.movingOutline() : palette.obstacleOutline();
         Shape shape = context.toScreen(
                 ObstacleOutlines.localShape(obstacle.shape()), RigidMotion.poseTransform(obstacle.pose()));
-        if (obstacle.shape() instanceof ObstacleShape.Wall) {
+        if (obstacle.shape() instanceof ObstacleShape.WallShape) {
             context.draw(shape, outline, WALL_STROKE);
         } else {
             context.fill(shape, moves ? Palette.withAlpha(palette.moving(), MOVING_ALPHA) : palette.obstacle());

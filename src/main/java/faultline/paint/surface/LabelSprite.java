@@ -29,16 +29,16 @@ record LabelSprite(BufferedImage image, int left, int baseline) {
     private static final int MARGIN = 3;
 
     private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
-    private static final Map<Key, LabelSprite> CACHE =
+    private static final Map<SpriteKey, LabelSprite> CACHE =
             Collections.synchronizedMap(new LinkedHashMap<>(MAX_CACHED, 0.75f, true) {
                 @Override
-                protected boolean removeEldestEntry(Map.Entry<Key, LabelSprite> eldest) {
+                protected boolean removeEldestEntry(Map.Entry<SpriteKey, LabelSprite> eldest) {
                     return size() > MAX_CACHED;
                 }
             });
 
     /** All parameters of an image; the scale is device pixels per pixel. */
-    private record Key(String text, Font font, Color colour, Color halo, double scale) {
+    private record SpriteKey(String text, Font font, Color colour, Color halo, double scale) {
 
         private LabelSprite render() {
             Shape letters = font.createGlyphVector(FONT_CONTEXT, text).getOutline();
@@ -62,13 +62,13 @@ record LabelSprite(BufferedImage image, int left, int baseline) {
 
     /** Returns the image of a text; {@code scale} is device pixels per pixel. Any thread may call it. */
     static LabelSprite of(String text, Font font, Color colour, Color halo, double scale) {
-        Key key = new Key(text, font, colour, halo, scale);
+        SpriteKey key = new SpriteKey(text, font, colour, halo, scale);
         LabelSprite cached = CACHE.get(key);
         return cached == null ? create(key) : cached;
     }
 
     /** Creates an image outside the lock of the cache: two threads may create the same image, which does no harm. */
-    private static LabelSprite create(Key key) {
+    private static LabelSprite create(SpriteKey key) {
         LabelSprite sprite = key.render();
         CACHE.put(key, sprite);
         return sprite;

@@ -31,7 +31,7 @@ final class ExpectationReader {
         AttributeReader fields = new AttributeReader(node, problems);
         List<Expectation.Condition> conditions = new ArrayList<>();
         if (fields.isPresent("collision")) {
-            conditions.add(new Expectation.Collision(fields.flag("collision")));
+            conditions.add(new Expectation.Collides(fields.flag("collision")));
         }
         if (fields.isPresent("minCoverage")) {
             conditions.add(new Expectation.MinCoverage(fields.number("minCoverage", NumberRange.FRACTION)));

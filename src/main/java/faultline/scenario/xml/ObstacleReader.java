@@ -28,15 +28,16 @@ final class ObstacleReader {
         this.problems = problems;
         shapeReaders.put(
                 "rectangle",
-                f -> new ObstacleShape.Rectangle(
+                f -> new ObstacleShape.RectangleShape(
                         f.number("width", NumberRange.SIZE), f.number("height", NumberRange.SIZE)));
-        shapeReaders.put("circle", f -> new ObstacleShape.Circle(f.number("radius", NumberRange.SIZE)));
+        shapeReaders.put("circle", f -> new ObstacleShape.CircleShape(f.number("radius", NumberRange.SIZE)));
         shapeReaders.put(
                 "ellipse",
-                f -> new ObstacleShape.Ellipse(f.number("rx", NumberRange.SIZE), f.number("ry", NumberRange.SIZE)));
-        shapeReaders.put("polygon", f -> new ObstacleShape.Polygon(readPoints(f, 3)));
-        shapeReaders.put("wall", f -> new ObstacleShape.Wall(readPoints(f, 2)));
-        shapeReaders.put("plan", f -> new ObstacleShape.Plan(readRings(f)));
+                f -> new ObstacleShape.EllipseShape(
+                        f.number("rx", NumberRange.SIZE), f.number("ry", NumberRange.SIZE)));
+        shapeReaders.put("polygon", f -> new ObstacleShape.PolygonShape(readPoints(f, 3)));
+        shapeReaders.put("wall", f -> new ObstacleShape.WallShape(readPoints(f, 2)));
+        shapeReaders.put("plan", f -> new ObstacleShape.PlanShape(readRings(f)));
         elementNames = List.copyOf(shapeReaders.keySet());
     }
 

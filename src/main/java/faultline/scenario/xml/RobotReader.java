@@ -49,16 +49,16 @@ final class RobotReader {
         double turnRate = fields.angle("turnRate", NumberRange.TURN_RATE, defaults.turnRate());
         boolean standard = fields.flag("defaultSensors", true);
         fields.reportUnknownAndMissing();
-        Drive drive = node.firstChild("motor")
+        ScaledMotor drive = node.firstChild("motor")
                 .map(element -> readDrive(element, trackScale))
-                .orElse(new Drive(MotorSpec.DEFAULT, new DriveScale(1, 1, trackScale)));
+                .orElse(new ScaledMotor(MotorSpec.DEFAULT, new DriveScale(1, 1, trackScale)));
         checkDriveLimits(node, drive, track);
         List<SensorSpec> sensors = readSensors(node, standard ? RobotSpec.standardSensors(length, width) : List.of());
         return new PlacedRobot(
                 new RobotSpec(length, width, track, speed, turnRate, drive.motor(), drive.scale(), sensors), start);
     }
 
-    private void checkDriveLimits(XmlElement node, Drive drive, double track) {
+    private void checkDriveLimits(XmlElement node, ScaledMotor drive, double track) {
         DriveScale scale = drive.scale();
         MotorSpec motor = drive.motor().scaled(Math.max(scale.left(), scale.right()));
         double spin = 2 * motor.maxSpeed() / (track * scale.track());
@@ -77,9 +77,9 @@ final class RobotReader {
     }
 
     /** A motor as the controller believes it to be, and the true scale of either side and of the track. */
-    private record Drive(MotorSpec motor, DriveScale scale) {}
+    private record ScaledMotor(MotorSpec motor, DriveScale scale) {}
 
-    private Drive readDrive(XmlElement node, double trackScale) {
+    private ScaledMotor readDrive(XmlElement node, double trackScale) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         MotorSpec defaults = MotorSpec.DEFAULT;
@@ -92,7 +92,7 @@ final class RobotReader {
                 fields.number("rightScale", NumberRange.DRIVE_SCALE, 1),
                 trackScale);
         fields.reportUnknownAndMissing();
-        return new Drive(motor, scale);
+        return new ScaledMotor(motor, scale);
     }
 
     /** Returns the standard sensors with the settings of the file, followed by the file's other sensors. */

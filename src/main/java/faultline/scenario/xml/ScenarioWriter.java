@@ -80,7 +80,7 @@ public final class ScenarioWriter {
         out.beginElement("expect");
         Map<String, String> attributes = new LinkedHashMap<>();
         for (Expectation.Condition condition : expect.conditions()) {
-            if (condition instanceof Expectation.Collision collision) {
+            if (condition instanceof Expectation.Collides collision) {
                 attributes.put("collision", Boolean.toString(collision.wanted()));
             } else if (condition instanceof Expectation.MinCoverage coverage) {
                 attributes.put("minCoverage", DecimalText.format(coverage.share()));

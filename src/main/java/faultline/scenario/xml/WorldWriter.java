@@ -37,39 +37,39 @@ final class WorldWriter {
     }
 
     /** Begins the element of an obstacle and writes the attributes of its shape. */
-    private record ShapeWriter(Obstacle obstacle, XmlWriter out) implements ObstacleShape.Visitor<XmlWriter> {
+    private record ShapeWriter(Obstacle obstacle, XmlWriter out) implements ObstacleShape.ShapeVisitor<XmlWriter> {
 
         private XmlWriter begin(String name) {
             return writePose(obstacle.pose(), out.beginElement(name).attribute("id", obstacle.id()));
         }
 
         @Override
-        public XmlWriter visit(ObstacleShape.Rectangle shape) {
+        public XmlWriter visit(ObstacleShape.RectangleShape shape) {
             return begin("rectangle").attribute("width", shape.width()).attribute("height", shape.height());
         }
 
         @Override
-        public XmlWriter visit(ObstacleShape.Circle shape) {
+        public XmlWriter visit(ObstacleShape.CircleShape shape) {
             return begin("circle").attribute("radius", shape.radius());
         }
 
         @Override
-        public XmlWriter visit(ObstacleShape.Ellipse shape) {
+        public XmlWriter visit(ObstacleShape.EllipseShape shape) {
             return begin("ellipse").attribute("rx", shape.rx()).attribute("ry", shape.ry());
         }
 
         @Override
-        public XmlWriter visit(ObstacleShape.Polygon shape) {
+        public XmlWriter visit(ObstacleShape.PolygonShape shape) {
             return begin("polygon").attribute("points", formatPoints(shape.points()));
         }
 
         @Override
-        public XmlWriter visit(ObstacleShape.Wall shape) {
+        public XmlWriter visit(ObstacleShape.WallShape shape) {
             return begin("wall").attribute("points", formatPoints(shape.points()));
         }
 
         @Override
-        public XmlWriter visit(ObstacleShape.Plan shape) {
+        public XmlWriter visit(ObstacleShape.PlanShape shape) {
             String rings = shape.rings().stream().map(WorldWriter::formatPoints).collect(Collectors.joining(" | "));
             return begin("plan").attribute("points", rings);
         }

@@ -31,13 +31,13 @@ class ComparisonChartTest {
             Pattern.compile("<path d=\"M([\\d.]+) [\\d.]+L([\\d.]+) [^\"]*Z\" fill=\"none\" stroke=\"#1f2430\"");
     private static final Pattern DOT = Pattern.compile("<circle cx=\"([\\d.]+)\"()");
 
-    private static ControllerRuns.Run run(double seconds) {
+    private static ControllerRuns.ComparedRun run(double seconds) {
         AtomicReference<RobotPath> path = new AtomicReference<>();
         RunResult result = HeadlessRun.run(
                 ROOM.withDuration(seconds),
                 ControllerMode.DIRECT,
                 List.of(simulation -> path.set(simulation.frame().path())));
-        return new ControllerRuns.Run(result, path.get());
+        return new ControllerRuns.ComparedRun(result, path.get());
     }
 
     private static List<double[]> places(Pattern pattern, String svg) {

@@ -50,7 +50,7 @@ class CampaignRunnerTest {
     }
 
     private static byte[] runs(Path out, Shard shard, int jobs, boolean resume) throws Exception {
-        CampaignRunner.Result result = runner(out, shard, jobs).run(resume, (made, runs) -> {}, () -> false);
+        CampaignRunner.RunCounts result = runner(out, shard, jobs).run(resume, (made, runs) -> {}, () -> false);
         assertTrue(result.isComplete());
         assertEquals(0, result.broken());
         return Files.readAllBytes(out.resolve("runs.csv"));
@@ -102,9 +102,9 @@ class CampaignRunnerTest {
     @Test
     void aCancelledCampaignLeavesWholeRowsAndGoesOn() throws Exception {
         AtomicLong seen = new AtomicLong();
-        CampaignRunner.Result result =
+        CampaignRunner.RunCounts result =
                 runner(folder, Shard.ALL, 2).run(false, (made, runs) -> seen.set(made), () -> seen.get() == 7);
-        assertEquals(new CampaignRunner.Result(7, 36, 0), result);
+        assertEquals(new CampaignRunner.RunCounts(7, 36, 0), result);
         assertEquals(8, Files.readString(folder.resolve("runs.csv")).lines().count());
         assertArrayEquals(expected, runs(folder, Shard.ALL, 2, true));
     }
@@ -136,9 +136,9 @@ class CampaignRunnerTest {
                 <set attribute="world/circle[pole]/@y" value="0.5 1.2"/>
                 """);
         CampaignPlan read = SamplePlan.read(plan);
-        CampaignRunner.Result result = new CampaignRunner(read, new CampaignFolder(folder), Shard.ALL, 2)
+        CampaignRunner.RunCounts result = new CampaignRunner(read, new CampaignFolder(folder), Shard.ALL, 2)
                 .run(false, (made, runs) -> {}, () -> false);
-        assertEquals(new CampaignRunner.Result(4, 4, 1), result);
+        assertEquals(new CampaignRunner.RunCounts(4, 4, 1), result);
         List<String> rows = Files.readAllLines(folder.resolve("runs.csv"));
         assertTrue(rows.get(2).contains(",broken,"), rows.get(2));
         assertTrue(rows.get(2).contains("where it touches or overlaps"), rows.get(2));

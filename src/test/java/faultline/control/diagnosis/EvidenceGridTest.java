@@ -18,7 +18,7 @@ class EvidenceGridTest {
             double half = random.nextDouble(0.05, 1.2);
             double radius = random.nextDouble(0.1, 0.8);
             ConeTable table = new ConeTable(new MountedCone(0, 0, 0, half, 1));
-            grid.markSector(0, x, y, Math.cos(axis), Math.sin(axis), table, radius, 5, EvidenceGrid.Rows.ALL);
+            grid.markSector(0, x, y, Math.cos(axis), Math.sin(axis), table, radius, 5, EvidenceGrid.RowParity.ALL);
             for (int row = EvidenceGrid.cellOf(y - 1); row < EvidenceGrid.cellOf(y + 1); row++) {
                 for (int column = EvidenceGrid.cellOf(x - 1); column < EvidenceGrid.cellOf(x + 1); column++) {
                     double dx = (column + 0.5) * EvidenceGrid.CELL - x;

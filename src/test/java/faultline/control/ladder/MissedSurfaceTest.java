@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 class MissedSurfaceTest {
 
     private static Simulation start(double boxY, double boxWidth, List<TimedCommand> timeline) {
-        Obstacle box = new Obstacle("box", new ObstacleShape.Rectangle(0.6, boxWidth), new Pose(3.5, boxY, 0));
+        Obstacle box = new Obstacle("box", new ObstacleShape.RectangleShape(0.6, boxWidth), new Pose(3.5, boxY, 0));
         SimulationSetup setup = new SimulationSetup(
                 new WorldSpec(8, 8, true, 3, List.of(box)),
                 RobotSpec.DEFAULT,

@@ -44,7 +44,7 @@ class SpecksTest {
                 }
             }
         }
-        return new Obstacle("specks", new ObstacleShape.Plan(specks), new Pose(2, 2, 0));
+        return new Obstacle("specks", new ObstacleShape.PlanShape(specks), new Pose(2, 2, 0));
     }
 
     private static Simulation beside(long seed, WallSide side) {

@@ -75,7 +75,7 @@ class StopTest {
 
     @Test
     void roundAPoleItStopsAfterAMinuteOfSmallLapsAndGoesOnWithAnotherSensor() {
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.05), new Pose(4, 4, 0));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.05), new Pose(4, 4, 0));
         SimulationSetup setup = setup(
                 new WorldSpec(8, 8, true, 3, List.of(pole)),
                 new Pose(3, 4, 0.05),
@@ -107,7 +107,7 @@ class StopTest {
     @ParameterizedTest
     @ValueSource(strings = {"left", "front", "front left"})
     void outOfANarrowDeadEndItDrivesOn(String failing) {
-        Obstacle box = new Obstacle("box", new ObstacleShape.Rectangle(0.9, 0.9), new Pose(3.72, 3.55, 0));
+        Obstacle box = new Obstacle("box", new ObstacleShape.RectangleShape(0.9, 0.9), new Pose(3.72, 3.55, 0));
         Set<String> on = RobotSpec.DEFAULT.sensors().stream()
                 .map(SensorSpec::id)
                 .filter(id -> !List.of(failing.split(" ")).contains(id))

@@ -25,7 +25,7 @@ class CoverageTest {
     private static final List<Vector2> LAP = square(WANTED);
 
     private final Coverage coverage = coverage(new WorldSpec(
-            4, 4, true, 3, List.of(new Obstacle("table", new ObstacleShape.Rectangle(1, 1), new Pose(2, 2, 0)))));
+            4, 4, true, 3, List.of(new Obstacle("table", new ObstacleShape.RectangleShape(1, 1), new Pose(2, 2, 0)))));
 
     private static Coverage coverage(WorldSpec world) {
         return new Coverage(new WallReference(world), WANTED);
@@ -114,7 +114,7 @@ class CoverageTest {
     @Test
     void partsThatNoRobotReachesDoNotCount() {
         Obstacle slot = new Obstacle(
-                "slot", new ObstacleShape.Wall(List.of(new Vector2(0, 3.6), new Vector2(3, 3.6))), Pose.ORIGIN);
+                "slot", new ObstacleShape.WallShape(List.of(new Vector2(0, 3.6), new Vector2(3, 3.6))), Pose.ORIGIN);
         Coverage cramped = coverage(new WorldSpec(4, 4, true, 3, List.of(slot)));
         List<Vector2> belowTheSlot = List.of(
                 new Vector2(0.35, 0.35),
@@ -136,15 +136,17 @@ class CoverageTest {
             Pose pose = new Pose(8 * random.nextDouble(), 6 * random.nextDouble(), random.nextInt(8) * Math.PI / 4);
             ObstacleShape shape =
                     switch (random.nextInt(5)) {
-                        case 0 -> new ObstacleShape.Circle(0.02 + random.nextDouble());
-                        case 1 -> new ObstacleShape.Ellipse(0.05 + random.nextDouble(), 0.01 + random.nextDouble());
+                        case 0 -> new ObstacleShape.CircleShape(0.02 + random.nextDouble());
+                        case 1 ->
+                            new ObstacleShape.EllipseShape(0.05 + random.nextDouble(), 0.01 + random.nextDouble());
                         case 2 ->
-                            new ObstacleShape.Wall(List.of(
+                            new ObstacleShape.WallShape(List.of(
                                     Vector2.ZERO,
                                     new Vector2(3 * random.nextDouble(), 0),
                                     new Vector2(3 * random.nextDouble(), 2)));
                         default ->
-                            new ObstacleShape.Rectangle(0.01 + 2 * random.nextDouble(), 0.01 + random.nextDouble());
+                            new ObstacleShape.RectangleShape(
+                                    0.01 + 2 * random.nextDouble(), 0.01 + random.nextDouble());
                     };
             obstacles.add(new Obstacle("o" + i, shape, pose));
             if (random.nextInt(4) == 0) {
@@ -164,10 +166,10 @@ class CoverageTest {
                 Vector2 by = k % 2 == 0 ? new Vector2(step, 0) : new Vector2(0, step);
                 points.add(points.get(k).plus(by));
             }
-            obstacles.add(new Obstacle("stairs" + i, new ObstacleShape.Wall(points), Pose.ORIGIN));
+            obstacles.add(new Obstacle("stairs" + i, new ObstacleShape.WallShape(points), Pose.ORIGIN));
             Vector2 corner = points.get(random.nextInt(points.size()));
             Pose beside = new Pose(corner.x() + 0.025, corner.y() + 0.025, 0);
-            obstacles.add(new Obstacle("speck" + i, new ObstacleShape.Rectangle(0.05, 0.05), beside));
+            obstacles.add(new Obstacle("speck" + i, new ObstacleShape.RectangleShape(0.05, 0.05), beside));
         }
         return new WorldSpec(8, 6, true, 3, obstacles);
     }
@@ -182,7 +184,7 @@ class CoverageTest {
             WallReference walls = new WallReference(world);
             Coverage lazy = new Coverage(walls, wanted);
             EagerCoverage eager = new EagerCoverage(walls, wanted);
-            List<WallReference.Sample> places = walls.samples(wanted, 0.01);
+            List<WallReference.WallSample> places = walls.samples(wanted, 0.01);
             for (int stretch = 0; stretch < 3 && !places.isEmpty(); stretch++) {
                 int from = random.nextInt(places.size());
                 for (int k = from; k < Math.min(places.size(), from + 400); k++) {

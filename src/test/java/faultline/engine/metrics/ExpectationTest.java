@@ -54,7 +54,7 @@ class ExpectationTest {
 
     private static Expectation expectation(boolean collision, Expectation.Condition... states) {
         List<Expectation.Condition> conditions = new ArrayList<>(List.of(
-                new Expectation.Collision(collision),
+                new Expectation.Collides(collision),
                 new Expectation.MinCoverage(0.9),
                 new Expectation.MaxDistanceRms(0.005)));
         conditions.addAll(List.of(states));

@@ -38,7 +38,7 @@ record PolygonRoom(String name, List<Vector2> ring, Pose start) {
     Obstacle wall() {
         List<Vector2> points = new ArrayList<>(ring);
         points.add(ring.get(0));
-        return new Obstacle("walls", new ObstacleShape.Wall(points), Pose.ORIGIN);
+        return new Obstacle("walls", new ObstacleShape.WallShape(points), Pose.ORIGIN);
     }
 
     Vector2 corner(int i) {

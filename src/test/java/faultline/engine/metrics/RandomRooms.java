@@ -159,7 +159,7 @@ record RandomRooms(
         double places = new WallReference(room.world())
                 .samples(offset, 0.02).stream()
                         .filter(place -> room.surrounds(place.position()) == inside)
-                        .mapToDouble(WallReference.Sample::wallLength)
+                        .mapToDouble(WallReference.WallSample::wallLength)
                         .sum();
         return Math.abs(places - straights) < 0.12 && cornersAreFree(room);
     }

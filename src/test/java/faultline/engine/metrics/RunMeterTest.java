@@ -25,7 +25,7 @@ class RunMeterTest {
                             true,
                             3,
                             List.of(new Obstacle(
-                                    "cupboard", new ObstacleShape.Rectangle(0.9, 0.4), new Pose(3.2, 2.68, 0)))),
+                                    "cupboard", new ObstacleShape.RectangleShape(0.9, 0.4), new Pose(3.2, 2.68, 0)))),
                     new Pose(1.3, 1.1, 2))
             .withSeed(5150)
             .withDuration(DURATION);

@@ -53,23 +53,23 @@ class WallReferenceTest {
 
     @Test
     void besideACurvedObstacleThereIsNoError() {
-        assertTrue(
-                Double.isNaN(straightWallError(room(inTheMiddle(new ObstacleShape.Circle(0.5))), new Vector2(2, 1.2))));
+        assertTrue(Double.isNaN(
+                straightWallError(room(inTheMiddle(new ObstacleShape.CircleShape(0.5))), new Vector2(2, 1.2))));
     }
 
     @Test
     void inASquareRoomTheCornersCannotBePassed() {
         double inside = room().samples(WANTED, 0.01).stream()
                 .filter(place -> outsideBox(place.position(), 2) == 0)
-                .mapToDouble(WallReference.Sample::wallLength)
+                .mapToDouble(WallReference.WallSample::wallLength)
                 .sum();
         assertEquals(4 * 3.3, inside, 0.05, "0.35 m less at either end of each side");
     }
 
     @Test
     void everySampleIsAtTheDistanceFromItsWallAndNoNearerToAnyOther() {
-        for (WallReference.Sample place :
-                room(inTheMiddle(new ObstacleShape.Rectangle(0.6, 0.6))).samples(WANTED, 0.01)) {
+        for (WallReference.WallSample place :
+                room(inTheMiddle(new ObstacleShape.RectangleShape(0.6, 0.6))).samples(WANTED, 0.01)) {
             Vector2 at = place.position();
             double enclosure = outsideBox(at, 2) > 0
                     ? outsideBox(at, 2)
@@ -85,21 +85,26 @@ class WallReferenceTest {
 
     @Test
     void aRoundObstacleCanBePassedAllAround() {
-        double around = room(inTheMiddle(new ObstacleShape.Circle(0.5))).samples(WANTED, 0.01).stream()
+        double around = room(inTheMiddle(new ObstacleShape.CircleShape(0.5))).samples(WANTED, 0.01).stream()
                 .filter(place -> place.position().distanceTo(new Vector2(2, 2)) < 0.9)
-                .mapToDouble(WallReference.Sample::wallLength)
+                .mapToDouble(WallReference.WallSample::wallLength)
                 .sum();
         assertEquals(Math.PI, around, 0.001, "its circumference");
     }
 
     @Test
     void aThinPartitionHasTwoSidesAndTwoEndsWithoutLength() {
-        Obstacle partition = inTheMiddle(new ObstacleShape.Wall(List.of(new Vector2(0, -0.5), new Vector2(0, 0.5))));
-        List<WallReference.Sample> around = room(partition).samples(WANTED, 0.01).stream()
+        Obstacle partition =
+                inTheMiddle(new ObstacleShape.WallShape(List.of(new Vector2(0, -0.5), new Vector2(0, 0.5))));
+        List<WallReference.WallSample> around = room(partition).samples(WANTED, 0.01).stream()
                 .filter(place -> place.position().distanceTo(new Vector2(2, 2)) < 0.9)
                 .toList();
         assertEquals(
-                2, around.stream().mapToDouble(WallReference.Sample::wallLength).sum(), 1e-9);
+                2,
+                around.stream()
+                        .mapToDouble(WallReference.WallSample::wallLength)
+                        .sum(),
+                1e-9);
         assertTrue(
                 around.stream()
                         .anyMatch(place ->
@@ -110,7 +115,7 @@ class WallReferenceTest {
     @Test
     void aMovingObstacleIsNoWall() {
         WaypointPath motion = new WaypointPath(0.1, true, List.of(new Vector2(1, 1)));
-        Obstacle visitor = new Obstacle("visitor", new ObstacleShape.Circle(0.3), new Pose(2, 2, 0), motion);
+        Obstacle visitor = new Obstacle("visitor", new ObstacleShape.CircleShape(0.3), new Pose(2, 2, 0), motion);
         assertEquals(room().samples(WANTED, 0.01), room(visitor).samples(WANTED, 0.01));
     }
 }

@@ -47,7 +47,7 @@ class RecorderTest {
             new SimulationSetup.TimedCommand(2, UNKNOWN)));
 
     private static SimulationSetup setup(List<SimulationSetup.TimedCommand> timeline) {
-        Obstacle desk = new Obstacle("desk", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(2, 1.5, 0.4));
+        Obstacle desk = new Obstacle("desk", new ObstacleShape.RectangleShape(0.6, 0.4), new Pose(2, 1.5, 0.4));
         return SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of(desk)), new Pose(0.6, 0.6, 0.3))
                 .withTimeline(timeline)
                 .withDuration(60);

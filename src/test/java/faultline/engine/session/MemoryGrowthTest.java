@@ -73,10 +73,10 @@ class MemoryGrowthTest {
     }
 
     private static SimulationSetup room() {
-        Obstacle desk = new Obstacle("desk", new ObstacleShape.Rectangle(0.8, 0.4), new Pose(2.4, 2.5, 0.4));
+        Obstacle desk = new Obstacle("desk", new ObstacleShape.RectangleShape(0.8, 0.4), new Pose(2.4, 2.5, 0.4));
         Obstacle visitor = new Obstacle(
                 "visitor",
-                new ObstacleShape.Circle(0.1),
+                new ObstacleShape.CircleShape(0.1),
                 new Pose(3.6, 2, 0),
                 new WaypointPath(0.2, true, List.of(new Vector2(3.6, 2), new Vector2(3.6, 3))));
         return SimulationSetup.of(new WorldSpec(6, 5, true, 3, List.of(desk, visitor)), new Pose(0.6, 0.6, 0.3))

@@ -31,7 +31,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(value = 2, unit = TimeUnit.MINUTES)
 class SessionReplayTest {
 
-    private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(3, 2, 0));
+    private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(3, 2, 0));
     private static final SimulationSetup ROOM = SimulationSetup.of(
                     new WorldSpec(4, 3, true, 3, List.of(POLE)), new Pose(0.6, 0.6, 0.3))
             .withTimeline(List.of(new SimulationSetup.TimedCommand(1, new Command.SwitchSensor("rear", false))))

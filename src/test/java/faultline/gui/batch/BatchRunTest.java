@@ -64,7 +64,7 @@ class BatchRunTest {
         BatchPlan plan = plan(DiagnosisChoice.BOTH, 5);
         assertEquals(36, plan.runCount().orElseThrow());
         BatchRun run = new BatchRun(plan, 2);
-        assertEquals(new CampaignRunner.Result(36, 36, 0), run.make());
+        assertEquals(new CampaignRunner.RunCounts(36, 36, 0), run.make());
         run.saveResults(folder.resolve("results"));
         plan.save(folder.resolve("study.xml"));
         byte[] expected = Files.readAllBytes(folder.resolve("results/runs.csv"));
@@ -141,7 +141,7 @@ class BatchRunTest {
             run.progress().cancel();
         });
         canceller.start();
-        CampaignRunner.Result result = run.make();
+        CampaignRunner.RunCounts result = run.make();
         canceller.join();
         assertFalse(result.isComplete());
         assertTrue(result.made() >= 3);

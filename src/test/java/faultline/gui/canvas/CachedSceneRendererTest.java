@@ -121,7 +121,7 @@ class CachedSceneRendererTest {
     }
 
     private Obstacle obstacle(String id) {
-        return new Obstacle(id, new ObstacleShape.Rectangle(0.1 + 0.2 * random.nextDouble(), 0.1), pose());
+        return new Obstacle(id, new ObstacleShape.RectangleShape(0.1 + 0.2 * random.nextDouble(), 0.1), pose());
     }
 
     private Pose pose() {

@@ -81,7 +81,7 @@ class CanvasInteractionRobotTest {
     }
 
     private static Obstacle boxAt(Pose pose) {
-        return new Obstacle("box", new ObstacleShape.Rectangle(0.8, 0.5), pose);
+        return new Obstacle("box", new ObstacleShape.RectangleShape(0.8, 0.5), pose);
     }
 
     @Test

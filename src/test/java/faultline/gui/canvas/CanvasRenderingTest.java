@@ -34,7 +34,8 @@ class CanvasRenderingTest {
     private static final int HEIGHT = 440;
     private static final int MAX_FRAMES = 4;
     private static final Pose ROBOT = new Pose(2, 1, 0.3);
-    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(1, 0.5), new Pose(4, 3, 0.2));
+    private static final Obstacle BOX =
+            new Obstacle("box", new ObstacleShape.RectangleShape(1, 0.5), new Pose(4, 3, 0.2));
 
     private final SimulationCanvas canvas = callOnEdt(() -> {
         SimulationCanvas made =
@@ -83,7 +84,7 @@ class CanvasRenderingTest {
         Obstacle[] dots = IntStream.range(0, 99_000)
                 .mapToObj(i -> new Obstacle(
                         "o" + i,
-                        new ObstacleShape.Circle(0.004),
+                        new ObstacleShape.CircleShape(0.004),
                         new Pose(0.1 + i % 330 * 0.0175, 0.1 + i / 330 * 0.0125, 0)))
                 .toArray(Obstacle[]::new);
         Frame frame = SampleFrames.frameOf(ROBOT, dots);

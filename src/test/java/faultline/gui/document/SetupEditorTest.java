@@ -18,8 +18,8 @@ import org.junit.jupiter.api.Test;
 
 class SetupEditorTest {
 
-    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(1, 1), new Pose(4, 2, 0));
-    private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(2, 3, 0));
+    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.RectangleShape(1, 1), new Pose(4, 2, 0));
+    private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(2, 3, 0));
     private static final SimulationSetup BASE = SimulationSetup.of(
                     new WorldSpec(6, 4, true, 3, List.of(BOX)), new Pose(1, 1, 0))
             .withController(new ControllerSpec.None())

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 
 class PendingEditsTest {
 
-    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0));
+    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0));
 
     private final PendingEdits pending = new PendingEdits();
 

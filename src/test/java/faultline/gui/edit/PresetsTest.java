@@ -47,7 +47,7 @@ class PresetsTest {
     void copiesAreBesideTheirOriginalsWithTheirMotionPaths() {
         Obstacle visitor = new Obstacle(
                 "visitor",
-                new ObstacleShape.Circle(0.1),
+                new ObstacleShape.CircleShape(0.1),
                 new Pose(1, 1, 0),
                 new WaypointPath(0.2, true, List.of(new Vector2(2, 1))));
         Obstacle copy =
@@ -63,7 +63,7 @@ class PresetsTest {
 
     @Test
     void aCutObstacleIsPastedAtItsOldPosition() {
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0.3));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0.3));
         assertEquals(List.of(pole), ObstacleCopies.copyOf(List.of(pole), Set.of("desk")));
     }
 }

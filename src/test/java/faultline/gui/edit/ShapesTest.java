@@ -20,13 +20,13 @@ class ShapesTest {
     @Test
     void aRectangleIsDrawnFromCornerToCorner() {
         Obstacle box = ShapePreset.RECTANGLE.createBetween("box", new Vector2(2, 3), new Vector2(1, 2.5));
-        assertEquals(new Obstacle("box", new ObstacleShape.Rectangle(1, 0.5), new Pose(1.5, 2.75, 0)), box);
+        assertEquals(new Obstacle("box", new ObstacleShape.RectangleShape(1, 0.5), new Pose(1.5, 2.75, 0)), box);
     }
 
     @Test
     void aRegularShapeTakesTheLongerSideForBoth() {
         Obstacle circle = ShapePreset.CIRCLE.createBetween("pole", new Vector2(2, 3), new Vector2(3, 2.9));
-        assertEquals(new Obstacle("pole", new ObstacleShape.Circle(0.5), new Pose(2.5, 2.5, 0)), circle);
+        assertEquals(new Obstacle("pole", new ObstacleShape.CircleShape(0.5), new Pose(2.5, 2.5, 0)), circle);
     }
 
     @ParameterizedTest
@@ -55,12 +55,14 @@ class ShapesTest {
     void theFrameOfDrawnPointsIsTheCentreOfTheirBounds() {
         Obstacle wall = PointShapes.wall("wall", List.of(new Vector2(0.1, 0.2), new Vector2(0.3, 0.6)));
         assertEquals(new Pose(0.2, 0.4, 0), wall.pose());
-        assertEquals(new ObstacleShape.Wall(List.of(new Vector2(-0.1, -0.2), new Vector2(0.1, 0.2))), wall.shape());
+        assertEquals(
+                new ObstacleShape.WallShape(List.of(new Vector2(-0.1, -0.2), new Vector2(0.1, 0.2))), wall.shape());
     }
 
     @Test
     void everyHandleOfARotatedRectangleLeavesTheOppositeOneInPlace() {
-        Obstacle box = new Obstacle("box", new ObstacleShape.Rectangle(1, 0.5), new Pose(2, 1, Degrees.toRadians(30)));
+        Obstacle box =
+                new Obstacle("box", new ObstacleShape.RectangleShape(1, 0.5), new Pose(2, 1, Degrees.toRadians(30)));
         for (int handle = 0; handle < 8; handle++) {
             Vector2 opposite = ShapeHandles.positions(box).get((handle + 4) % 8);
             Obstacle larger = ShapeHandles.dragHandle(
@@ -71,13 +73,13 @@ class ShapesTest {
 
     @Test
     void sizesSnapAndStayPositive() {
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.2), new Pose(2, 1, 0));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.2), new Pose(2, 1, 0));
         assertEquals(
-                new ObstacleShape.Circle(0.35),
+                new ObstacleShape.CircleShape(0.35),
                 ShapeHandles.dragHandle(pole, 0, new Vector2(2.337, 1), new SnapSettings(0.05, 0))
                         .shape());
         assertEquals(
-                new ObstacleShape.Circle(0.01),
+                new ObstacleShape.CircleShape(0.01),
                 ShapeHandles.dragHandle(pole, 0, new Vector2(2, 1), new SnapSettings(0.05, 0))
                         .shape());
     }
@@ -94,7 +96,7 @@ class ShapesTest {
     void aGlossyObstacleStaysGlossyWhenItIsCopiedAndReshaped() {
         Obstacle glass = new Obstacle(
                 "glass",
-                new ObstacleShape.Rectangle(1, 0.5),
+                new ObstacleShape.RectangleShape(1, 0.5),
                 new Pose(2, 1, 0),
                 WaypointPath.NONE,
                 Degrees.toRadians(8));

@@ -24,8 +24,9 @@ import org.junit.jupiter.api.Test;
 /** Tests the undo controller with a world that executes commands immediately. */
 class UndoControllerTest {
 
-    private static final Obstacle DESK = new Obstacle("desk", new ObstacleShape.Rectangle(0.5, 0.5), new Pose(4, 2, 0));
-    private static final Obstacle LAMP = new Obstacle("lamp", new ObstacleShape.Circle(0.1), new Pose(5, 3, 0));
+    private static final Obstacle DESK =
+            new Obstacle("desk", new ObstacleShape.RectangleShape(0.5, 0.5), new Pose(4, 2, 0));
+    private static final Obstacle LAMP = new Obstacle("lamp", new ObstacleShape.CircleShape(0.1), new Pose(5, 3, 0));
     private static final SensorSpec FRONT = RobotSpec.DEFAULT.sensors().get(0);
 
     private final World world =
@@ -85,7 +86,7 @@ class UndoControllerTest {
                 moveTo(4.5),
                 new Command.MoveObstacle("desk", new Pose(4.5, 2, 1)),
                 new Command.PlaceObstacle(LAMP),
-                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.3), LAMP.pose())),
+                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.CircleShape(0.3), LAMP.pose())),
                 new Command.SwitchSensor("left", false),
                 new Command.ConfigureSensor(FRONT.withRange(0.4)),
                 new Command.ConfigureSensor(FRONT.withRange(0.4).withCone(0.5)),
@@ -166,8 +167,8 @@ class UndoControllerTest {
 
     @Test
     void aRefusedCommandAndOneThatChangesNothingAreNoEdits() {
-        runOnEdt(() -> controller.send(
-                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.1), new Pose(2, 2, 0)))));
+        runOnEdt(() -> controller.send(new Command.PlaceObstacle(
+                new Obstacle("lamp", new ObstacleShape.CircleShape(0.1), new Pose(2, 2, 0)))));
         runOnEdt(() -> controller.send(new Command.SwitchSensor("front", true)));
         assertEquals(Optional.empty(), undoName());
     }
@@ -183,7 +184,7 @@ class UndoControllerTest {
         longRobot(false);
         runOnEdt(controller::undo);
         assertEquals(List.of(DESK), world.snapshot().obstacles());
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(3.5, 2, 0));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(3.5, 2, 0));
         runOnEdt(() -> controller.send(new Command.PlaceObstacle(pole)));
         runOnEdt(controller::undo);
         world.execute(new Command.RemoveObstacle("desk"));

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Timeout;
 class UndoReplayTest {
 
     private static final Obstacle BOX =
-            new Obstacle("new-box", new ObstacleShape.Rectangle(0.5, 0.5), new Pose(6, 1.5, 0.3));
+            new Obstacle("new-box", new ObstacleShape.RectangleShape(0.5, 0.5), new Pose(6, 1.5, 0.3));
 
     private static void await(BooleanSupplier condition) {
         while (!condition.getAsBoolean()) {

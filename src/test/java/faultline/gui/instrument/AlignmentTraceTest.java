@@ -75,7 +75,7 @@ class AlignmentTraceTest {
     @Test
     void theReadingsFallToTheWallAndRiseAgainAroundTheMiddleOfTd() {
         AlignmentTrace spin = AlignmentTrace.latest(FRAME).orElseThrow();
-        AlignmentTrace.Sample nearest = spin.samples().stream()
+        AlignmentTrace.AlignmentSample nearest = spin.samples().stream()
                 .filter(sample -> sample.clock() >= spin.f3())
                 .min((one, other) -> Double.compare(one.reading(), other.reading()))
                 .orElseThrow();

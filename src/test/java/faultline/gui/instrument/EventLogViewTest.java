@@ -121,7 +121,7 @@ class EventLogViewTest {
                 new Command.ClearFault("left", bias),
                 new Command.ClearFaults("left"),
                 new Command.MoveObstacle("desk", new Pose(1, 2, 0)),
-                new Command.PlaceObstacle(new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0))),
+                new Command.PlaceObstacle(new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0))),
                 new Command.RemoveObstacle("desk"),
                 new Command.SetPlatform(0.3, 0.2, 0.4));
         List<String> words = commands.stream()

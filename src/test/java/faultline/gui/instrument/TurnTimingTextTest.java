@@ -40,7 +40,9 @@ class TurnTimingTextTest {
     /** Meets a wall that stands alone at an angle. */
     private static SessionFrame run(TimingRule rule, WallSide side, double headingDegrees) {
         Obstacle wall = new Obstacle(
-                "wall", new ObstacleShape.Wall(List.of(new Vector2(-4, 0), new Vector2(4, 0))), new Pose(4.3, 2.7, 0));
+                "wall",
+                new ObstacleShape.WallShape(List.of(new Vector2(-4, 0), new Vector2(4, 0))),
+                new Pose(4.3, 2.7, 0));
         SimulationSetup setup = SimulationSetup.of(
                         new WorldSpec(8.6, 3.4, false, 5, List.of(wall)),
                         new Pose(4.1, 1.3, Math.toRadians(headingDegrees)))

@@ -36,7 +36,7 @@ class RunVerdictTest {
     }
 
     private static Expectation coverage(double least) {
-        return new Expectation(List.of(new Expectation.Collision(false), new Expectation.MinCoverage(least)));
+        return new Expectation(List.of(new Expectation.Collides(false), new Expectation.MinCoverage(least)));
     }
 
     @Test

@@ -39,15 +39,16 @@ import org.junit.jupiter.api.extension.ExtendWith;
 class ObstaclePanelTest {
 
     private static final Obstacle CRATE =
-            new Obstacle("crate", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(1.3, 2.9, 0));
-    private static final Obstacle VASE = new Obstacle("vase", new ObstacleShape.Circle(0.15), new Pose(4.1, 1.2, 0));
+            new Obstacle("crate", new ObstacleShape.RectangleShape(0.6, 0.4), new Pose(1.3, 2.9, 0));
+    private static final Obstacle VASE =
+            new Obstacle("vase", new ObstacleShape.CircleShape(0.15), new Pose(4.1, 1.2, 0));
     private static final Obstacle FENCE = new Obstacle(
             "fence",
-            new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(1, 0), new Vector2(1, 0.7))),
+            new ObstacleShape.WallShape(List.of(new Vector2(0, 0), new Vector2(1, 0), new Vector2(1, 0.7))),
             new Pose(2.2, 0.4, 0));
     private static final Obstacle CAT = new Obstacle(
             "cat",
-            new ObstacleShape.Ellipse(0.2, 0.1),
+            new ObstacleShape.EllipseShape(0.2, 0.1),
             new Pose(5, 3, 0),
             new WaypointPath(0.4, true, List.of(new Vector2(5, 2), new Vector2(3, 3))));
 
@@ -119,7 +120,7 @@ class ObstaclePanelTest {
                 StrictMath.toDegrees(
                         ((Command.MoveObstacle) commands.get(1)).pose().heading()),
                 1e-9);
-        assertEquals(new ObstacleShape.Rectangle(0.6, 0.55), placed(2).shape());
+        assertEquals(new ObstacleShape.RectangleShape(0.6, 0.55), placed(2).shape());
         assertTrue(placed(3).isSpecular());
         assertEquals(
                 List.of(new Vector2(1, 1), new Vector2(2.5, 1)),
@@ -159,7 +160,7 @@ class ObstaclePanelTest {
         assertEquals(List.of(), commands);
         write("Points, m", "0,0 1.5,0");
         assertEquals(
-                new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(1.5, 0))),
+                new ObstacleShape.WallShape(List.of(new Vector2(0, 0), new Vector2(1.5, 0))),
                 placed(0).shape());
     }
 

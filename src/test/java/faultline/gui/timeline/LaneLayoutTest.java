@@ -58,7 +58,7 @@ class LaneLayoutTest {
         for (int i = 0; i < expected.length; i++) {
             assertEquals(expected[i], lanes.laneAt(TOP + (i - 0.5) * ROW));
         }
-        assertEquals(new LaneLayout.Hit(1, LaneLayout.Part.BODY), lanes.hit(80 + 150, TOP + 2.5 * ROW));
+        assertEquals(new LaneLayout.Hit(1, LaneLayout.Grip.BODY), lanes.hit(80 + 150, TOP + 2.5 * ROW));
     }
 
     @Test

@@ -46,7 +46,7 @@ class CanvasOverlaysTest {
         banner.setPreferredSize(new Dimension(0, 60));
         banner.setVisible(false);
         overlays = new CanvasOverlays(canvas, banner);
-        card = new TourCard(List.of(new TourCard.Step("break", new JPanel())), target -> {});
+        card = new TourCard(List.of(new TourCard.TourStep("break", new JPanel())), target -> {});
         overlays.addCard(card);
         canvas.setSize(845, 373);
     }

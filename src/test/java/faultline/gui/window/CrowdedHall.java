@@ -73,13 +73,13 @@ final class CrowdedHall {
     private ObstacleShape shape(int kind) {
         double size = 0.06 + 0.06 * random.nextDouble();
         return switch (kind) {
-            case 0 -> new ObstacleShape.Rectangle(2 * size, size);
-            case 1 -> new ObstacleShape.Circle(size);
-            case 2 -> new ObstacleShape.Ellipse(size, size / 2);
-            case 3 -> new ObstacleShape.Polygon(star(size));
+            case 0 -> new ObstacleShape.RectangleShape(2 * size, size);
+            case 1 -> new ObstacleShape.CircleShape(size);
+            case 2 -> new ObstacleShape.EllipseShape(size, size / 2);
+            case 3 -> new ObstacleShape.PolygonShape(star(size));
             case 4 ->
-                new ObstacleShape.Wall(List.of(new Vector2(-size, 0), new Vector2(0, size), new Vector2(size, 0)));
-            default -> new ObstacleShape.Rectangle(size, size);
+                new ObstacleShape.WallShape(List.of(new Vector2(-size, 0), new Vector2(0, size), new Vector2(size, 0)));
+            default -> new ObstacleShape.RectangleShape(size, size);
         };
     }
 

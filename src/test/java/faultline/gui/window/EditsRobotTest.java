@@ -156,7 +156,8 @@ class EditsRobotTest {
         waitForObstacle(
                 "the polygon is there",
                 "polygon",
-                polygon -> ((ObstacleShape.Polygon) polygon.shape()).points().size() == 3);
+                polygon ->
+                        ((ObstacleShape.PolygonShape) polygon.shape()).points().size() == 3);
         waitForSelection("polygon");
         driver.robot().waitFor("no button is lit", () -> !ComponentFinder.find(
                         driver.window(), JToggleButton.class, "Polygon")
@@ -171,11 +172,12 @@ class EditsRobotTest {
         driver.choose("snapGrid");
         driver.choose("placeRectangle");
         drag(point(6, 1.5), point(7, 2));
-        waitForObstacle(
-                "it is as large as drawn", "rectangle", box -> box.shape().equals(new ObstacleShape.Rectangle(1, 0.5)));
+        waitForObstacle("it is as large as drawn", "rectangle", box -> box.shape()
+                .equals(new ObstacleShape.RectangleShape(1, 0.5)));
         waitForSelection("rectangle");
         drag(point(7, 1.75), point(7.3, 1.75));
-        waitForObstacle("it is wider", "rectangle", box -> box.shape().equals(new ObstacleShape.Rectangle(1.3, 0.5)));
+        waitForObstacle(
+                "it is wider", "rectangle", box -> box.shape().equals(new ObstacleShape.RectangleShape(1.3, 0.5)));
         driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_D);
         waitForSelection("rectangle-2");
         driver.robot().pressKeys(KeyEvent.VK_DELETE);

@@ -99,7 +99,7 @@ class FloorPlanPaintTimesRobotTest {
                 height,
                 true,
                 0,
-                List.of(new Obstacle("plan", new ObstacleShape.Plan(rings), new Pose(0, 0, 0))));
+                List.of(new Obstacle("plan", new ObstacleShape.PlanShape(rings), new Pose(0, 0, 0))));
         return new Scenario(
                 "Building",
                 "",

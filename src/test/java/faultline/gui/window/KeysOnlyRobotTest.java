@@ -106,8 +106,8 @@ class KeysOnlyRobotTest {
         press(KeyEvent.VK_INSERT, KeyEvent.VK_ENTER);
         driver.waitForFrame(
                 "the wall is there", frame -> frame.snapshot().obstacles().size() == before + 2);
-        ObstacleShape.Wall wall =
-                (ObstacleShape.Wall) obstacles().get(before + 1).shape();
+        ObstacleShape.WallShape wall =
+                (ObstacleShape.WallShape) obstacles().get(before + 1).shape();
         assertEquals(0.5, wall.points().get(0).distanceTo(wall.points().get(1)), 1e-9);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
         driver.waitForFrame(

@@ -21,14 +21,17 @@ class ObstacleOutlinesTest {
     void rectanglesCirclesAndEllipsesAreCentredOnTheOrigin() {
         assertEquals(
                 new Rectangle2D.Double(-1, -0.5, 2, 1),
-                ObstacleOutlines.localShape(new ObstacleShape.Rectangle(2, 1)).getBounds2D());
+                ObstacleOutlines.localShape(new ObstacleShape.RectangleShape(2, 1))
+                        .getBounds2D());
         assertEquals(
                 new Rectangle2D.Double(-1, -1, 2, 2),
-                ObstacleOutlines.localShape(new ObstacleShape.Circle(1)).getBounds2D());
+                ObstacleOutlines.localShape(new ObstacleShape.CircleShape(1)).getBounds2D());
         assertEquals(
                 new Rectangle2D.Double(-2, -1, 4, 2),
-                ObstacleOutlines.localShape(new ObstacleShape.Ellipse(2, 1)).getBounds2D());
-        assertFalse(ObstacleOutlines.localShape(new ObstacleShape.Ellipse(2, 1)).contains(1.9, 0.9));
+                ObstacleOutlines.localShape(new ObstacleShape.EllipseShape(2, 1))
+                        .getBounds2D());
+        assertFalse(ObstacleOutlines.localShape(new ObstacleShape.EllipseShape(2, 1))
+                .contains(1.9, 0.9));
     }
 
     @Test
@@ -44,7 +47,7 @@ class ObstacleOutlinesTest {
                 new Vector2(2, 2),
                 new Vector2(1, 2),
                 new Vector2(1, 1));
-        Shape outline = ObstacleOutlines.localShape(new ObstacleShape.Polygon(bowlTwice));
+        Shape outline = ObstacleOutlines.localShape(new ObstacleShape.PolygonShape(bowlTwice));
         assertTrue(outline.contains(0.5, 2));
         assertFalse(outline.contains(1.5, 1.5), "the hole is not inside");
     }
@@ -52,7 +55,7 @@ class ObstacleOutlinesTest {
     @Test
     void anObstacleIsPlacedAtItsPose() {
         Shape placed = ObstacleOutlines.worldShape(
-                new Obstacle("plank", new ObstacleShape.Rectangle(2, 1), new Pose(5, 3, QUARTER_TURN)));
+                new Obstacle("plank", new ObstacleShape.RectangleShape(2, 1), new Pose(5, 3, QUARTER_TURN)));
         assertTrue(placed.contains(5.4, 3.9));
         assertFalse(placed.contains(5.9, 3.4));
     }
@@ -60,7 +63,7 @@ class ObstacleOutlinesTest {
     @Test
     void rotatingLeavesTheCentreInPlace() {
         ObstacleShape triangle =
-                new ObstacleShape.Polygon(List.of(new Vector2(1, 1), new Vector2(3, 1), new Vector2(3, 2)));
+                new ObstacleShape.PolygonShape(List.of(new Vector2(1, 1), new Vector2(3, 1), new Vector2(3, 2)));
         Obstacle niche = new Obstacle("niche", triangle, new Pose(4, 0, 0));
         Vector2 middle = ObstacleOutlines.centre(niche);
         assertEquals(new Vector2(6, 1.5), middle);

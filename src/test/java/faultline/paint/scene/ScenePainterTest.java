@@ -153,11 +153,11 @@ class ScenePainterTest {
         Pixels pixels = Pixels.render(
                 SampleFrames.frameOf(
                         AT_2_1,
-                        new Obstacle("box", new ObstacleShape.Rectangle(1, 0.2), new Pose(4, 3, Math.PI / 2)),
-                        new Obstacle("disc", new ObstacleShape.Circle(0.3), new Pose(1, 3, 0)),
+                        new Obstacle("box", new ObstacleShape.RectangleShape(1, 0.2), new Pose(4, 3, Math.PI / 2)),
+                        new Obstacle("disc", new ObstacleShape.CircleShape(0.3), new Pose(1, 3, 0)),
                         new Obstacle(
                                 "wedge",
-                                new ObstacleShape.Polygon(
+                                new ObstacleShape.PolygonShape(
                                         List.of(new Vector2(0, 0), new Vector2(1, 0), new Vector2(0, 1))),
                                 new Pose(4.5, 0.5, 0))),
                 LIGHT);
@@ -172,14 +172,14 @@ class ScenePainterTest {
     @Test
     void aWallIsVisibleAlthoughItHasNoThickness() {
         Obstacle wall = new Obstacle(
-                "wall", new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(2, 0))), new Pose(3, 3, 0));
+                "wall", new ObstacleShape.WallShape(List.of(new Vector2(0, 0), new Vector2(2, 0))), new Pose(3, 3, 0));
         Pixels.render(SampleFrames.frameOf(AT_2_1, wall), LIGHT)
                 .assertColour(LIGHT.obstacleOutline(), new Vector2(4, 3));
     }
 
     @Test
     void aGlossyWallIsABrightLineBetweenTwoDarkOnes() {
-        ObstacleShape wall = new ObstacleShape.Wall(List.of(new Vector2(0, -1), new Vector2(0, 1)));
+        ObstacleShape wall = new ObstacleShape.WallShape(List.of(new Vector2(0, -1), new Vector2(0, 1)));
         Obstacle mirror = new Obstacle("mirror", wall, new Pose(4, 2, 0), WaypointPath.NONE, 0.2);
         Pixels pixels = Pixels.render(SampleFrames.frameOf(AT_2_1, mirror), LIGHT);
         Vector2 place = new Vector2(4, 2.6);
@@ -192,7 +192,7 @@ class ScenePainterTest {
         WaypointPath motion = new WaypointPath(0.2, false, List.of(new Vector2(3, 3), new Vector2(5, 3)));
         Pixels pixels = Pixels.render(
                 SampleFrames.frameOf(
-                        AT_2_1, new Obstacle("visitor", new ObstacleShape.Circle(0.3), new Pose(4, 2, 0), motion)),
+                        AT_2_1, new Obstacle("visitor", new ObstacleShape.CircleShape(0.3), new Pose(4, 2, 0), motion)),
                 LIGHT);
         assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(4.3, 2), 2));
         assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(3, 3), 1), "a way-point");

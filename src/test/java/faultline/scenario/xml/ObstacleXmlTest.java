@@ -18,10 +18,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ObstacleXmlTest {
 
     private static final List<Obstacle> TWO_OBSTACLES = List.of(
-            new Obstacle("desk", new ObstacleShape.Rectangle(1, 0.5), new Pose(2, 1, 0.1)),
+            new Obstacle("desk", new ObstacleShape.RectangleShape(1, 0.5), new Pose(2, 1, 0.1)),
             new Obstacle(
                     "visitor",
-                    new ObstacleShape.Circle(0.15),
+                    new ObstacleShape.CircleShape(0.15),
                     new Pose(1, 3, 0),
                     new WaypointPath(0.2, true, List.of(new Vector2(1, 3), new Vector2(5, 3)))));
 
@@ -34,7 +34,8 @@ class ObstacleXmlTest {
     void theTextIsWhatAFileHolds() {
         assertEquals(
                 "<circle id=\"pole\" x=\"1\" y=\"2\" heading=\"0\" radius=\"0.1\"/>\n",
-                ObstacleXml.format(List.of(new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 2, 0)))));
+                ObstacleXml.format(
+                        List.of(new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(1, 2, 0)))));
     }
 
     @Test

@@ -127,12 +127,12 @@ final class RandomScenarios {
 
     private ObstacleShape shape() {
         return switch (random.nextInt(6)) {
-            case 0 -> new ObstacleShape.Rectangle(extent(), extent());
-            case 1 -> new ObstacleShape.Circle(extent());
-            case 2 -> new ObstacleShape.Ellipse(extent(), extent());
-            case 3 -> new ObstacleShape.Polygon(points(3));
-            case 4 -> new ObstacleShape.Plan(List.of(points(3), points(4)));
-            default -> new ObstacleShape.Wall(points(2));
+            case 0 -> new ObstacleShape.RectangleShape(extent(), extent());
+            case 1 -> new ObstacleShape.CircleShape(extent());
+            case 2 -> new ObstacleShape.EllipseShape(extent(), extent());
+            case 3 -> new ObstacleShape.PolygonShape(points(3));
+            case 4 -> new ObstacleShape.PlanShape(List.of(points(3), points(4)));
+            default -> new ObstacleShape.WallShape(points(2));
         };
     }
 
@@ -249,7 +249,7 @@ final class RandomScenarios {
     private Expectation expectation(ControllerSpec controller) {
         ControllerState first = ControllerFactory.initialState(controller);
         return new Expectation(Stream.<Expectation.Condition>of(
-                        new Expectation.Collision(random.nextBoolean()),
+                        new Expectation.Collides(random.nextBoolean()),
                         new Expectation.MinCoverage(random.nextDouble()),
                         new Expectation.MaxDistanceRms(size()),
                         new Expectation.VisitedState(first),

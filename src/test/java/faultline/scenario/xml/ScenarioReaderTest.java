@@ -82,7 +82,7 @@ class ScenarioReaderTest {
         assertEquals(
                 new Obstacle(
                         "visitor",
-                        new ObstacleShape.Circle(0.15),
+                        new ObstacleShape.CircleShape(0.15),
                         new Pose(1, 3, 0),
                         new WaypointPath(0.2, true, List.of(new Vector2(1, 3), new Vector2(5, 3)))),
                 setup.world().obstacles().get(5));
@@ -94,7 +94,7 @@ class ScenarioReaderTest {
                         new TimedCommand(40, new Command.MoveObstacle("desk", new Pose(3, 1, Degrees.toRadians(45))))),
                 setup.timeline());
         assertEquals(
-                new Expectation(List.of(new Expectation.Collision(false), new Expectation.MinCoverage(0.9))),
+                new Expectation(List.of(new Expectation.Collides(false), new Expectation.MinCoverage(0.9))),
                 scenario.expectation());
     }
 
@@ -160,7 +160,7 @@ class ScenarioReaderTest {
                         new TimedCommand(
                                 41,
                                 new Command.PlaceObstacle(
-                                        new Obstacle("extra", new ObstacleShape.Circle(0.1), new Pose(4, 1, 0)))),
+                                        new Obstacle("extra", new ObstacleShape.CircleShape(0.1), new Pose(4, 1, 0)))),
                         new TimedCommand(42, new Command.RemoveObstacle("extra")),
                         new TimedCommand(43, new Command.SetPlatform(0.25, 0.2, 0.2))),
                 timeline);

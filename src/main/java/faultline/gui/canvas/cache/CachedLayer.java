@@ -21,7 +21,7 @@ public final class CachedLayer<C extends LayerContent<C>> {
     private boolean complete;
 
     /** Updates the image for as long as the budget of the frame allows. */
-    public void update(C content, LayerBuffer.View view, FrameBudget budget) {
+    public void update(C content, LayerBuffer.LayerView view, FrameBudget budget) {
         if (back == null) {
             prepare(content, view);
         }
@@ -38,7 +38,7 @@ public final class CachedLayer<C extends LayerContent<C>> {
     }
 
     /** Starts an update. A started image is completed first, or a view that keeps changing would never show. */
-    private void prepare(C content, LayerBuffer.View view) {
+    private void prepare(C content, LayerBuffer.LayerView view) {
         if (front == null) {
             front = LayerProgress.blank(content, view);
         } else if (!front.shows(content, view)) {

@@ -20,7 +20,7 @@ import java.util.function.Consumer;
  * @param image the image; its pixels are device pixels
  * @param view the view that it was painted for
  */
-public record LayerBuffer(BufferedImage image, View view) {
+public record LayerBuffer(BufferedImage image, LayerView view) {
 
     /**
      * Everything but the content that an image depends on.
@@ -29,7 +29,7 @@ public record LayerBuffer(BufferedImage image, View view) {
      * @param palette the colours
      * @param deviceScale device pixels per pixel
      */
-    public record View(Camera camera, Palette palette, double deviceScale) {
+    public record LayerView(Camera camera, Palette palette, double deviceScale) {
 
         /** An offset that differs by less from whole pixels is an offset by whole pixels. */
         private static final double ROUNDING = 1e-6;
@@ -39,7 +39,7 @@ public record LayerBuffer(BufferedImage image, View view) {
         }
 
         /** Returns the offset, pixels, that shows the content in another view; empty if an offset is not enough. */
-        Optional<Point> offsetTo(View other) {
+        Optional<Point> offsetTo(LayerView other) {
             Camera to = other.camera;
             double dx = (camera.x() - to.x()) * camera.scale();
             double dy = (to.y() - camera.y()) * camera.scale();
@@ -58,7 +58,7 @@ public record LayerBuffer(BufferedImage image, View view) {
     }
 
     /** Returns an empty image; an opaque one is drawn faster. */
-    static LayerBuffer blank(View view, boolean opaque) {
+    static LayerBuffer blank(LayerView view, boolean opaque) {
         int width = (int) Math.ceil(view.camera().width() * view.deviceScale());
         int height = (int) Math.ceil(view.camera().height() * view.deviceScale());
         return new LayerBuffer(
@@ -91,7 +91,7 @@ public record LayerBuffer(BufferedImage image, View view) {
     }
 
     /** Returns this image for another view, with its content moved; what comes into view is not painted. */
-    LayerBuffer moved(Point by, View to) {
+    LayerBuffer moved(Point by, LayerView to) {
         Graphics2D graphics = image.createGraphics();
         graphics.setComposite(AlphaComposite.Src);
         graphics.copyArea(0, 0, image.getWidth(), image.getHeight(), (int) (by.x * view.deviceScale()), (int)

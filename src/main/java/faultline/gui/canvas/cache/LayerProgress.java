@@ -37,7 +37,7 @@ record LayerProgress<C extends LayerContent<C>>(C content, LayerBuffer buffer, L
         return List.copyOf(apart);
     }
 
-    static <C extends LayerContent<C>> LayerProgress<C> blank(C content, LayerBuffer.View view) {
+    static <C extends LayerContent<C>> LayerProgress<C> blank(C content, LayerBuffer.LayerView view) {
         return new LayerProgress<>(content, LayerBuffer.blank(view, content.isOpaque()), List.of(view.bounds()), 0);
     }
 
@@ -45,7 +45,7 @@ record LayerProgress<C extends LayerContent<C>>(C content, LayerBuffer buffer, L
         return parts.isEmpty();
     }
 
-    boolean shows(C wanted, LayerBuffer.View view) {
+    boolean shows(C wanted, LayerBuffer.LayerView view) {
         return isDone() && buffer.view().equals(view) && wanted.isSatisfiedBy(content);
     }
 
@@ -69,7 +69,7 @@ record LayerProgress<C extends LayerContent<C>>(C content, LayerBuffer buffer, L
     }
 
     /** Returns this image on its way to another content or view; empty if a new image is cheaper. */
-    Optional<LayerProgress<C>> adaptTo(C wanted, LayerBuffer.View view) {
+    Optional<LayerProgress<C>> adaptTo(C wanted, LayerBuffer.LayerView view) {
         if (!buffer.view().equals(view)) {
             return buffer.view().offsetTo(view).map(by -> moved(by, view));
         }
@@ -78,7 +78,7 @@ record LayerProgress<C extends LayerContent<C>>(C content, LayerBuffer buffer, L
                 : wanted.patchSince(content, view.camera()).map(patch -> patched(wanted, patch));
     }
 
-    private LayerProgress<C> moved(Point by, LayerBuffer.View to) {
+    private LayerProgress<C> moved(Point by, LayerBuffer.LayerView to) {
         Stream<Rectangle> left = parts.stream().map(part -> {
             Rectangle there = new Rectangle(part);
             there.translate(by.x, by.y);

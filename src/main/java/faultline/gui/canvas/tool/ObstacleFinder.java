@@ -32,7 +32,7 @@ public final class ObstacleFinder {
     }
 
     private static boolean touches(Obstacle obstacle, Vector2 point, double tolerance) {
-        if (obstacle.shape() instanceof ObstacleShape.Wall wall) {
+        if (obstacle.shape() instanceof ObstacleShape.WallShape wall) {
             return touches(wall.points(), RigidMotion.of(obstacle.pose()), point, tolerance);
         }
         Shape shape = ObstacleOutlines.worldShape(obstacle);

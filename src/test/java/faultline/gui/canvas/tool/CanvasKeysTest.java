@@ -35,8 +35,8 @@ import org.junit.jupiter.api.Test;
 class CanvasKeysTest {
 
     private static final Pose ROBOT = new Pose(1, 1, 0);
-    private static final Frame WITH_BOX =
-            SampleFrames.frameOf(ROBOT, new Obstacle("box", new ObstacleShape.Rectangle(0.8, 0.5), new Pose(4, 2, 0)));
+    private static final Frame WITH_BOX = SampleFrames.frameOf(
+            ROBOT, new Obstacle("box", new ObstacleShape.RectangleShape(0.8, 0.5), new Pose(4, 2, 0)));
     private static final Frame EMPTY = SampleFrames.frameOf(ROBOT);
 
     private final List<Command> sent = new ArrayList<>();
@@ -73,7 +73,7 @@ class CanvasKeysTest {
 
     @Test
     void obstaclesAreSelectedOneAfterTheOtherByKey() {
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(5, 3, 0));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(5, 3, 0));
         runOnEdt(() -> canvas.setFrame(
                 SampleFrames.frameOf(ROBOT, WITH_BOX.snapshot().obstacles().get(0), pole)));
         List<String> ids = callOnEdt(() -> {
@@ -103,7 +103,7 @@ class CanvasKeysTest {
         keys("INSERT", "shift RIGHT", "shift RIGHT", "RIGHT", "INSERT", "shift UP", "shift UP", "INSERT");
         keys("shift LEFT", "shift LEFT", "INSERT", "BACK_SPACE", "ENTER");
         Command.PlaceObstacle placed = (Command.PlaceObstacle) callOnEdt(() -> sent.get(0));
-        List<Vector2> points = ((ObstacleShape.Wall) placed.obstacle().shape()).points();
+        List<Vector2> points = ((ObstacleShape.WallShape) placed.obstacle().shape()).points();
         assertEquals(3, points.size());
         assertEquals(new Vector2(0.21, 0), rounded(points.get(1).minus(points.get(0))));
         assertEquals(new Vector2(0, 0.2), rounded(points.get(2).minus(points.get(1))));
@@ -137,8 +137,8 @@ class CanvasKeysTest {
 
     @Test
     void obstaclesFromElsewhereArePastedIntoTheView() {
-        Obstacle outside = new Obstacle("far", new ObstacleShape.Circle(0.1), new Pose(50, -3, 0));
-        Obstacle inside = new Obstacle("near", new ObstacleShape.Circle(0.1), new Pose(3, 3, 0));
+        Obstacle outside = new Obstacle("far", new ObstacleShape.CircleShape(0.1), new Pose(50, -3, 0));
+        Obstacle inside = new Obstacle("near", new ObstacleShape.CircleShape(0.1), new Pose(3, 3, 0));
         Vector2 target = callOnEdt(() -> canvas.tools().displacementIntoView(List.of(outside)))
                 .plus(outside.pose().position());
         Vector2 centre =
@@ -149,7 +149,7 @@ class CanvasKeysTest {
 
     @Test
     void turningThereAndBackLeavesSeveralWhereTheyWere() {
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(5, 3, 0));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(5, 3, 0));
         runOnEdt(() -> canvas.setFrame(
                 SampleFrames.frameOf(ROBOT, WITH_BOX.snapshot().obstacles().get(0), pole)));
         runOnEdt(() -> canvas.tools().select(List.of("box", "pole")));

@@ -22,7 +22,7 @@ class CanvasModelTest {
         return SampleFrames.frameOf(
                 new Pose(1, 1, 0),
                 Stream.of(ids)
-                        .map(id -> new Obstacle(id, new ObstacleShape.Circle(0.1), new Pose(4, 3, 0)))
+                        .map(id -> new Obstacle(id, new ObstacleShape.CircleShape(0.1), new Pose(4, 3, 0)))
                         .toArray(Obstacle[]::new));
     }
 

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 class DragOperationTest {
 
     private static final Obstacle BOX =
-            new Obstacle("box", new ObstacleShape.Rectangle(1, 1), new Pose(2, 1, Degrees.toRadians(170)));
+            new Obstacle("box", new ObstacleShape.RectangleShape(1, 1), new Pose(2, 1, Degrees.toRadians(170)));
 
     private static Obstacle only(DragPreview preview) {
         assertEquals(1, preview.obstacles().size());
@@ -39,7 +39,7 @@ class DragOperationTest {
 
     @Test
     void whatIsSelectedMovesTogetherAndOnlyTheGrabbedObstacleSnaps() {
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1.03, 1, 0));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(1.03, 1, 0));
         DragPreview preview = new DragOperation.Move(BOX, List.of(pole, BOX), new Vector2(2, 1))
                 .preview(new Vector2(2.11, 1.02), new SnapSettings(0.1, 0));
         assertEquals(0, preview.obstacles().get(0).pose().position().distanceTo(new Vector2(1.13, 1)), 1e-12);
@@ -57,7 +57,7 @@ class DragOperationTest {
     @Test
     void whatADragMovesHasFewDecimalsAndTheRestKeepsItsBits() {
         Obstacle odd = BOX.withPose(new Pose(2.123456789, 1.987654321, 0.3));
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1.03, 1.23456789, 0));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(1.03, 1.23456789, 0));
         Vector2 grab = new Vector2(2, 1);
         List<Obstacle> moved = new DragOperation.Move(odd, List.of(odd, pole), grab)
                 .preview(new Vector2(2 + 1.0 / 3, 1), SnapSettings.NONE)
@@ -88,7 +88,7 @@ class DragOperationTest {
 
     @Test
     void severalTurnAboutTheirCommonMiddle() {
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(4, 1, 0));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(4, 1, 0));
         DragOperation turn = new DragOperation.Rotate(List.of(BOX, pole), new Vector2(4, 1));
         DragPreview preview = turn.preview(new Vector2(3.05, 2), new SnapSettings(0, Degrees.toRadians(15)));
         assertEquals(0, preview.obstacles().get(0).pose().position().distanceTo(new Vector2(3, 0)), 1e-8);
@@ -105,7 +105,7 @@ class DragOperationTest {
         Obstacle box = BOX.withPose(new Pose(2, 1, 0));
         // Handle 7 is the midpoint of the right side.
         DragPreview preview = new DragOperation.Resize(box, 7).preview(new Vector2(3.5, 9), SnapSettings.NONE);
-        assertEquals(new ObstacleShape.Rectangle(2, 1), only(preview).shape());
+        assertEquals(new ObstacleShape.RectangleShape(2, 1), only(preview).shape());
         assertEquals(new Pose(2.5, 1, 0), only(preview).pose());
         assertEquals("width 2.000 m   height 1.000 m", preview.valueText());
         assertEquals(List.of(new Command.PlaceObstacle(box)), new DragOperation.Resize(box, 7).restoreCommands());

@@ -17,10 +17,10 @@ class ObstacleFinderTest {
     /** A camera of 100 pixels per metre with the origin at the centre of 800 x 600 pixels. */
     private static final Camera CAMERA = new Camera(0, 0, 100, 800, 600);
 
-    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(2, 1), Pose.ORIGIN);
+    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.RectangleShape(2, 1), Pose.ORIGIN);
     private static final Obstacle WALL = new Obstacle(
             "wall",
-            new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(1, 0), new Vector2(1, 1))),
+            new ObstacleShape.WallShape(List.of(new Vector2(0, 0), new Vector2(1, 0), new Vector2(1, 1))),
             new Pose(-3, 2, 0));
 
     @Test
@@ -43,7 +43,7 @@ class ObstacleFinderTest {
 
     @Test
     void aPoleOfAMillimetreCanBeCaught() {
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.0005), new Pose(3, 0, 0));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.0005), new Pose(3, 0, 0));
         assertEquals(Optional.of("pole"), at(new Vector2(3.03, 0), pole));
         assertEquals(Optional.empty(), at(new Vector2(3.1, 0), pole));
     }
@@ -57,7 +57,7 @@ class ObstacleFinderTest {
 
     @Test
     void ofTwoTheOneOnTopIsFound() {
-        Obstacle upper = new Obstacle("upper", new ObstacleShape.Circle(0.3), Pose.ORIGIN);
+        Obstacle upper = new Obstacle("upper", new ObstacleShape.CircleShape(0.3), Pose.ORIGIN);
         assertEquals(Optional.of("upper"), at(Vector2.ZERO, BOX, upper));
         assertEquals(Optional.of("box"), at(Vector2.ZERO, upper, BOX));
     }
@@ -66,7 +66,7 @@ class ObstacleFinderTest {
     void aMovingObstacleLiesOnTopWhateverTheOrder() {
         Obstacle visitor = new Obstacle(
                 "visitor",
-                new ObstacleShape.Circle(0.3),
+                new ObstacleShape.CircleShape(0.3),
                 Pose.ORIGIN,
                 new WaypointPath(1, false, List.of(Vector2.ZERO)));
         assertEquals(Optional.of("visitor"), at(Vector2.ZERO, visitor, BOX));
