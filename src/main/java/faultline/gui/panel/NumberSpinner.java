@@ -222,8 +222,11 @@ public final class NumberSpinner extends JSpinner {
         textField().getInputMap().put(KeyStroke.getKeyStroke("ESCAPE"), "none");
     }
 
-    /** Commits the text and returns true, or returns false if it is invalid. */
+    /** Commits the text and returns true, or returns false if it is invalid; a field that does not apply has none. */
     public boolean commitValidEdit() {
+        if (!isEnabled()) {
+            return true;
+        }
         try {
             commitEdit();
             return true;

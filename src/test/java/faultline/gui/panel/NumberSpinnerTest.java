@@ -44,6 +44,18 @@ class NumberSpinnerTest {
     }
 
     @Test
+    void aFieldThatDoesNotApplyIsNoInvalidOne() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(0.8);
+            spinner.textField().setText("");
+            assertFalse(spinner.commitValidEdit(), "an empty field");
+            spinner.setEnabled(false);
+            assertTrue(spinner.commitValidEdit(), "an empty field that does not apply");
+        });
+        assertEquals(List.of(), reported);
+    }
+
+    @Test
     void aNumberBeyondTheLimitsIsNotTaken() {
         runOnEdt(() -> spinner.setWorldValue(0.8));
         runOnEdt(() -> {
