@@ -60,7 +60,7 @@ public final class SensorDiagnosis {
 
     private WallLine wallLine;
     private EvidenceGrid grid;
-    private ClaimCheck claimTest;
+    private ClaimCheck claimCheck;
     private Verdicts verdicts;
     private MissedSurfaces missedSurfaces;
     private HealthReport report;
@@ -145,7 +145,7 @@ public final class SensorDiagnosis {
             sensors = new InspectedSensor[n];
             signals = new SignalCheck[n];
             grid = new EvidenceGrid(n + 1);
-            claimTest = new ClaimCheck(grid);
+            claimCheck = new ClaimCheck(grid);
             report = new HealthReport(newRobot);
         }
         for (int i = 0; i < n; i++) {
@@ -246,7 +246,7 @@ public final class SensorDiagnosis {
 
     private boolean isConfirmed(InspectedSensor sensor) {
         int now = clock.moment();
-        return claimTest.confirm(sensor, now, now - MEMORY, verdicts.trusted() & ~sensor.bit());
+        return claimCheck.confirm(sensor, now, now - MEMORY, verdicts.trusted() & ~sensor.bit());
     }
 
     private void markFree(InspectedSensor sensor, double radius, RowParity rows) {
@@ -285,7 +285,7 @@ public final class SensorDiagnosis {
 
     /** Tests a claim against what was seen free since a moment. */
     private void test(InspectedSensor sensor, int age, int oldest) {
-        int by = claimTest.contradicting(sensor, age, oldest, verdicts.trusted() | sensor.bit());
+        int by = claimCheck.contradicting(sensor, age, oldest, verdicts.trusted() | sensor.bit());
         if (by != ClaimCheck.POSSIBLE) {
             verdicts.blame(sensor.index(), by);
         }

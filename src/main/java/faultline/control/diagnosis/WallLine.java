@@ -102,15 +102,12 @@ final class WallLine {
      *     with the others, which may be suspected just because the path bends, a sag that is wrong does no harm
      */
     double sag(double[] readings) {
-        if (facing == null || ahead == null || behind == null || !facing.sensor.isTrusted()) {
+        if (!isSeen(readings) || !facing.sensor.isTrusted()) {
             return Double.NaN;
         }
         double beside = readings[facing.index];
         double before = readings[ahead.index];
         double after = readings[behind.index];
-        if (!facing.sees(beside) || !ahead.sees(before) || !behind.sees(after)) {
-            return Double.NaN;
-        }
         double behindX = behind.x(after);
         double behindY = behind.y(after);
         double share = (facing.x(beside) - behindX) / (ahead.x(before) - behindX);

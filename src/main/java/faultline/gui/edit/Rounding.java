@@ -20,7 +20,11 @@ public final class Rounding {
     private Rounding() {}
 
     static double round(double value) {
-        return Math.rint(value * STEPS_PER_METRE) / STEPS_PER_METRE;
+        return round(value, STEPS_PER_METRE);
+    }
+
+    private static double round(double value, double steps) {
+        return Math.rint(value * steps) / steps;
     }
 
     /** Returns an angle, radians, rounded to a multiple of a step that is given in degrees. */
@@ -40,9 +44,13 @@ public final class Rounding {
 
     /** Returns a point after a move; a coordinate that is as before is not rounded. */
     public static Vector2 round(Vector2 before, Vector2 after) {
+        return round(before, after, STEPS_PER_METRE);
+    }
+
+    private static Vector2 round(Vector2 before, Vector2 after, double steps) {
         return new Vector2(
-                isSame(before.x(), after.x()) ? before.x() : round(after.x()),
-                isSame(before.y(), after.y()) ? before.y() : round(after.y()));
+                isSame(before.x(), after.x()) ? before.x() : round(after.x(), steps),
+                isSame(before.y(), after.y()) ? before.y() : round(after.y(), steps));
     }
 
     /** Returns a pose after a move; a coordinate or heading that is as before is not rounded. */
@@ -58,13 +66,7 @@ public final class Rounding {
 
     /** Returns a point after a move as {@link #round(Vector2, Vector2)}, but rounded to nanometres. */
     static Vector2 roundFinely(Vector2 before, Vector2 after) {
-        return new Vector2(
-                isSame(before.x(), after.x())
-                        ? before.x()
-                        : Math.rint(after.x() * FINE_STEPS_PER_METRE) / FINE_STEPS_PER_METRE,
-                isSame(before.y(), after.y())
-                        ? before.y()
-                        : Math.rint(after.y() * FINE_STEPS_PER_METRE) / FINE_STEPS_PER_METRE);
+        return round(before, after, FINE_STEPS_PER_METRE);
     }
 
     private static boolean isSame(double before, double after) {
