@@ -1,12 +1,18 @@
 package faultline.gui.instrument;
 
+import faultline.geometry.Vector2;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
+import faultline.paint.chart.LegendRows;
 import faultline.paint.surface.DashPattern;
 import faultline.paint.surface.LineStyle;
+import faultline.paint.surface.Shapes;
+import faultline.paint.surface.Surface;
+import faultline.paint.surface.TextStyle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 
 /**
  * A name in the legend of a strip chart.
@@ -29,6 +35,25 @@ record LegendEntry(String name, Function<Theme, LineStyle> style) {
             entries.add(new LegendEntry(Messages.get("signal.reference"), LegendEntry::referenceStyle));
         }
         return entries;
+    }
+
+    /** Breaks entries into rows of a width, pixels. */
+    static LegendRows<LegendEntry> rows(List<LegendEntry> entries, ToDoubleFunction<String> textWidth, double width) {
+        return LegendRows.of(entries, LegendEntry::name, textWidth, width);
+    }
+
+    /** Paints rows in a theme from a point in their left upper corner, pixels. */
+    static void paint(
+            LegendRows<LegendEntry> rows,
+            Surface surface,
+            Theme theme,
+            TextStyle text,
+            Vector2 corner,
+            double rowHeight) {
+        rows.paint(surface, text, corner, rowHeight, (entry, left) -> {
+            Vector2 right = left.plus(new Vector2(LegendRows.SAMPLE_WIDTH, 0));
+            surface.draw(Shapes.polyline(List.of(left, right)), entry.style().apply(theme));
+        });
     }
 
     /** Returns the style of the lines of a reference run. */

@@ -5,6 +5,7 @@ import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.paint.chart.LegendRows;
 import faultline.paint.surface.GraphicsSurface;
 import faultline.paint.surface.TextStyle;
 import java.awt.Dimension;
@@ -45,16 +46,16 @@ final class StripLegend extends JComponent {
 
     /** Returns whether there is room for the names of all lines. */
     boolean isComplete() {
-        LegendRows rows = rows(room());
-        return rows.rows().size() <= MAX_ROWS && rows.width(this::textWidth) <= room();
+        LegendRows<LegendEntry> rows = rows(room());
+        return rows.rows().size() <= MAX_ROWS && rows.width() <= room();
     }
 
     private int room() {
         return getParent().getWidth() - getX();
     }
 
-    private LegendRows rows(double width) {
-        return LegendRows.of(LegendEntry.of(signal, reference), this::textWidth, width);
+    private LegendRows<LegendEntry> rows(double width) {
+        return LegendEntry.rows(LegendEntry.of(signal, reference), this::textWidth, width);
     }
 
     private double textWidth(String name) {
@@ -63,7 +64,7 @@ final class StripLegend extends JComponent {
 
     @Override
     public Dimension getMaximumSize() {
-        return new Dimension((int) Math.ceil(rows(Double.MAX_VALUE).width(this::textWidth)), TextSize.scaled(HEIGHT));
+        return new Dimension((int) Math.ceil(rows(Double.MAX_VALUE).width()), TextSize.scaled(HEIGHT));
     }
 
     /** Returns no width: the legend gets the room that the controls leave. */
@@ -82,12 +83,12 @@ final class StripLegend extends JComponent {
         if (isComplete()) {
             TextStyle style = TextStyle.plain(
                     TextSize.scaled(FONT_SIZE), Theme.currentColours().text());
-            LegendRows rows = rows(room());
+            LegendRows<LegendEntry> rows = rows(room());
             double rowHeight = (double) getHeight() / rows.rows().size();
             Antialiasing.paint(
                     graphics,
-                    g -> rows.paint(
-                            new GraphicsSurface(g), Theme.current(), style, this::textWidth, Vector2.ZERO, rowHeight));
+                    g -> LegendEntry.paint(
+                            rows, new GraphicsSurface(g), Theme.current(), style, Vector2.ZERO, rowHeight));
         }
     }
 }

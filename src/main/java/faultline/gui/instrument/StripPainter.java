@@ -59,15 +59,8 @@ final class StripPainter {
     }
 
     void paint() {
-        scale.legend()
-                .rows()
-                .paint(
-                        surface,
-                        theme,
-                        textStyle,
-                        textStyle::estimateWidth,
-                        scale.legend().corner(),
-                        LegendPlace.ROW_HEIGHT);
+        LegendPlace legend = scale.legend();
+        LegendEntry.paint(legend.rows(), surface, theme, textStyle, legend.corner(), LegendPlace.ROW_HEIGHT);
         StateIntervals.within(content.frame(), content.span()).forEach(this::paintState);
         content.items().forEach(this::paintItem);
         PlotPainter painter = new PlotPainter(surface, scale.plot());

@@ -1,6 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.paint.chart.Axis;
+import faultline.paint.chart.LegendRows;
 import faultline.paint.chart.Plot;
 import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.TextStyle;
@@ -58,10 +59,10 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
         TextStyle style = TextStyle.plain(FONT_SIZE, Color.BLACK);
         List<LegendEntry> entries = LegendEntry.of(content.signal(), content.reference() != null);
         int plotWidth = width - LEFT_MARGIN - RIGHT_MARGIN;
-        LegendRows above = LegendRows.of(entries, style::estimateWidth, plotWidth);
+        LegendRows<LegendEntry> above = LegendEntry.rows(entries, style::estimateWidth, plotWidth);
         int room = Math.max(1, (height - TOP_MARGIN - BOTTOM_MARGIN - MIN_PLOT_HEIGHT) / LegendPlace.ROW_HEIGHT);
-        LegendRows column = LegendRows.of(entries, style::estimateWidth, 0);
-        int beside = (int) Math.ceil(column.width(style::estimateWidth));
+        LegendRows<LegendEntry> column = LegendEntry.rows(entries, style::estimateWidth, 0);
+        int beside = (int) Math.ceil(column.width());
         if (above.rows().size() > room && plotWidth - beside >= MIN_PLOT_WIDTH) {
             return LegendPlace.beside(
                     column.first(height / LegendPlace.ROW_HEIGHT), width - beside - LegendPlace.GAP, beside);

@@ -14,63 +14,52 @@ import java.util.List;
 final class Legend {
 
     private static final double ROW_HEIGHT = 16;
-    private static final double SAMPLE_WIDTH = 26;
-    private static final double GAP = 14;
 
     private final ChartStyle style;
     private final TextStyle textStyle;
-    private final List<LegendItem> entries = new ArrayList<>();
-    private double nextX;
-    private int row;
+    private final LegendRows<LegendItem> rows;
 
-    /** A name, the series or class that it belongs to, and its position. */
-    private record LegendItem(String name, Series series, int index, double x, int row) {}
+    /** A name, and the series or class that it belongs to. */
+    private record LegendItem(String name, Series series, int index) {}
 
     Legend(List<Series> allSeries, ChartStyle style, double width) {
         this.style = style;
         textStyle = TextStyle.plain(11, style.palette().text());
+        rows = LegendRows.of(items(allSeries), LegendItem::name, textStyle::estimateWidth, width);
+    }
+
+    private static List<LegendItem> items(List<Series> allSeries) {
+        List<LegendItem> items = new ArrayList<>();
         for (Series series : allSeries) {
             if (series instanceof Series.Cells cells) {
                 for (int i = 0; i < cells.names().size(); i++) {
-                    addEntry(cells.names().get(i), series, i, width);
+                    items.add(new LegendItem(cells.names().get(i), series, i));
                 }
             } else if (!(series instanceof Series.Note) && !series.name().isEmpty()) {
-                addEntry(series.name(), series, 0, width);
+                items.add(new LegendItem(series.name(), series, 0));
             }
         }
-    }
-
-    private void addEntry(String name, Series series, int index, double width) {
-        double needed = SAMPLE_WIDTH + 5 + textStyle.estimateWidth(name);
-        if (nextX > 0 && nextX + needed > width) {
-            nextX = 0;
-            row++;
-        }
-        entries.add(new LegendItem(name, series, index, nextX, row));
-        nextX += needed + GAP;
+        return items;
     }
 
     /** Returns the height of all rows, pixels. */
     double height() {
-        return entries.isEmpty() ? 0 : (row + 1) * ROW_HEIGHT + 4;
+        return rows.rows().isEmpty() ? 0 : rows.rows().size() * ROW_HEIGHT + 4;
     }
 
     void paint(Surface surface, double x, double y) {
-        for (LegendItem entry : entries) {
-            Vector2 left = new Vector2(x + entry.x(), y + entry.row() * ROW_HEIGHT + ROW_HEIGHT / 2);
-            paintSample(surface, entry, left);
-            surface.drawText(entry.name(), left.plus(new Vector2(SAMPLE_WIDTH + 5, 4)), textStyle);
-        }
+        rows.paint(surface, textStyle, new Vector2(x, y), ROW_HEIGHT, (item, left) -> paintSample(surface, item, left));
     }
 
     private void paintSample(Surface surface, LegendItem entry, Vector2 left) {
-        List<Vector2> box =
-                PlotPainter.corners(new PixelRectangle(left.x(), left.y() - 5, SAMPLE_WIDTH, 10), 0, 1, 1, 0);
+        List<Vector2> box = PlotPainter.corners(
+                new PixelRectangle(left.x(), left.y() - 5, LegendRows.SAMPLE_WIDTH, 10), 0, 1, 1, 0);
         if (entry.series() instanceof Series.Line line) {
-            Vector2 right = left.plus(new Vector2(SAMPLE_WIDTH, 0));
+            Vector2 right = left.plus(new Vector2(LegendRows.SAMPLE_WIDTH, 0));
             surface.draw(Shapes.polyline(List.of(left, right)), style.lineStyle(line.styleIndex()));
         } else if (entry.series() instanceof Series.Points points) {
-            MarkerPainter.paint(surface, left.plus(new Vector2(SAMPLE_WIDTH / 2, 0)), points.styleIndex(), style);
+            MarkerPainter.paint(
+                    surface, left.plus(new Vector2(LegendRows.SAMPLE_WIDTH / 2, 0)), points.styleIndex(), style);
         } else if (entry.series() instanceof Series.Band band) {
             surface.fill(Shapes.polygon(box), ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2));
         } else {
