@@ -1,9 +1,11 @@
 package faultline.gui.timeline;
 
 import java.awt.geom.Rectangle2D;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
@@ -18,18 +20,26 @@ final class LaneLayout {
     private static final int EDGE = 5;
     private static final int PADDING = 1;
     private static final int MIN_WIDTH = 4;
-    /** The greatest height of a lane in rows; more items than that share it. */
-    private static final int MAX_ROWS = 4;
+    /** The greatest height of a lane, in heights of a row without overlapping items. */
+    private static final int MAX_HEIGHT = 4;
+    /** The greatest number of rows of a lane. */
+    private static final int MAX_ROWS = 8;
 
     private final List<Lane> lanes;
     private final List<TimelineItem> items;
     private final TimeAxis axis;
-    private final int top;
     private final int rowHeight;
-    /** The row of each item in its lane, from 0. */
-    private final int[] rows;
-    /** The number of rows that the items of each lane need, at least 1. */
+    private final Map<Lane, Integer> laneNumbers = new HashMap<>();
+    /** The number of rows of each lane, at least 1. */
     private final int[] rowCounts;
+    /** The y coordinates of the upper edges of the lanes, then that of the lower edge of the last one. */
+    private final int[] tops;
+    /** The lane of each item, and the row in it, from 0. */
+    private final int[] laneOfItem;
+
+    private final int[] rows;
+    /** For each item, the next one in its row, or {@link #NONE}. */
+    private final int[] nextInRow;
 
     /**
      * Creates a layout.
@@ -44,36 +54,62 @@ final class LaneLayout {
         this.lanes = List.copyOf(lanes);
         this.items = List.copyOf(items);
         this.axis = axis;
-        this.top = top;
         this.rowHeight = rowHeight;
-        rows = new int[items.size()];
-        rowCounts = new int[lanes.size()];
         for (int lane = 0; lane < lanes.size(); lane++) {
-            rowCounts[lane] = assignRows(lane);
+            laneNumbers.put(lanes.get(lane), lane);
+        }
+        laneOfItem = this.items.stream().mapToInt(this::laneOf).toArray();
+        rows = new int[items.size()];
+        nextInRow = new int[items.size()];
+        rowCounts = assignRows();
+        tops = new int[lanes.size() + 1];
+        tops[0] = top;
+        for (int lane = 0; lane < lanes.size(); lane++) {
+            tops[lane + 1] = tops[lane] + laneHeight(lane);
         }
     }
 
-    /** Gives each item of a lane the first row that is free from its start on; returns the number of rows. */
-    private int assignRows(int lane) {
-        List<Double> ends = new ArrayList<>();
-        List<Integer> byStart = itemsIn(lane).stream()
-                .filter(index -> items.get(index).isInterval())
-                .sorted(Comparator.comparingDouble(index -> items.get(index).start()))
-                .toList();
-        for (int index : byStart) {
-            TimelineItem item = items.get(index);
-            int row = 0;
-            while (row < ends.size() && ends.get(row) > item.start()) {
-                row++;
-            }
-            if (row == ends.size()) {
-                ends.add(item.end());
-            } else {
-                ends.set(row, item.end());
-            }
-            rows[index] = row;
+    /**
+     * Gives each item the first row of its lane that is free from its start on, or the one that is free next if the
+     * lane has no more rows. Returns the number of rows of each lane.
+     */
+    private int[] assignRows() {
+        Arrays.fill(nextInRow, NONE);
+        int[] counts = new int[lanes.size()];
+        Arrays.fill(counts, 1);
+        int[][] last = new int[lanes.size()][MAX_ROWS];
+        for (int[] row : last) {
+            Arrays.fill(row, NONE);
         }
-        return Math.max(1, ends.size());
+        IntStream.range(0, items.size())
+                .filter(index -> items.get(index).isInterval())
+                .boxed()
+                .sorted(Comparator.comparingDouble(index -> items.get(index).start()))
+                .forEach(index -> {
+                    int lane = laneOfItem[index];
+                    int row = freeRow(last[lane], items.get(index).start());
+                    if (last[lane][row] != NONE) {
+                        nextInRow[last[lane][row]] = index;
+                    }
+                    last[lane][row] = index;
+                    rows[index] = row;
+                    counts[lane] = Math.max(counts[lane], row + 1);
+                });
+        return counts;
+    }
+
+    /** Returns the first row whose last item has ended, or else the one whose last item ends first. */
+    private int freeRow(int[] last, double start) {
+        int best = 0;
+        for (int row = 0; row < last.length; row++) {
+            if (last[row] == NONE || items.get(last[row]).end() <= start) {
+                return row;
+            }
+            if (items.get(last[row]).end() < items.get(last[best]).end()) {
+                best = row;
+            }
+        }
+        return best;
     }
 
     /** The part of an item that the mouse takes hold of. */
@@ -90,6 +126,15 @@ final class LaneLayout {
      * @param part its part
      */
     record Hit(int index, Grip part) {}
+
+    /** Returns whether this is the layout of these very lists. */
+    boolean isOf(List<Lane> otherLanes, List<TimelineItem> otherItems, TimeAxis otherAxis, int top, int height) {
+        return lanes == otherLanes
+                && items == otherItems
+                && axis.equals(otherAxis)
+                && tops[0] == top
+                && rowHeight == height;
+    }
 
     /** Returns the number of rows that all lanes take. */
     static int rowCount(List<Lane> lanes, List<TimelineItem> items) {
@@ -114,7 +159,7 @@ final class LaneLayout {
 
     /** Returns the y coordinate of the first lane, pixels. */
     int top() {
-        return top;
+        return tops[0];
     }
 
     /** Returns the height of a lane without overlapping items, pixels. */
@@ -124,8 +169,7 @@ final class LaneLayout {
 
     /** Returns the index of an item's lane. */
     int laneOf(TimelineItem item) {
-        int lane = lanes.indexOf(item.lane());
-        return lane == NONE ? lanes.size() - 1 : lane;
+        return laneNumbers.getOrDefault(item.lane(), lanes.size() - 1);
     }
 
     /** Returns the lane at a y coordinate, or {@link #NONE}. */
@@ -140,29 +184,26 @@ final class LaneLayout {
 
     /** Returns the y coordinate of the upper edge of a lane, or of the lower edge of the last for their number. */
     int laneTop(int lane) {
-        return top + IntStream.range(0, lane).map(this::laneHeight).sum();
+        return tops[lane];
     }
 
     /** Returns the height of a lane, pixels. */
     int laneHeight(int lane) {
-        return Math.min(MAX_ROWS, rowCounts[lane]) * rowHeight;
+        return Math.min(MAX_HEIGHT, rowCounts[lane]) * rowHeight;
     }
 
     /** Returns the indices of a lane's items. */
     List<Integer> itemsIn(int lane) {
-        List<Integer> result = new ArrayList<>();
-        for (int i = 0; i < items.size(); i++) {
-            if (laneOf(items.get(i)) == lane) {
-                result.add(i);
-            }
-        }
-        return result;
+        return IntStream.range(0, items.size())
+                .filter(index -> laneOfItem[index] == lane)
+                .boxed()
+                .toList();
     }
 
     /** Returns the bounds of an item. */
     Rectangle2D bounds(int index) {
         TimelineItem item = items.get(index);
-        int lane = laneOf(item);
+        int lane = laneOfItem[index];
         double row = (double) laneHeight(lane) / rowCounts[lane];
         double height = row - 2.0 * PADDING;
         double y = laneTop(lane) + rows[index] * row + PADDING;
@@ -175,13 +216,7 @@ final class LaneLayout {
 
     /** Returns how far a label of an item may reach, which is to the next item of its row, or {@code right}. */
     double labelEnd(int index, double right) {
-        TimelineItem item = items.get(index);
-        return itemsIn(laneOf(item)).stream()
-                .filter(other -> other != index && rows[other] == rows[index])
-                .filter(other -> items.get(other).start() >= item.end())
-                .mapToDouble(other -> bounds(other).getMinX())
-                .min()
-                .orElse(right);
+        return nextInRow[index] == NONE ? right : bounds(nextInRow[index]).getMinX();
     }
 
     /** Returns the item at a point; null if there is none. */

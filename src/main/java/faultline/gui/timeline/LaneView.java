@@ -32,6 +32,8 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     private boolean newScenario;
     /** The number of rows that the lanes take. */
     private int rowCount = 1;
+    /** The layout that was used last, null before the first. */
+    private transient LaneLayout layout;
 
     private transient TimeAxis axis = new TimeAxis(0, 1, 1);
     private transient TimelineModel model = TimelineModel.EMPTY;
@@ -139,7 +141,13 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     /** Returns the places of lanes and items. */
     LaneLayout lanes() {
-        return new LaneLayout(allLanes, shownItems(), axis, TextSize.scaled(RULER_HEIGHT), rowHeight());
+        List<TimelineItem> items = shownItems();
+        int top = TextSize.scaled(RULER_HEIGHT);
+        int height = rowHeight();
+        if (layout == null || !layout.isOf(allLanes, items, axis, top, height)) {
+            layout = new LaneLayout(allLanes, items, axis, top, height);
+        }
+        return layout;
     }
 
     private List<TimelineItem> shownItems() {

@@ -10,6 +10,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 /** Lanes of items that overlap in time. */
 class LaneLayoutTest {
@@ -69,5 +70,18 @@ class LaneLayoutTest {
         assertEquals(4 * ROW, lanes.laneHeight(0));
         assertTrue(lanes.bounds(6).getMaxY() <= lanes.laneTop(1));
         assertEquals(4 + 3, LaneLayout.rowCount(LANES, List.of(items)));
+    }
+
+    @Test
+    @Timeout(20)
+    void tensOfThousandsOfItemsAreLaidOutAtOnce() {
+        TimelineItem[] items = IntStream.range(0, 50_000)
+                .mapToObj(i -> item("front", i, i % 2 == 0 ? Double.POSITIVE_INFINITY : i + 1.5))
+                .toArray(TimelineItem[]::new);
+        LaneLayout lanes = layout(items);
+        for (int i = 0; i < items.length; i++) {
+            assertTrue(lanes.bounds(i).getHeight() > 0);
+            assertTrue(lanes.labelEnd(i, 500) >= 80);
+        }
     }
 }
