@@ -20,8 +20,6 @@ import java.util.function.Consumer;
  */
 final class ChildProcess implements AutoCloseable {
 
-    private static final double NANOS_PER_SECOND = 1e9;
-    private static final double MILLIS_PER_SECOND = 1e3;
     /** A child that answers within this time is waited for without sleeping, nanoseconds. */
     private static final long SPIN = 300_000;
 
@@ -32,8 +30,7 @@ final class ChildProcess implements AutoCloseable {
     /** After a wait of this length the end of the child's output is looked for, nanoseconds. */
     private static final long SILENCE = 1_000_000_000;
 
-    /** Milliseconds. */
-    private static final long WRITE_CHECK_PERIOD = 200;
+    private static final long WRITE_CHECK_PERIOD = 200_000_000;
 
     private static final int KEPT_LINES = 20;
     private static final int MAX_KEPT_LENGTH = 400;
@@ -115,17 +112,21 @@ final class ChildProcess implements AutoCloseable {
     /** Each check counts the same, however late it is, so that time in which the program is kept waiting does not. */
     private void guardWrites(double seconds) {
         long seen = Long.MAX_VALUE;
-        int checks = 0;
+        Patience patience = new Patience(process.toHandle(), seconds);
         while (process.isAlive()) {
             long start = writeStart;
-            checks = start != Long.MAX_VALUE && start == seen ? checks + 1 : 0;
+            if (start != Long.MAX_VALUE && start == seen) {
+                patience.count(WRITE_CHECK_PERIOD);
+            } else {
+                patience = new Patience(process.toHandle(), seconds);
+            }
             seen = start;
-            if (checks * WRITE_CHECK_PERIOD > seconds * MILLIS_PER_SECOND) {
+            if (patience.isExhausted()) {
                 endedByGuard = true;
                 killTree();
             }
             try {
-                process.waitFor(WRITE_CHECK_PERIOD, TimeUnit.MILLISECONDS);
+                process.waitFor(WRITE_CHECK_PERIOD, TimeUnit.NANOSECONDS);
             } catch (InterruptedException closed) {
                 return;
             }
@@ -172,27 +173,28 @@ final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Waits for a line. Time in which other programs keep this one from running does not count.
+     * Waits for a line. Time in which other programs keep this one or the child from running does not count.
      *
      * @param seconds how long to wait; infinity waits without end
      * @return the line without its break
      * @throws ProtocolException if none came in time, it is too long, or the child has ended
      */
     String receive(double seconds) throws IOException, ProtocolException {
-        long waited = 0;
+        Patience patience = new Patience(process.toHandle(), seconds);
         for (String line = output.next(); ; line = output.next()) {
             if (line != null) {
                 return line;
             }
             if (!output.fill()) {
                 long start = System.nanoTime();
-                awaitOutput(waited, seconds);
-                waited += Math.min(LONGEST_WAIT, System.nanoTime() - start);
+                awaitOutput(patience, seconds);
+                patience.count(Math.min(LONGEST_WAIT, System.nanoTime() - start));
             }
         }
     }
 
-    private void awaitOutput(long waited, double seconds) throws IOException, ProtocolException {
+    private void awaitOutput(Patience patience, double seconds) throws IOException, ProtocolException {
+        double waited = patience.waited();
         if (waited < SPIN) {
             Thread.yield();
             return;
@@ -200,14 +202,14 @@ final class ChildProcess implements AutoCloseable {
         if (output.hasEnded() || !process.isAlive() && !output.isLeft()) {
             throw endOrClosed("standard output", output.hasPart() ? " in the middle of a line" : "");
         }
-        if (waited > seconds * NANOS_PER_SECOND) {
+        if (patience.isExhausted()) {
             throw new ProtocolException(
                     "has not answered for " + seconds + " s", output.hasPart() ? "; its last line has no end" : "");
         }
         if (waited > SILENCE) {
             output.lookForEnd();
         }
-        LockSupport.parkNanos(Math.min(LONGEST_SLEEP, waited / 8));
+        LockSupport.parkNanos(Math.min(LONGEST_SLEEP, (long) waited / 8));
     }
 
     /** Closes the child's input, waits, and ends it and its descendants if they do not end by themselves. */

@@ -1,0 +1,100 @@
+package faultline.external;
+
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * How long a child has been waited for, and whether that is too long. Time in which the child was ready to run while
+ * other programs had the processors does not count. Linux measures this time for each thread; elsewhere all time
+ * counts.
+ */
+final class Patience {
+
+    private static final double NANOS_PER_SECOND = 1e9;
+
+    /** The share of the limit that counts in full, so that looking at the child costs a quick answer nothing. */
+    private static final double COUNTED_IN_FULL = 0.1;
+
+    private final ProcessHandle child;
+    /** Nanoseconds, as the following two. */
+    private final double limit;
+
+    private double waited;
+    private double waitedAtMark;
+    private long mark;
+    /** The run-queue delay of each thread of the child's family at the mark, or null before the first mark. */
+    private Map<Path, Long> delaysAtMark;
+
+    /**
+     * Begins a wait.
+     *
+     * @param child is waited for, with its descendants
+     * @param seconds how long; infinity for no limit
+     */
+    Patience(ProcessHandle child, double seconds) {
+        this.child = child;
+        this.limit = seconds * NANOS_PER_SECOND;
+    }
+
+    /** Counts some of the time waited, nanoseconds. */
+    void count(long nanos) {
+        waited += nanos;
+        if (delaysAtMark == null && waited > COUNTED_IN_FULL * limit) {
+            setMark(delays());
+        } else if (waited > limit) {
+            Map<Path, Long> delays = delays();
+            waited -= (waited - waitedAtMark) * starvedShare(delays);
+            setMark(delays);
+        }
+    }
+
+    /** Returns the time that counts, nanoseconds. */
+    double waited() {
+        return waited;
+    }
+
+    boolean isExhausted() {
+        return waited > limit;
+    }
+
+    private void setMark(Map<Path, Long> delays) {
+        waitedAtMark = waited;
+        mark = System.nanoTime();
+        delaysAtMark = delays;
+    }
+
+    /** Returns the share of the time since the mark in which the thread that was delayed most had no processor. */
+    private double starvedShare(Map<Path, Long> delays) {
+        long longest = 0;
+        for (Map.Entry<Path, Long> now : delays.entrySet()) {
+            Long before = delaysAtMark.get(now.getKey());
+            longest = Math.max(longest, before == null ? 0 : now.getValue() - before);
+        }
+        return Math.min(1, (double) longest / Math.max(1, System.nanoTime() - mark));
+    }
+
+    private Map<Path, Long> delays() {
+        Map<Path, Long> delays = new HashMap<>();
+        Stream.concat(Stream.of(child), child.descendants())
+                .map(process -> Path.of("/proc", Long.toString(process.pid()), "task"))
+                .forEach(threads -> addDelays(threads, delays));
+        return delays;
+    }
+
+    private static void addDelays(Path threads, Map<Path, Long> delays) {
+        try (DirectoryStream<Path> each = Files.newDirectoryStream(threads)) {
+            for (Path thread : each) {
+                // The time on a processor, the time ready to run without one, nanoseconds, and the number of turns.
+                String[] fields = Files.readString(thread.resolve("schedstat")).split(" ");
+                delays.put(thread, Long.parseLong(fields[1]));
+            }
+        } catch (IOException ended) {
+            // Threads that have ended, or a system that does not measure this, delay nothing.
+        }
+    }
+}
