@@ -148,7 +148,7 @@ public final class ControllerComparison {
                 : Html.section(
                         "In the window",
                         Html.paragraph("The first controller drives, and another one drives a ghost beside it.")
-                                + Html.table("worst", List.of("command"), rows));
+                                + Html.table("dictionary", List.of("command"), rows));
     }
 
     private String broken() {
@@ -161,6 +161,6 @@ public final class ControllerComparison {
                 .toList();
         return rows.isEmpty()
                 ? ""
-                : Html.section("Broken runs", Html.table("worst", List.of("controller", "seed", "problem"), rows));
+                : Html.section("Broken runs", Html.table("dictionary", List.of("controller", "seed", "problem"), rows));
     }
 }

@@ -1,6 +1,13 @@
 package faultline.gui.settings;
 
 import faultline.gui.settings.WindowPreferences.PreferenceStore;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.prefs.BackingStoreException;
@@ -8,39 +15,57 @@ import java.util.prefs.Preferences;
 import javax.swing.Timer;
 
 /**
- * A store in a node of the system's preferences, which is written shortly after a change. At exit little is then left
- * to write; the first writing takes about a second, because it loads the XML classes of the platform.
+ * A store in a node of the system's preferences. The texts are read once, at the start. A change is kept in memory and
+ * passed to the node by another thread, because a node that is being written to disk holds a lock, for 0.1 to 0.2
+ * seconds. The node is written to disk shortly after a change, so that little is left to write at exit; the first
+ * writing takes about a second, because it loads the XML classes of the platform.
  */
 final class WrittenPreferences {
 
     private static final Logger LOG = Logger.getLogger(WrittenPreferences.class.getName());
     private static final int MILLIS_BEFORE_WRITING = 2000;
+    private static final int MAX_SECONDS_AT_EXIT = 5;
 
     private final Preferences node;
-    private final Timer timer = new Timer(MILLIS_BEFORE_WRITING, event -> startWriting());
+    private final Map<String, String> texts = new HashMap<>();
+    /** The only thread that uses the node after the start. */
+    private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> {
+        Thread thread = new Thread(task, "faultline-preferences");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    private final Timer timer = new Timer(MILLIS_BEFORE_WRITING, event -> writer.execute(this::write));
 
     private WrittenPreferences(Preferences node) {
         this.node = node;
         timer.setRepeats(false);
     }
 
-    /** Returns a store of the texts of a node, whose texts are set on the event dispatch thread. */
+    /** Returns a store of the texts of a node, whose texts are read and set on the event dispatch thread. */
     static PreferenceStore storeOf(Preferences node) {
         WrittenPreferences written = new WrittenPreferences(node);
-        return new PreferenceStore(key -> node.get(key, ""), written::put);
+        written.read();
+        Runtime.getRuntime().addShutdownHook(new Thread(written::writeAtExit, "faultline-preferences-exit"));
+        return new PreferenceStore(key -> written.texts.getOrDefault(key, ""), written::put);
     }
 
-    private void put(String key, String text) {
-        if (!text.equals(node.get(key, ""))) {
-            node.put(key, text);
-            timer.restart();
+    private void read() {
+        try {
+            for (String key : node.keys()) {
+                texts.put(key, node.get(key, ""));
+            }
+        } catch (BackingStoreException unavailable) {
+            LOG.log(Level.FINE, "the preferences cannot be read", unavailable);
         }
     }
 
-    private void startWriting() {
-        Thread writer = new Thread(this::write, "faultline-preferences");
-        writer.setDaemon(true);
-        writer.start();
+    private void put(String key, String text) {
+        if (!text.equals(texts.getOrDefault(key, ""))) {
+            texts.put(key, text);
+            writer.execute(() -> node.put(key, text));
+            timer.restart();
+        }
     }
 
     private void write() {
@@ -48,6 +73,17 @@ final class WrittenPreferences {
             node.flush();
         } catch (BackingStoreException unavailable) {
             LOG.log(Level.FINE, "the preferences cannot be written", unavailable);
+        }
+    }
+
+    /** Writes the last changes, because the platform may write the node at exit before they are passed to it. */
+    private void writeAtExit() {
+        try {
+            writer.submit(this::write).get(MAX_SECONDS_AT_EXIT, TimeUnit.SECONDS);
+        } catch (ExecutionException | TimeoutException unavailable) {
+            LOG.log(Level.FINE, "the preferences cannot be written", unavailable);
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
         }
     }
 }

@@ -2,16 +2,28 @@ package faultline.gui.settings;
 
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.JavaProcess;
 import faultline.gui.Await;
 import faultline.gui.settings.WindowPreferences.PreferenceStore;
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.prefs.AbstractPreferences;
+import java.util.prefs.Preferences;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Preferences that are written when they change, and only then. */
 class WrittenPreferencesTest {
@@ -21,9 +33,12 @@ class WrittenPreferencesTest {
 
     /** A node in memory. */
     private static final class Node extends AbstractPreferences {
-        private final Map<String, String> texts = new HashMap<>();
-        private final List<String> puts = new ArrayList<>();
+        private final Map<String, String> texts = new ConcurrentHashMap<>();
+        private final List<String> puts = new CopyOnWriteArrayList<>();
+        private final CountDownLatch flushing = new CountDownLatch(1);
+        private final CountDownLatch flushed = new CountDownLatch(1);
         private final AtomicInteger flushes = new AtomicInteger();
+        private volatile boolean isSlow;
 
         Node() {
             super(null, "");
@@ -73,6 +88,18 @@ class WrittenPreferencesTest {
         @Override
         protected void flushSpi() {
             flushes.incrementAndGet();
+            flushing.countDown();
+            if (isSlow) {
+                awaitRelease();
+            }
+        }
+
+        private void awaitRelease() {
+            try {
+                flushed.await();
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+            }
         }
     }
 
@@ -84,8 +111,38 @@ class WrittenPreferencesTest {
             store.put("language", "");
             store.put("bounds", "1 2 3 5");
         });
-        assertEquals(List.of("bounds=1 2 3 4", "bounds=1 2 3 5"), node.puts);
         assertEquals("1 2 3 5", store.get("bounds"));
+        Await.until("the changes are written", () -> node.flushes.get() == 1);
+        assertEquals(List.of("bounds=1 2 3 4", "bounds=1 2 3 5"), node.puts);
+    }
+
+    /** The platform's nodes hold their lock for up to 0.2 s while they are written. */
+    @Test
+    void aChangeDoesNotWaitForTheWritingOfAnEarlierOne() throws InterruptedException {
+        node.isSlow = true;
+        try {
+            runOnEdt(() -> store.put("theme", "DARK"));
+            node.flushing.await();
+            AtomicBoolean changed = new AtomicBoolean();
+            EventQueue.invokeLater(() -> {
+                store.put("theme", "LIGHT");
+                changed.set("LIGHT".equals(store.get("theme")));
+                node.flushed.countDown();
+            });
+            assertTrue(node.flushed.await(10, TimeUnit.SECONDS), "the change waits for the writing");
+            assertTrue(changed.get());
+        } finally {
+            node.flushed.countDown();
+        }
+        Await.until("both changes are written", () -> node.flushes.get() == 2);
+        assertEquals("LIGHT", node.texts.get("theme"));
+    }
+
+    @Test
+    void whatIsStoredIsReadAtTheStart() {
+        node.texts.put("language", "POLISH");
+        assertEquals("POLISH", WrittenPreferences.storeOf(node).get("language"));
+        assertEquals("", WrittenPreferences.storeOf(node).get("theme"));
     }
 
     @Test
@@ -95,5 +152,29 @@ class WrittenPreferencesTest {
             store.put("theme", "DARK");
         });
         Await.until("the changes are written", () -> node.flushes.get() == 1);
+    }
+
+    /** A process that prints the theme of its user, changes it and ends at once. */
+    static final class Quitting {
+        public static void main(String[] arguments) throws Exception {
+            System.setProperty("java.util.prefs.userRoot", arguments[0]);
+            PreferenceStore store =
+                    WrittenPreferences.storeOf(Preferences.userRoot().node("faultline/test"));
+            System.out.print(store.get("theme"));
+            runOnEdt(() -> store.put("theme", arguments[1]));
+            System.exit(0);
+        }
+    }
+
+    @Test
+    void aChangeJustBeforeTheExitIsWritten(@TempDir Path userRoot) throws IOException {
+        List<String> themes = new ArrayList<>();
+        for (String next : List.of("DARK", "LIGHT", "DARK")) {
+            Process process = JavaProcess.builder(Quitting.class.getName(), List.of(userRoot.toString(), next))
+                    .redirectError(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+            themes.add(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        }
+        assertEquals(List.of("", "DARK", "LIGHT"), themes);
     }
 }
