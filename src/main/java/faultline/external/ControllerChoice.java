@@ -70,10 +70,10 @@ public final class ControllerChoice {
         return setup.withController(new ControllerSpec.Chosen(original, new ProviderSource(provider.get(), settings)));
     }
 
-    /** Returns a hint for a command of one word that no program has, such as a misspelt name. */
+    /** Returns a hint for a command of one word that no program has, such as a wrong name; empty for a path. */
     static String hint(String command) {
         List<String> names = names();
-        return command.contains(" ") || DidYouMean.nearest(command, names).isEmpty()
+        return command.contains(" ") || command.contains("/") || command.contains("\\")
                 ? ""
                 : "; controllers in Java are " + String.join(", ", names) + DidYouMean.hint(command, names);
     }

@@ -14,14 +14,12 @@ final class BruteForceIndex implements SpatialIndex {
 
     BruteForceIndex(CandidateBuffer all) {
         int size = all.size();
-        shapes = new ConvexShape[size];
-        owners = new ShapeOwner[size];
+        shapes = all.shapes();
+        owners = all.owners();
         x = new double[size];
         y = new double[size];
         boundingRadius = new double[size];
         for (int i = 0; i < size; i++) {
-            shapes[i] = all.shape(i);
-            owners[i] = all.owner(i);
             Vector2 centre = shapes[i].centre();
             x[i] = centre.x();
             y[i] = centre.y();
@@ -52,7 +50,7 @@ final class BruteForceIndex implements SpatialIndex {
             double dy = y[i] - py;
             double limit = distance + boundingRadius[i];
             if (dx * dx + dy * dy <= limit * limit) {
-                found.add(shapes[i], owners[i]);
+                found.add(shapes[i], owners[i], i);
             }
         }
     }

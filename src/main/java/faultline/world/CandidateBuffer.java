@@ -2,12 +2,14 @@ package faultline.world;
 
 import faultline.geometry.ConvexShape;
 import java.util.Arrays;
+import java.util.List;
 
 /** A reusable list of shapes, each with its owner; filled without allocation. */
 public final class CandidateBuffer {
 
     private ConvexShape[] shapes = new ConvexShape[64];
     private ShapeOwner[] owners = new ShapeOwner[64];
+    private int[] numbers = new int[64];
     private int size;
 
     /** Creates an empty buffer. */
@@ -19,17 +21,25 @@ public final class CandidateBuffer {
     }
 
     void add(ConvexShape shape, ShapeOwner owner) {
+        add(shape, owner, size);
+    }
+
+    /** Adds the shape of a number in an index. */
+    void add(ConvexShape shape, ShapeOwner owner, int number) {
         if (size == shapes.length) {
             shapes = Arrays.copyOf(shapes, 2 * size);
             owners = Arrays.copyOf(owners, 2 * size);
+            numbers = Arrays.copyOf(numbers, 2 * size);
         }
         shapes[size] = shape;
+        numbers[size] = number;
         owners[size++] = owner;
     }
 
     void addAll(PlacedObstacle obstacle) {
-        for (ConvexShape part : obstacle.parts()) {
-            add(part, obstacle);
+        List<ConvexShape> parts = obstacle.parts();
+        for (int i = 0; i < parts.size(); i++) {
+            add(parts.get(i), obstacle, size);
         }
     }
 
@@ -38,8 +48,7 @@ public final class CandidateBuffer {
         int kept = from;
         for (int i = from; i < size; i++) {
             if (!owners[i].isRemoved()) {
-                shapes[kept] = shapes[i];
-                owners[kept++] = owners[i];
+                copy(i, kept++);
             }
         }
         size = kept;
@@ -50,11 +59,16 @@ public final class CandidateBuffer {
         int kept = 0;
         for (int i = 0; i < size; i++) {
             if (shapes[i].distanceTo(x, y) <= radius) {
-                shapes[kept] = shapes[i];
-                owners[kept++] = owners[i];
+                copy(i, kept++);
             }
         }
         size = kept;
+    }
+
+    private void copy(int from, int to) {
+        shapes[to] = shapes[from];
+        owners[to] = owners[from];
+        numbers[to] = numbers[from];
     }
 
     /** {@return the number of shapes} */
@@ -69,6 +83,25 @@ public final class CandidateBuffer {
      */
     public ConvexShape shape(int index) {
         return shapes[index];
+    }
+
+    /**
+     * {@return the number of a shape in the index that found it}
+     *
+     * @param index the index of the shape, from 0
+     */
+    public int number(int index) {
+        return numbers[index];
+    }
+
+    /** Returns the shapes in a new array. */
+    ConvexShape[] shapes() {
+        return Arrays.copyOf(shapes, size);
+    }
+
+    /** Returns the owners of the shapes in a new array. */
+    ShapeOwner[] owners() {
+        return Arrays.copyOf(owners, size);
     }
 
     ShapeOwner owner(int index) {

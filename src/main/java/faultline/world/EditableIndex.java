@@ -51,7 +51,7 @@ final class EditableIndex {
         base.findNear(x, y, distance, found);
         for (int i = baseSize; i < all.size(); i++) {
             if (all.shape(i).distanceTo(x, y) <= distance) {
-                found.add(all.shape(i), all.owner(i));
+                found.add(all.shape(i), all.owner(i), i);
             }
         }
         if (edits > 0) {

@@ -40,8 +40,8 @@ final class GridIndex implements SpatialIndex {
 
     GridIndex(CandidateBuffer all) {
         int size = all.size();
-        shapes = new ConvexShape[size];
-        owners = new ShapeOwner[size];
+        shapes = all.shapes();
+        owners = all.owners();
         lastQuery = new int[size];
         minX = new double[size];
         minY = new double[size];
@@ -50,13 +50,11 @@ final class GridIndex implements SpatialIndex {
         double right = Double.NEGATIVE_INFINITY;
         double top = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < size; i++) {
-            shapes[i] = all.shape(i);
-            owners[i] = all.owner(i);
             setBox(i, shapes[i]);
-            left = Math.min(left, minX[i]);
-            bottom = Math.min(bottom, minY[i]);
-            right = Math.max(right, maxX[i]);
-            top = Math.max(top, maxY[i]);
+            left = minX[i] < left ? minX[i] : left;
+            bottom = minY[i] < bottom ? minY[i] : bottom;
+            right = maxX[i] > right ? maxX[i] : right;
+            top = maxY[i] > top ? maxY[i] : top;
         }
         build(right - left, top - bottom);
     }
@@ -81,10 +79,12 @@ final class GridIndex implements SpatialIndex {
 
     private void setBox(int i, ConvexShape shape) {
         if (shape instanceof Segment segment) {
-            minX[i] = Math.min(segment.ax(), segment.bx());
-            minY[i] = Math.min(segment.ay(), segment.by());
-            maxX[i] = Math.max(segment.ax(), segment.bx());
-            maxY[i] = Math.max(segment.ay(), segment.by());
+            boolean rightwards = segment.ax() < segment.bx();
+            boolean upwards = segment.ay() < segment.by();
+            minX[i] = rightwards ? segment.ax() : segment.bx();
+            minY[i] = upwards ? segment.ay() : segment.by();
+            maxX[i] = rightwards ? segment.bx() : segment.ax();
+            maxY[i] = upwards ? segment.by() : segment.ay();
         } else {
             Vector2 centre = shape.centre();
             double radius = shape.boundingRadius() * (1 + 1e-12);
@@ -164,11 +164,13 @@ final class GridIndex implements SpatialIndex {
     }
 
     private int column(double x) {
-        return (int) Math.max(0, Math.min(columns - 1, (x - left) / cellSize));
+        int column = (int) ((x - left) / cellSize);
+        return column < 0 ? 0 : column < columns ? column : columns - 1;
     }
 
     private int row(double y) {
-        return (int) Math.max(0, Math.min(rows - 1, (y - bottom) / cellSize));
+        int row = (int) ((y - bottom) / cellSize);
+        return row < 0 ? 0 : row < rows ? row : rows - 1;
     }
 
     @Override
@@ -201,7 +203,7 @@ final class GridIndex implements SpatialIndex {
                 int shape = entries[entry];
                 if (lastQuery[shape] != query) {
                     lastQuery[shape] = query;
-                    found.add(shapes[shape], owners[shape]);
+                    found.add(shapes[shape], owners[shape], shape);
                 }
             }
         }

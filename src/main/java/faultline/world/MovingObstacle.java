@@ -8,6 +8,9 @@ final class MovingObstacle extends PlacedObstacle {
 
     private final WaypointFollower follower;
     private final RigidMotion frame;
+    /** Encloses the outline about the position, metres. */
+    private final double boundingRadius;
+
     private ObstacleGeometry current;
 
     MovingObstacle(Obstacle obstacle, long order) {
@@ -15,6 +18,8 @@ final class MovingObstacle extends PlacedObstacle {
         follower = new WaypointFollower(obstacle.motion(), obstacle.pose().position());
         current = super.geometry();
         frame = current.frame();
+        // Rounding must not hide a part that just reaches.
+        boundingRadius = obstacle.shape().boundingRadius() * (1 + 1e-9) + 1e-9;
     }
 
     /** Returns the obstacle at its current pose. */
@@ -41,7 +46,7 @@ final class MovingObstacle extends PlacedObstacle {
     boolean isWithin(double x, double y, double distance) {
         double dx = follower.x() - x;
         double dy = follower.y() - y;
-        double limit = distance + boundingRadius();
+        double limit = distance + boundingRadius;
         return dx * dx + dy * dy <= limit * limit;
     }
 }

@@ -98,7 +98,9 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         @Override
         public List<ConvexShape> visit(ObstacleShape.PlanShape shape) {
             List<ConvexShape> segments = new ArrayList<>();
-            shape.rings().forEach(ring -> addSegments(ring, true, segments));
+            for (List<Vector2> ring : shape.rings()) {
+                addSegments(ring, true, segments);
+            }
             return segments;
         }
 
@@ -127,7 +129,8 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
 
         private void addNearSegments(List<Vector2> points, boolean closed, List<ConvexShape> segments) {
             Vector2 from = points.get(closed ? points.size() - 1 : 0);
-            for (Vector2 to : closed ? points : points.subList(1, points.size())) {
+            for (int i = closed ? 0 : 1; i < points.size(); i++) {
+                Vector2 to = points.get(i);
                 if (isNear(from.x(), to.x(), centre.x()) && isNear(from.y(), to.y(), centre.y())) {
                     segments.add(new Segment(frame.toParent(from), frame.toParent(to)));
                 }

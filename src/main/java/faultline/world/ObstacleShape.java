@@ -1,6 +1,7 @@
 package faultline.world;
 
 import faultline.geometry.Vector2;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -283,7 +284,11 @@ public sealed interface ObstacleShape {
             if (rings.isEmpty()) {
                 throw new IllegalArgumentException("a plan needs at least one ring");
             }
-            rings = rings.stream().map(ring -> requirePoints("plan", ring, 3)).toList();
+            List<List<Vector2>> copies = new ArrayList<>(rings.size());
+            for (List<Vector2> ring : rings) {
+                copies.add(requirePoints("plan", ring, 3));
+            }
+            rings = List.copyOf(copies);
         }
 
         @Override
@@ -302,14 +307,19 @@ public sealed interface ObstacleShape {
 
         @Override
         public double boundingRadius() {
-            return rings.stream().mapToDouble(ObstacleShape::maxLength).max().orElse(0);
+            double most = 0;
+            for (List<Vector2> ring : rings) {
+                most = Math.max(most, maxLength(ring));
+            }
+            return most;
         }
     }
 
     private static boolean isInsideEvenOdd(List<Vector2> ring, Vector2 p) {
         boolean inside = false;
         Vector2 a = ring.get(ring.size() - 1);
-        for (Vector2 b : ring) {
+        for (int i = 0; i < ring.size(); i++) {
+            Vector2 b = ring.get(i);
             if (a.y() > p.y() != b.y() > p.y() && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
                 inside = !inside;
             }
@@ -320,10 +330,11 @@ public sealed interface ObstacleShape {
 
     private static double maxLength(List<Vector2> points) {
         double most = 0;
-        for (Vector2 point : points) {
-            most = Math.max(most, point.length());
+        for (int i = 0; i < points.size(); i++) {
+            double square = points.get(i).dot(points.get(i));
+            most = square > most ? square : most;
         }
-        return most;
+        return Math.sqrt(most);
     }
 
     private static void requirePositive(String name, double value) {
@@ -336,8 +347,8 @@ public sealed interface ObstacleShape {
         if (points.size() < min) {
             throw new IllegalArgumentException("a " + name + " needs at least " + min + " points: " + points.size());
         }
-        for (Vector2 point : points) {
-            if (!point.isFinite()) {
+        for (int i = 0; i < points.size(); i++) {
+            if (!points.get(i).isFinite()) {
                 throw new IllegalArgumentException("the points of a " + name + " must be finite: " + points);
             }
         }

@@ -8,14 +8,11 @@ class PlacedObstacle extends ShapeOwner {
 
     private final Obstacle obstacle;
     private final ObstacleGeometry geometry;
-    private final double boundingRadius;
 
     PlacedObstacle(Obstacle obstacle, long order) {
         super(obstacle.id(), order, obstacle.specularAngle());
         this.obstacle = obstacle;
         this.geometry = ObstacleGeometry.of(obstacle);
-        // Rounding must not hide a part that just reaches.
-        boundingRadius = obstacle.shape().boundingRadius() * (1 + 1e-9) + 1e-9;
     }
 
     /** Returns the obstacle at its current pose. */
@@ -30,10 +27,5 @@ class PlacedObstacle extends ShapeOwner {
 
     List<ConvexShape> parts() {
         return geometry().parts();
-    }
-
-    /** Returns the radius of a circle about the pose's position that encloses the outline, metres. */
-    double boundingRadius() {
-        return boundingRadius;
     }
 }

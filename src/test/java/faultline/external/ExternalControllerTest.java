@@ -1,6 +1,7 @@
 package faultline.external;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -217,6 +218,16 @@ class ExternalControllerTest {
         ControllerStartException e =
                 assertThrows(ControllerStartException.class, () -> run("no-such-program --x", office(), PATIENCE));
         assertTrue(e.getMessage().startsWith("the controller \"no-such-program --x\" cannot be started: "));
+    }
+
+    @Test
+    void aWordThatNoProgramHasNamesTheControllersOfTheProgram() {
+        String message = assertThrows(ControllerStartException.class, () -> run("built-in", office(), PATIENCE))
+                .getMessage();
+        assertTrue(message.endsWith("; controllers in Java are wall-follower, none"), message);
+        String path = assertThrows(ControllerStartException.class, () -> run("/no/built-in", office(), PATIENCE))
+                .getMessage();
+        assertFalse(path.contains("wall-follower"), path);
     }
 
     /** Returns the descendants of this process that a test has started and that still run. */

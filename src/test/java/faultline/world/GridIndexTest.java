@@ -1,6 +1,7 @@
 package faultline.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.ConvexShape;
@@ -11,6 +12,7 @@ import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
@@ -75,8 +77,26 @@ class GridIndexTest {
                         "scene " + scene + ", look " + look);
                 Map<ConvexShape, Boolean> once = new IdentityHashMap<>();
                 for (int i = 0; i < found.size(); i++) {
+                    assertSame(found.shape(i), grid.shape(found.number(i)));
                     assertTrue(once.put(found.shape(i), true) == null, "found twice");
                 }
+            }
+        }
+    }
+
+    @Test
+    void shapesKeepTheirNumbersWhenOthersAreDropped() {
+        SplittableRandom random = new SplittableRandom(63);
+        CandidateBuffer all = randomScene(random, 300, 5);
+        for (SpatialIndex index : List.of(new GridIndex(all), new BruteForceIndex(all))) {
+            CandidateBuffer found = new CandidateBuffer();
+            index.findNear(1, 1, 3, found);
+            int before = found.size();
+            found.dropBeyond(1, 1, 0.5);
+            assertTrue(found.size() > 1 && found.size() < before, "kept " + found.size() + " of " + before);
+            for (int i = 0; i < found.size(); i++) {
+                assertSame(found.shape(i), index.shape(found.number(i)));
+                assertEquals(found.number(i), found.owner(i).order());
             }
         }
     }

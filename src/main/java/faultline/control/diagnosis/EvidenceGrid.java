@@ -1,5 +1,7 @@
 package faultline.control.diagnosis;
 
+import java.util.Arrays;
+
 /**
  * A map of square cells around the robot that wraps at its borders. Each cell remembers for each source, that is, a
  * sensor or the robot's own body, when that source last saw it free and when it last saw a surface there. Moments are
@@ -104,26 +106,45 @@ public final class EvidenceGrid {
     }
 
     /**
-     * Finds when some sources last saw the cells of a part of a row free, and when they last saw a surface there.
+     * Finds when some sources last saw the cells of a part of a row free.
      *
      * @param column the first cell's column, not wrapped
      * @param row the cells' row, not wrapped
      * @param since the oldest moment that counts; older ones may be left out
      * @param asked a bit for each source
-     * @param lastFree is raised to the latest moment, one cell after the other; no longer than {@link #SIZE}
-     * @param lastHit the same for surfaces
+     * @param latest receives the latest moment for one cell after the other; no longer than {@link #SIZE}
+     * @return whether some may have been seen since then
      */
-    public void findLast(int column, int row, int since, int asked, int[] lastFree, int[] lastHit) {
-        int start = column & WRAP;
+    public boolean findLastFree(int column, int row, int since, int asked, int[] latest) {
+        return findLast(free, lastFreeInRow, column, row, since, asked, latest);
+    }
+
+    /**
+     * Finds when some sources last saw a surface in the cells of a part of a row.
+     *
+     * @param column the first cell's column, not wrapped
+     * @param row the cells' row, not wrapped
+     * @param since the oldest moment that counts; older ones may be left out
+     * @param asked a bit for each source
+     * @param latest receives the latest moment for one cell after the other; no longer than {@link #SIZE}
+     * @return whether there may be surfaces seen since then
+     */
+    public boolean findLastHit(int column, int row, int since, int asked, int[] latest) {
+        return findLast(hit, lastHitInRow, column, row, since, asked, latest);
+    }
+
+    private static boolean findLast(
+            int[] stamps, int[] lastInRow, int column, int row, int since, int asked, int[] latest) {
+        Arrays.fill(latest, Integer.MIN_VALUE);
+        boolean found = false;
         for (int rest = asked; rest != 0; rest &= rest - 1) {
             int line = Integer.numberOfTrailingZeros(rest) * SIZE + (row & WRAP);
-            if (lastFreeInRow[line] >= since) {
-                raise(lastFree, free, line * SIZE, start);
-            }
-            if (lastHitInRow[line] >= since) {
-                raise(lastHit, hit, line * SIZE, start);
+            if (lastInRow[line] >= since) {
+                raise(latest, stamps, line * SIZE, column & WRAP);
+                found = true;
             }
         }
+        return found;
     }
 
     private static void raise(int[] latest, int[] stamps, int base, int start) {

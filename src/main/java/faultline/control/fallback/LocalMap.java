@@ -18,14 +18,22 @@ final class LocalMap {
     private static final int STRAIGHT = 5;
     private static final int DIAGONAL = 7;
 
+    /** The distance from each cell to the nearest surface; before it is computed, 0 for surfaces and else far. */
     private final int[] surface = new int[WINDOW * WINDOW];
+
+    private boolean swept = true;
     /** The cells with surfaces, row by row. */
     private final int[] surfaceCells = new int[WINDOW * WINDOW];
 
     private int surfaceCount;
-    private final boolean[] known = new boolean[WINDOW * WINDOW];
-    private final int[] lastFree = new int[WINDOW];
+    /** When each cell of each row was last seen free. */
+    private final int[][] lastFree = new int[WINDOW][WINDOW];
+
     private final int[] lastHit = new int[WINDOW];
+    private int since = Integer.MAX_VALUE;
+    /** The square of the distance from the robot's cell within which it knows the ground, in cells. */
+    private double ownSquare;
+
     private int column;
     private int row;
     private double x;
@@ -41,30 +49,26 @@ final class LocalMap {
         y = diagnosis.reckoning().y();
         column = EvidenceGrid.cellOf(x) - WINDOW / 2;
         row = EvidenceGrid.cellOf(y) - WINDOW / 2;
-        int since = diagnosis.now() - memory;
+        since = diagnosis.now() - memory;
+        ownSquare = bodyRadius * bodyRadius / (EvidenceGrid.CELL * EvidenceGrid.CELL);
         int asked = diagnosis.trusted() | 1 << bodySource;
+        Arrays.fill(surface, FAR);
         surfaceCount = 0;
-        double ownSquare = bodyRadius * bodyRadius / (EvidenceGrid.CELL * EvidenceGrid.CELL);
         for (int r = 0; r < WINDOW; r++) {
-            Arrays.fill(lastFree, Integer.MIN_VALUE);
-            Arrays.fill(lastHit, Integer.MIN_VALUE);
-            grid.findLast(column, row + r, since, asked, lastFree, lastHit);
-            int dy = r - WINDOW / 2;
-            for (int c = 0; c < WINDOW; c++) {
-                int dx = c - WINDOW / 2;
-                boolean own = dx * dx + dy * dy <= ownSquare;
-                boolean free = lastFree[c] >= since;
-                boolean hit = !free && lastHit[c] >= since;
-                int cell = r * WINDOW + c;
-                surface[cell] = hit ? 0 : FAR;
-                known[cell] = free || own && !hit;
-                if (hit) {
-                    surfaceCells[surfaceCount++] = cell;
-                }
+            grid.findLastFree(column, row + r, since, asked, lastFree[r]);
+            if (grid.findLastHit(column, row + r, since, asked, lastHit)) {
+                markSurfaces(r);
             }
         }
-        if (surfaceCount > 0) {
-            sweep(surface, surfaceCells[0] / WINDOW);
+        swept = surfaceCount == 0;
+    }
+
+    private void markSurfaces(int r) {
+        for (int c = 0; c < WINDOW; c++) {
+            if (lastHit[c] >= since && lastFree[r][c] < since) {
+                surface[r * WINDOW + c] = 0;
+                surfaceCells[surfaceCount++] = r * WINDOW + c;
+            }
         }
     }
 
@@ -92,6 +96,10 @@ final class LocalMap {
 
     /** Returns the distance from a point to the nearest surface, metres. */
     double toSurface(double px, double py) {
+        if (!swept) {
+            sweep(surface, surfaceCells[0] / WINDOW);
+            swept = true;
+        }
         int cell = cellAt(px, py);
         return cell < 0 ? 0 : surface[cell] * (EvidenceGrid.CELL / STRAIGHT);
     }
@@ -99,7 +107,13 @@ final class LocalMap {
     /** Returns whether a point is known to be free. */
     boolean isKnown(double px, double py) {
         int cell = cellAt(px, py);
-        return cell >= 0 && known[cell];
+        return cell >= 0 && (lastFree[cell / WINDOW][cell % WINDOW] >= since || isOwn(cell) && surface[cell] > 0);
+    }
+
+    private boolean isOwn(int cell) {
+        int dx = cell % WINDOW - WINDOW / 2;
+        int dy = cell / WINDOW - WINDOW / 2;
+        return dx * dx + dy * dy <= ownSquare;
     }
 
     /** Returns the cell at a point, negative outside the window. */

@@ -174,9 +174,12 @@ public final class MapFollower {
 
     /** Returns the distance from the side of the robot to the nearest surface of the map, beside the wanted one. */
     private WallControl measured() {
-        double distance = map.toSurface(at().x(), at().y()) - robot.width() / 2 + COARSENESS;
-        boolean none = state == FollowerState.SEARCH || distance > wantedDistance + NEAR_WALL;
-        return new WallControl(wantedDistance, none ? Double.NaN : distance, Double.NaN, Double.NaN);
+        // The distances in the map are not computed for a search, because they take longest.
+        double distance = state == FollowerState.SEARCH
+                ? Double.NaN
+                : map.toSurface(at().x(), at().y()) - robot.width() / 2 + COARSENESS;
+        boolean near = distance <= wantedDistance + NEAR_WALL;
+        return new WallControl(wantedDistance, near ? distance : Double.NaN, Double.NaN, Double.NaN);
     }
 
     private double wanted() {

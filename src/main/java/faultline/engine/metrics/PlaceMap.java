@@ -4,18 +4,16 @@ import faultline.geometry.ConvexShape;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.world.CandidateBuffer;
-import faultline.world.SpatialIndex;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * The places from which walls can be followed at a distance, as far as they have been asked for: a wall is sampled when
@@ -31,9 +29,8 @@ final class PlaceMap {
     private final double spacing;
     private final double joinDistance;
     private final List<Vector2> circle;
-    private final Map<ConvexShape, Integer> numbers;
-    /** The blocks of each wall, null for those that have not been sampled. */
-    private final List<List<PlaceBlock>> sampled;
+    /** The blocks of each wall that has been sampled, by its number. */
+    private final SortedMap<Integer, List<PlaceBlock>> sampled = new TreeMap<>();
 
     /** The blocks around the ends of sampled walls, by x and y of the end. */
     private final Map<Double, Map<Double, List<PlaceBlock>>> corners = new HashMap<>();
@@ -50,12 +47,6 @@ final class PlaceMap {
         this.spacing = spacing;
         this.joinDistance = joinDistance;
         this.circle = PlaceRow.circle(distance, spacing);
-        SpatialIndex all = walls.walls();
-        sampled = new ArrayList<>(Collections.nCopies(all.size(), null));
-        numbers = new IdentityHashMap<>(all.size());
-        for (int i = 0; i < all.size(); i++) {
-            numbers.put(all.shape(i), i);
-        }
     }
 
     /** Samples the walls that have places within a radius of a point. */
@@ -64,14 +55,14 @@ final class PlaceMap {
         List<Integer> found = new ArrayList<>();
         for (int i = 0; i < near.size(); i++) {
             if (near.shape(i).distanceTo(point.x(), point.y()) <= distance + radius) {
-                found.add(numbers.get(near.shape(i)));
+                found.add(near.number(i));
             }
         }
         found.forEach(this::sample);
     }
 
     private void sample(int number) {
-        if (sampled.get(number) != null) {
+        if (sampled.containsKey(number)) {
             return;
         }
         ConvexShape wall = walls.walls().shape(number);
@@ -79,7 +70,7 @@ final class PlaceMap {
         for (PlaceRow row : PlaceRow.of(wall, distance, spacing, 0, circle)) {
             blocks.addAll(row instanceof PlaceRow.Arc arc ? aroundEnd(arc, (Segment) wall) : newBlocks(wall, row));
         }
-        sampled.set(number, blocks);
+        sampled.put(number, blocks);
     }
 
     /**
@@ -192,6 +183,6 @@ final class PlaceMap {
 
     /** Returns the blocks of each wall that has been sampled so far, in the order of the walls. */
     List<List<PlaceBlock>> blocks() {
-        return sampled.stream().filter(Objects::nonNull).toList();
+        return List.copyOf(sampled.values());
     }
 }

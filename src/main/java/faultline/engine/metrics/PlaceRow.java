@@ -75,11 +75,12 @@ sealed interface PlaceRow {
     }
 
     /** The places on one side of a segment. */
-    record Side(Segment segment, Vector2 offset, int size, boolean left) implements PlaceRow {
+    record Side(Segment segment, Vector2 offset, int size, boolean left, double wallLength) implements PlaceRow {
 
         private static Side of(Segment segment, int side, double distance, int size) {
             Vector2 along = segment.b().minus(segment.a()).times(1 / segment.length());
-            return new Side(segment, along.perpendicular().times(side).times(distance), size, side > 0);
+            Vector2 offset = along.perpendicular().times(side).times(distance);
+            return new Side(segment, offset, size, side > 0, segment.length() / size);
         }
 
         @Override
@@ -94,18 +95,18 @@ sealed interface PlaceRow {
 
         @Override
         public double wallLength(int index) {
-            return segment.length() / size;
+            return wallLength;
         }
 
         @Override
         public double step(int from, int end) {
-            return wallLength(0) * ROUNDED_UP;
+            return wallLength * ROUNDED_UP;
         }
 
         /** Places of the arcs count as free up to a little beside their corner. */
         @Override
         public int shared(double joinDistance) {
-            return 2 + (int) Math.min(size, (joinDistance + 0.002 * offset.length()) / wallLength(0));
+            return 2 + (int) Math.min(size, (joinDistance + 0.002 * offset.length()) / wallLength);
         }
     }
 

@@ -8,8 +8,8 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.geometry.Vector2;
+import java.util.List;
 import java.util.OptionalDouble;
-import java.util.Set;
 import java.util.function.BiFunction;
 
 /**
@@ -24,8 +24,9 @@ final class WallFollowingMetrics implements TickObserver {
     /** With more walls than this, finding the places to pass would hold up a run that is watched. */
     private static final int MAX_LIVE_WALLS = 5000;
 
-    private static final Set<ControllerState> FOLLOWER_STATES =
-            Set.copyOf(ControllerFactory.states(ControllerSpec.WallFollowing.DEFAULT));
+    /** A list, because a set would need the slow start of {@code equals} and {@code hashCode} of a record. */
+    private static final List<ControllerState> FOLLOWER_STATES =
+            ControllerFactory.states(ControllerSpec.WallFollowing.DEFAULT);
 
     private final boolean isWallFollower;
     /** Whether a state that the built-in follower does not have counts as following. */

@@ -268,12 +268,12 @@ public final class AttributeReader {
         List<Vector2> points = new ArrayList<>();
         boolean more = pairs.advance();
         while (more && points.size() < most) {
-            Optional<Vector2> point = pairs.point();
-            if (point.isEmpty()) {
+            Vector2 point = pairs.point();
+            if (!point.isFinite()) {
                 report(name, pairs.pair(), allowed);
                 return PLACEHOLDER_POINTS;
             }
-            points.add(point.get());
+            points.add(point);
             more = pairs.advance();
         }
         if (more) {

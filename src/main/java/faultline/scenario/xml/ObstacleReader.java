@@ -95,7 +95,9 @@ final class ObstacleReader {
 
     private List<List<Vector2>> readRings(AttributeReader fields) {
         List<List<Vector2>> rings = fields.rings("points", Math.max(3, ScenarioLimits.MAX_PARTS - partCount));
-        partCount += rings.stream().mapToInt(List::size).sum();
+        for (List<Vector2> ring : rings) {
+            partCount += ring.size();
+        }
         return rings;
     }
 

@@ -18,7 +18,10 @@ final class PointParser {
     private final char[] text;
     private final int length;
     private int begin;
+    /** The index after the present pair, and that of its first comma, negative if it has none. */
     private int end;
+
+    private int comma;
 
     /** Creates a parser of the points in a part of a text. */
     PointParser(char[] text, int from, int length) {
@@ -33,15 +36,17 @@ final class PointParser {
         while (begin < length && isBlank(text[begin])) {
             begin++;
         }
-        end = begin;
-        while (end < length && !isBlank(text[end])) {
-            end++;
+        comma = -1;
+        for (end = begin; end < length && !isBlank(text[end]); end++) {
+            if (text[end] == ',' && comma < 0) {
+                comma = end;
+            }
         }
         return begin < length;
     }
 
     private static boolean isBlank(char c) {
-        return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f';
+        return c <= ' ' && (c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f');
     }
 
     /** Returns the present pair. */
@@ -49,18 +54,11 @@ final class PointParser {
         return new String(text, begin, end - begin);
     }
 
-    /** Returns the point of the present pair, empty if the pair is invalid. */
-    Optional<Vector2> point() {
-        int comma = begin;
-        while (comma < end && text[comma] != ',') {
-            comma++;
-        }
-        if (comma == end) {
-            return Optional.empty();
-        }
-        double x = coordinate(begin, comma);
-        double y = coordinate(comma + 1, end);
-        return Double.isNaN(x) || Double.isNaN(y) ? Optional.empty() : Optional.of(new Vector2(x, y));
+    /** Returns the point of the present pair, with a coordinate that is not a number if the pair is invalid. */
+    Vector2 point() {
+        return comma < 0
+                ? new Vector2(Double.NaN, Double.NaN)
+                : new Vector2(coordinate(begin, comma), coordinate(comma + 1, end));
     }
 
     /** Returns the coordinate in a part of the text, NaN if it is invalid. */

@@ -1,6 +1,7 @@
 package faultline.control.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -30,6 +31,35 @@ class EvidenceGridTest {
                         assertEquals(inside ? 1 : 0, grid.freeBy(column, row, 5, 1), "trial " + trial);
                     }
                 }
+            }
+        }
+    }
+
+    @Test
+    void theLatestMomentsInARowAreThoseOfItsCells() {
+        SplittableRandom random = new SplittableRandom(8);
+        EvidenceGrid grid = new EvidenceGrid(3);
+        for (int moment = 1; moment <= 400; moment++) {
+            int source = random.nextInt(3);
+            grid.markHit(source, random.nextInt(-60, 60), random.nextInt(-60, 60), moment);
+            grid.markDisc(source, random.nextDouble(-1.4, 1.4), random.nextDouble(-1.4, 1.4), 0.06, moment);
+        }
+        int[] free = new int[72];
+        int[] hit = new int[72];
+        for (int trial = 0; trial < 2000; trial++) {
+            int column = random.nextInt(-200, 200);
+            int row = random.nextInt(-200, 200);
+            int since = random.nextInt(1, 420);
+            int asked = random.nextInt(8);
+            boolean anyFree = grid.findLastFree(column, row, since, asked, free);
+            boolean anyHit = grid.findLastHit(column, row, since, asked, hit);
+            for (int i = 0; i < free.length; i++) {
+                boolean isFree = grid.freeBy(column + i, row, since, asked) != 0;
+                boolean isHit = grid.hitBy(column + i, row, since, asked) != 0;
+                assertEquals(isFree, free[i] >= since, "trial " + trial);
+                assertEquals(isHit, hit[i] >= since, "trial " + trial);
+                assertTrue(anyFree || !isFree);
+                assertTrue(anyHit || !isHit);
             }
         }
     }
