@@ -1,10 +1,12 @@
 package faultline.engine.metrics;
 
 import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
+import java.math.BigDecimal;
 import java.util.List;
 
 /** The cells of every trace: time, motion and state. */
@@ -24,6 +26,8 @@ final class MotionCells implements TraceCells {
             new TraceColumn("collided", "", "true from the first contact on"));
 
     private final boolean exactTimes;
+    /** The length of a tick, seconds; null before the first row. */
+    private BigDecimal dt;
 
     /**
      * Creates the cells of one trace.
@@ -42,7 +46,7 @@ final class MotionCells implements TraceCells {
     @Override
     public void append(Simulation simulation, TraceRows rows) {
         rows.append(simulation.ticks());
-        rows.append(exactTimes ? simulation.setup().timeOf(simulation.ticks()) : simulation.time());
+        rows.append(exactTimes ? exactTime(simulation) : simulation.time());
         Pose pose = simulation.pose();
         rows.append(pose.x());
         rows.append(pose.y());
@@ -55,5 +59,12 @@ final class MotionCells implements TraceCells {
         rows.append(wheels.right());
         rows.append(simulation.telemetry().state().name());
         rows.append(simulation.collision().isPresent() ? "true" : "false");
+    }
+
+    private double exactTime(Simulation simulation) {
+        if (dt == null) {
+            dt = BigDecimal.valueOf(simulation.setup().dt());
+        }
+        return SimulationSetup.timeOf(simulation.ticks(), dt);
     }
 }

@@ -3,42 +3,46 @@ package faultline.engine.metrics;
 import faultline.control.SensorHealth;
 import faultline.engine.Simulation;
 import faultline.io.MessageText;
+import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.Reading;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** The cells that a trace of format 2 has of one sensor: readings, faults, and what the diagnosis thinks of it. */
+/** The cells that a trace of format 2 has of the sensors: readings, faults, and what the diagnosis thinks of them. */
 final class SensorCells implements TraceCells {
 
-    private final int sensor;
-    private final List<TraceColumn> columns;
+    private final List<TraceColumn> columns = new ArrayList<>();
+    private final SensorWords[] words;
 
-    private List<Fault> lastFaults = List.of();
-    private String faultText = "";
+    /** The words of one sensor, and what they were made of. */
+    private static final class SensorWords {
+        private List<Fault> faults = List.of();
+        private String faultText = "";
+        private SensorHealth health;
+        private String trust = "";
+        private String finding = "";
+    }
 
-    private SensorHealth lastHealth;
-    private String trustText = "";
-    private String findingText = "";
+    SensorCells(RobotSpec robot) {
+        words = new SensorWords[robot.sensors().size()];
+        for (int i = 0; i < words.length; i++) {
+            words[i] = new SensorWords();
+            addColumns(MessageText.cell(robot.sensors().get(i).id()));
+        }
+    }
 
-    /**
-     * Creates the cells of a sensor.
-     *
-     * @param sensor its place in the robot's list
-     * @param id of it
-     */
-    SensorCells(int sensor, String id) {
-        this.sensor = sensor;
-        String cell = MessageText.cell(id);
-        columns = List.of(
-                new TraceColumn(cell + ".true", "m", "distance without noise and faults, empty for nothing in range"),
-                new TraceColumn(cell + ".reading", "m", "reported distance, empty for nothing in range or no answer"),
-                new TraceColumn(cell + ".answers", "", "1 if the sensor answers, 0 if it is off"),
-                new TraceColumn(cell + ".faults", "", "active faults, oldest first"),
-                new TraceColumn(cell + ".trust", "", "trusted, suspected or distrusted; empty without a diagnosis"),
-                new TraceColumn(cell + ".finding", "", "why it is not trusted"),
-                new TraceColumn(cell + ".evidence", "", "evidence against it, 0 to 1"));
+    private void addColumns(String id) {
+        columns.addAll(List.of(
+                new TraceColumn(id + ".true", "m", "distance without noise and faults, empty for nothing in range"),
+                new TraceColumn(id + ".reading", "m", "reported distance, empty for nothing in range or no answer"),
+                new TraceColumn(id + ".answers", "", "1 if the sensor answers, 0 if it is off"),
+                new TraceColumn(id + ".faults", "", "active faults, oldest first"),
+                new TraceColumn(id + ".trust", "", "trusted, suspected or distrusted; empty without a diagnosis"),
+                new TraceColumn(id + ".finding", "", "why it is not trusted"),
+                new TraceColumn(id + ".evidence", "", "evidence against it, 0 to 1")));
     }
 
     @Override
@@ -48,36 +52,41 @@ final class SensorCells implements TraceCells {
 
     @Override
     public void append(Simulation simulation, TraceRows rows) {
-        double reading = simulation.reportedReading(sensor);
-        rows.append(simulation.trueReading(sensor));
-        rows.append(reading);
-        rows.append(Reading.isOff(reading) ? "0" : "1");
-        List<Fault> active = simulation.faults(sensor);
-        // The comparison of two empty lists takes as long as all other cells.
-        if (!(active.isEmpty() && lastFaults.isEmpty()) && !active.equals(lastFaults)) {
-            lastFaults = List.copyOf(active);
-            faultText = text(lastFaults);
-        }
-        rows.append(faultText);
         List<SensorHealth> health = simulation.telemetry().diagnosis().health();
-        if (health.isEmpty()) {
-            rows.append("");
-            rows.append("");
-            rows.append("");
-        } else {
-            appendHealth(health.get(sensor), rows);
+        for (int i = 0; i < words.length; i++) {
+            double reading = simulation.reportedReading(i);
+            rows.append(simulation.trueReading(i));
+            rows.append(reading);
+            rows.append(Reading.isOff(reading) ? "0" : "1");
+            rows.append(faultText(simulation.faults(i), words[i]));
+            if (health.isEmpty()) {
+                rows.append("");
+                rows.append("");
+                rows.append("");
+            } else {
+                append(health.get(i), words[i], rows);
+            }
         }
     }
 
-    @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
-    private void appendHealth(SensorHealth health, TraceRows rows) {
-        if (health != lastHealth) {
-            lastHealth = health;
-            trustText = health.trust().name().toLowerCase(Locale.ROOT);
-            findingText = health.finding().name().toLowerCase(Locale.ROOT);
+    private static String faultText(List<Fault> active, SensorWords words) {
+        // The comparison of two empty lists takes as long as all other cells.
+        if (!(active.isEmpty() && words.faults.isEmpty()) && !active.equals(words.faults)) {
+            words.faults = List.copyOf(active);
+            words.faultText = text(words.faults);
         }
-        rows.append(trustText);
-        rows.append(findingText);
+        return words.faultText;
+    }
+
+    @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
+    private static void append(SensorHealth health, SensorWords words, TraceRows rows) {
+        if (health != words.health) {
+            words.health = health;
+            words.trust = health.trust().name().toLowerCase(Locale.ROOT);
+            words.finding = health.finding().name().toLowerCase(Locale.ROOT);
+        }
+        rows.append(words.trust);
+        rows.append(words.finding);
         rows.append(health.evidence());
     }
 

@@ -1,7 +1,6 @@
 package faultline.engine.metrics;
 
 import faultline.robot.RobotSpec;
-import java.util.ArrayList;
 import java.util.List;
 
 /** The formats of a trace: which columns it has. */
@@ -28,10 +27,6 @@ public enum TraceFormat {
         if (this == ONE) {
             return List.of(new MotionCells(false), new ReadingCells(robot));
         }
-        List<TraceCells> cells = new ArrayList<>(List.of(new MotionCells(true), new ControllerCells()));
-        for (int i = 0; i < robot.sensors().size(); i++) {
-            cells.add(new SensorCells(i, robot.sensors().get(i).id()));
-        }
-        return cells;
+        return List.of(new MotionCells(true), new ControllerCells(), new SensorCells(robot));
     }
 }

@@ -1,71 +1,118 @@
 package faultline.engine.metrics;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
 /**
- * Rows of a trace as values, one after another in the order of the columns. The thread of the run fills them; the
- * thread that writes the trace turns them into text.
+ * A block of rows of a trace as values. Of each row it has only the cells that differ from those above, because most do
+ * not. The thread of the run fills it; the thread that writes the trace turns it into text.
  */
 final class TraceRows {
 
-    private final int columns;
-    private final double[] numbers;
-    /** For each cell a word, or null if the cell is a number. */
-    private final String[] words;
+    /** Stands for a word in place of a number, whose bits are never these. */
+    static final long WORD = Double.doubleToLongBits(Double.NaN) + 1;
 
+    /** Differs from every cell. */
+    private static final long NO_CELL = WORD + 1;
+
+    /** How many values there is room for, unless one row has more. */
+    private static final int ROOM = 1 << 14;
+
+    private final int maxRows;
+    /** For each row the bits of the columns that changed, {@link #marks} of them, and after them the changed values. */
+    private final long[] values;
+    /** The words among the changed values, in their order. */
+    private final List<String> words = new ArrayList<>();
+
+    /** The bits or {@link #WORD}, and the word, of each column in the last row; of this block or of the one before. */
+    private final long[] above;
+
+    private final String[] wordsAbove;
+
+    private final int marks;
+    private int rows;
+    private int row;
+    private int column;
     private int size;
 
-    /** Creates an empty block for a number of rows. */
-    TraceRows(int columns, int rows) {
-        this.columns = columns;
-        numbers = new double[columns * rows];
-        words = new String[numbers.length];
+    /** Creates the first block of a trace, which is full after a number of rows or of changes. */
+    TraceRows(int columns, int maxRows) {
+        this(new long[columns], new String[columns], maxRows);
+        Arrays.fill(above, NO_CELL);
+    }
+
+    private TraceRows(long[] above, String[] wordsAbove, int maxRows) {
+        this.above = above;
+        this.wordsAbove = wordsAbove;
+        this.maxRows = maxRows;
+        marks = (above.length - 1) / Long.SIZE + 1;
+        values = new long[Math.max(ROOM, marks + above.length)];
+        size = marks;
+    }
+
+    /** Returns an empty block for the rows after this one, which gets no more rows. */
+    TraceRows next() {
+        return new TraceRows(above, wordsAbove, maxRows);
     }
 
     /** Appends a cell with a number. */
     void append(double number) {
-        numbers[size++] = number;
+        long bits = Double.doubleToLongBits(number);
+        if (bits != above[column]) {
+            change(bits);
+        }
+        column++;
     }
 
     /** Appends a cell with a word. */
+    @SuppressWarnings("ReferenceEquality") // A copy of an equal word would cost as much as to compare it.
     void append(String word) {
-        words[size++] = word;
+        if (word != wordsAbove[column] || above[column] != WORD) {
+            wordsAbove[column] = word;
+            words.add(word);
+            change(WORD);
+        }
+        column++;
     }
 
+    private void change(long value) {
+        above[column] = value;
+        values[size++] = value;
+        values[row + column / Long.SIZE] |= 1L << column;
+    }
+
+    /** Ends a row after its last cell. */
+    void endRow() {
+        rows++;
+        row = size;
+        size += marks;
+        column = 0;
+    }
+
+    /** Returns whether there may be no room for another row. */
     boolean isFull() {
-        return size == numbers.length;
-    }
-
-    int columns() {
-        return columns;
+        return rows == maxRows || size + above.length > values.length;
     }
 
     int rows() {
-        return size / columns;
+        return rows;
     }
 
-    /** Returns the word of a cell, or null if it is a number. */
-    String word(int row, int column) {
-        return words[row * columns + column];
+    /** Returns how many values of marks a row begins with: one bit for each column. */
+    int marks() {
+        return marks;
     }
 
-    double number(int row, int column) {
-        return numbers[row * columns + column];
+    /**
+     * Returns one of the values: the marks of the first row, its changed cells, the marks of the next row, and so on.
+     */
+    long value(int place) {
+        return values[place];
     }
 
-    /** Returns whether a cell certainly has the text of the cell above it. */
-    boolean repeatsAbove(int row, int column) {
-        int cell = row * columns + column;
-        return row > 0 && areSame(cell, cell - columns);
-    }
-
-    /** Returns whether a cell certainly has the text of the cell to its left. */
-    boolean repeatsLeft(int row, int column) {
-        int cell = row * columns + column;
-        return column > 0 && areSame(cell, cell - 1);
-    }
-
-    @SuppressWarnings("ReferenceEquality") // A copy of an equal word would cost as much as to compare it.
-    private boolean areSame(int one, int other) {
-        return Double.doubleToRawLongBits(numbers[one]) == Double.doubleToRawLongBits(numbers[other])
-                && words[one] == words[other];
+    /** Returns one of the words among the changed cells. */
+    String word(int place) {
+        return words.get(place);
     }
 }

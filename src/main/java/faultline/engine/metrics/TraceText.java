@@ -17,11 +17,21 @@ final class TraceText {
     /** No run has as many ticks as an integer of this length. */
     private static final int MAX_INTEGER_LENGTH = 18;
 
+    /** The text is written when it is longer than this. */
+    private static final int FULL = 1 << 16;
+
     private byte[] text = new byte[MIN_SIZE];
     private int length;
+    /** The end of what has been written. */
+    private int written;
 
     /** Where the cells of the row begin, from the next one on those of the row above; the last is the row's end. */
     private final int[] starts;
+
+    /** The next value and the next word of the block. */
+    private int place;
+
+    private int word;
 
     TraceText(int columns) {
         starts = new int[columns + 1];
@@ -33,32 +43,44 @@ final class TraceText {
         endRow();
     }
 
-    /** Appends all rows of a block. Their first cells are numbers of ticks, written as integers. */
-    void append(TraceRows rows) {
+    /**
+     * Appends all rows of a block and writes them, some at a time, so that the text stays in the processor's cache.
+     * Their first cells are numbers of ticks, written as integers.
+     */
+    void write(TraceRows rows, OutputStream out) throws IOException {
+        place = 0;
+        word = 0;
         for (int row = 0; row < rows.rows(); row++) {
-            append(rows, row);
+            append(rows);
+            if (length > FULL || row + 1 == rows.rows()) {
+                write(out);
+            }
         }
     }
 
-    private void append(TraceRows rows, int row) {
-        starts[0] = length;
-        append((long) rows.number(row, 0));
-        int unwritten = 1;
-        for (int column = 1; column < rows.columns(); column++) {
-            if (!rows.repeatsAbove(row, column)) {
+    /** Appends the next row of a block. */
+    private void append(TraceRows rows) {
+        int marks = place;
+        place += rows.marks();
+        int unwritten = 0;
+        for (int i = 0; i < rows.marks(); i++) {
+            for (long changed = rows.value(marks + i); changed != 0; changed &= changed - 1) {
+                int column = i * Long.SIZE + Long.numberOfTrailingZeros(changed);
                 repeatAbove(unwritten, column);
-                starts[column] = length;
-                appendCell(rows, row, column);
+                appendCell(rows, column, column == unwritten);
                 unwritten = column + 1;
             }
         }
-        repeatAbove(unwritten, rows.columns());
-        starts[rows.columns()] = length;
+        repeatAbove(unwritten, starts.length - 1);
+        starts[starts.length - 1] = length;
         endRow();
     }
 
     /** Appends some cells of the row above. */
     private void repeatAbove(int from, int to) {
+        if (from == to) {
+            return;
+        }
         int moved = length - starts[from];
         repeat(starts[from], starts[to]);
         for (int column = from; column < to; column++) {
@@ -66,18 +88,23 @@ final class TraceText {
         }
     }
 
-    private void appendCell(TraceRows rows, int row, int column) {
-        String word = rows.word(row, column);
-        double number = rows.number(row, column);
-        if (column > 1 && rows.repeatsLeft(row, column)) {
+    /** Appends the next changed cell of a block. */
+    private void appendCell(TraceRows rows, int column, boolean leftChanged) {
+        long value = rows.value(place++);
+        int start = length;
+        if (value == TraceRows.WORD) {
+            appendCell(rows.word(word++));
+        } else if (column == 0) {
+            append((long) Double.longBitsToDouble(value));
+        } else if (leftChanged && column > 1 && value == rows.value(place - 2)) {
             repeat(starts[column - 1], length);
-        } else if (word != null) {
-            appendCell(word);
         } else {
+            double number = Double.longBitsToDouble(value);
             reserve(ShortestDecimal.ROOM + 1);
             length = Double.isFinite(number) ? ShortestDecimal.write(number, text, length) : length;
             text[length++] = ',';
         }
+        starts[column] = start;
     }
 
     private void appendCell(String word) {
@@ -123,9 +150,15 @@ final class TraceText {
         }
     }
 
-    /** Writes the text and begins another one. */
-    void write(OutputStream out) throws IOException {
-        out.write(text, 0, length);
-        length = 0;
+    /** Writes the rows that have not been written. The last one remains in the text, for the next one to repeat. */
+    private void write(OutputStream out) throws IOException {
+        out.write(text, written, length - written);
+        int moved = starts[0];
+        System.arraycopy(text, moved, text, 0, length - moved);
+        for (int column = 0; column < starts.length; column++) {
+            starts[column] -= moved;
+        }
+        length -= moved;
+        written = length;
     }
 }

@@ -20,12 +20,9 @@ import java.util.concurrent.Executors;
  */
 public final class TraceWriter implements TickObserver, AutoCloseable {
 
-    /** The size of a block, cells. */
-    private static final int MAX_CELLS = 1 << 14;
-
     private final OutputStream out;
     private final TraceFormat format;
-    private int maxRows;
+    private final int maxRows;
     private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> {
         Thread thread = new Thread(task, "faultline-trace");
         thread.setDaemon(true);
@@ -44,7 +41,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
      * @param format which columns it has
      */
     public TraceWriter(OutputStream out, TraceFormat format) {
-        this(out, format, MAX_CELLS);
+        this(out, format, Integer.MAX_VALUE);
     }
 
     /**
@@ -73,6 +70,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
         for (int i = 0; i < cells.size(); i++) {
             cells.get(i).append(simulation, rows);
         }
+        rows.endRow();
         if (rows.isFull()) {
             handOver();
         }
@@ -86,7 +84,6 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
                 .toList();
         text = new TraceText(header.size());
         text.append(header);
-        maxRows = Math.max(1, Math.min(maxRows, MAX_CELLS / header.size()));
         rows = new TraceRows(header.size(), maxRows);
     }
 
@@ -94,7 +91,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
         throwFailure();
         TraceRows full = rows;
         // Not the block before again: to write where another processor has just read takes several times as long.
-        rows = new TraceRows(full.columns(), maxRows);
+        rows = full.next();
         writing = CompletableFuture.runAsync(() -> write(full), writer);
     }
 
@@ -109,8 +106,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
 
     private void write(TraceRows block) {
         try {
-            text.append(block);
-            text.write(out);
+            text.write(block, out);
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
