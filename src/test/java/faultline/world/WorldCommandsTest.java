@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -255,5 +256,79 @@ class WorldCommandsTest {
         assertEquals(List.of(), inverse(new Command.MoveObstacle("sofa", new Pose(1, 3, 0))));
         assertEquals(List.of(), inverse(new Command.RemoveObstacle("sofa")));
         assertEquals(List.of(), inverse(new Command.SwitchSensor("nose", false)));
+    }
+
+    @Test
+    void anObstacleIsNotPlacedOnTheRobotNorUnderTheNameOfTheEnclosure() {
+        ObstacleShape shape = new ObstacleShape.CircleShape(0.1);
+        assertEquals(
+                Optional.of("lamp cannot be put there: it would overlap the robot"),
+                refusal(new Command.PlaceObstacle(new Obstacle("lamp", shape, new Pose(2, 2.15, 0)))));
+        CommandResult reserved =
+                world.execute(new Command.PlaceObstacle(new Obstacle(WorldSpec.ENCLOSURE, shape, new Pose(1, 3, 0))));
+        assertEquals(
+                Refusal.Reason.RESERVED_ID, reserved.refusal().orElseThrow().reason());
+        assertEquals(List.of(DESK), world.snapshot().obstacles());
+    }
+
+    @Test
+    void aPlatformMayShrinkWhereItTouches() {
+        world.execute(new Command.SetPlatform(1, 0.5, 0.2));
+        world.execute(new Command.MoveObstacle("desk", new Pose(2, 2, 0)));
+        assertTrue(world.collision().isPresent());
+        assertEquals(SUCCESS, refusal(new Command.SetPlatform(0.9, 0.5, 0.2)));
+        assertEquals(SUCCESS, refusal(new Command.SetPlatform(0.9, 0.4, 0.2)));
+        assertEquals(0.4, world.robot().width());
+    }
+
+    @Test
+    void aPlatformDoesNotGrowInOneDirectionWhileItShrinksInTheOther() {
+        world.execute(new Command.MoveObstacle("desk", new Pose(2, 2.4, 0)));
+        Optional<String> overlap = Optional.of("the robot has no room for that platform: it would overlap desk");
+        assertEquals(overlap, refusal(new Command.SetPlatform(0.2, 0.4, 0.2)));
+        world.execute(new Command.MoveObstacle("desk", new Pose(2.5, 2, 0)));
+        assertEquals(overlap, refusal(new Command.SetPlatform(0.6, 0.1, 0.2)));
+    }
+
+    @Test
+    void aCommandIsRecordedForTheTickThatFollows() {
+        Command off = new Command.SwitchSensor("front", false);
+        assertEquals(0, world.execute(off).tick());
+        world.sense();
+        assertEquals(1, world.execute(off).tick());
+        world.move(0, 0);
+        world.sense();
+        CommandResult result = world.execute(off);
+        assertEquals(2, result.tick());
+        assertEquals(off, result.command());
+        assertEquals(1, world.tick());
+        assertEquals(1, world.snapshot().tick());
+        assertEquals(0.01, world.snapshot().time());
+    }
+
+    @Test
+    void theSettingsOfTheControllerChangeNothingInTheWorld() {
+        Snapshot before = world.snapshot();
+        CommandResult result = world.execute(new Command.ConfigureController(ControllerSpec.WallFollowing.DEFAULT));
+        assertEquals(SUCCESS, result.refusal().map(Refusal::message));
+        assertEquals(before, world.snapshot());
+    }
+
+    @Test
+    void aDriveIntoTheDeskIsRecordedWithItsTickAndTime() {
+        for (int i = 0; i < 1000 && world.collision().isEmpty(); i++) {
+            world.move(2, 2);
+        }
+        Collision collision = world.collision().orElseThrow();
+        assertEquals(world.tick(), collision.tick());
+        assertTrue(collision.time() > (collision.tick() - 1) * 0.01 && collision.time() <= collision.tick() * 0.01);
+        assertEquals(Optional.of(collision), world.snapshot().collision());
+        assertEquals(
+                collision.point(),
+                world.snapshot()
+                        .contacts()
+                        .get(0)
+                        .plus(world.snapshot().contacts().get(1))
+                        .times(0.5));
     }
 }

@@ -190,4 +190,57 @@ class WorldReadingsTest {
         assertEquals(0, collision.point().distanceTo(new Vector2(2.55, 2.05)), 1e-6);
         assertFalse(world.wheelSpeeds().left() > 0 || world.wheelSpeeds().right() > 0, "the robot stands");
     }
+
+    @Test
+    void aShortWallThatLiesFlushIsTouchedAtItsEnds() {
+        World world = room(4);
+        List<Vector2> ends = List.of(new Vector2(2.7, 1.98), new Vector2(2.7, 2.06));
+        world.execute(new Command.PlaceObstacle(new Obstacle("board", new ObstacleShape.WallShape(ends), Pose.ORIGIN)));
+        Collision collision = drive(world);
+        assertEquals("board", collision.obstacle());
+        assertEquals(0, collision.point().distanceTo(new Vector2(2.7, 2.02)), 1e-6);
+        List<Vector2> contacts = world.snapshot().contacts();
+        assertEquals(2, contacts.size());
+        ends.forEach(
+                end -> assertTrue(contacts.stream().anyMatch(point -> point.distanceTo(end) < 1e-8), end::toString));
+    }
+
+    @Test
+    void ofTwoObstaclesThatAreTouchedAtOnceTheFirstIsNamed() {
+        for (List<String> ids : List.of(List.of("one", "two"), List.of("two", "one"))) {
+            World world = room(4);
+            for (int i = 0; i < 2; i++) {
+                double y = ids.get(i).equals("one") ? 2.05 : 1.95;
+                world.execute(new Command.PlaceObstacle(
+                        new Obstacle(ids.get(i), new ObstacleShape.CircleShape(0.04), new Pose(2.6, y, 0))));
+            }
+            assertEquals(ids.get(0), drive(world).obstacle());
+        }
+    }
+
+    @Test
+    void aListOfTheReportedReadingsAndOfTheFaultsIsThatOfTheSensors() {
+        World world = room(2.625);
+        world.execute(new Command.InjectFault("front", new Fault.Bias(0.2)));
+        world.sense();
+        double[] readings = world.reportedReadings();
+        assertEquals(world.robot().sensors().size(), readings.length);
+        assertEquals(0.7, readings[FRONT], 1e-12);
+        assertEquals(List.of(new Fault.Bias(0.2)), world.faults(FRONT));
+        assertEquals(List.of(), world.faults(FRONT + 1));
+    }
+
+    @Test
+    void aFaultActsOnTheReadingWithItsNoise() {
+        World world = room(2.625);
+        world.execute(new Command.ConfigureSensor(front(world).withNoise(NOISE)));
+        World biased = room(2.625);
+        biased.execute(new Command.ConfigureSensor(front(biased).withNoise(NOISE)));
+        biased.execute(new Command.InjectFault("front", new Fault.Bias(0.1)));
+        double[] plain = readings(world);
+        double[] shifted = readings(biased);
+        for (int i = 0; i < TICKS; i++) {
+            assertEquals(plain[i] + 0.1, shifted[i], 1e-12, "the same noise, then the fault");
+        }
+    }
 }
