@@ -38,6 +38,10 @@ final class SensorArray {
     private final CandidateBuffer candidates = new CandidateBuffer();
     private final CandidateBuffer farCandidates = new CandidateBuffer();
     private final List<MovingObstacle> movingNear = new ArrayList<>();
+    /** The sensors that may see something in the region, {@link #awakeCount} of them. */
+    private final int[] awake;
+
+    private int awakeCount;
     private final double[] truth;
     private final double[] reported;
     private RobotSpec robot;
@@ -59,6 +63,7 @@ final class SensorArray {
                 .toArray(SensorSignal[]::new);
         soundCones = new SensorCone[signals.length];
         actualCones = new SensorCone[signals.length];
+        awake = new int[signals.length];
         truth = new double[signals.length];
         reported = new double[signals.length];
         configure(robot);
@@ -108,7 +113,12 @@ final class SensorArray {
 
     /** Reads all sensors, then lets their faults act: step 6 of a tick. */
     void sense(ObstacleSet obstacles, RobotBody body, long tick) {
+        boolean exact = true;
         for (int i = 0; i < truth.length; i++) {
+            if (signals[i].isExact()) {
+                continue;
+            }
+            exact = false;
             if (signals[i].update(tick, dt, reported[i])) {
                 actualCones[i] = createActualCone(i);
                 version = -1;
@@ -118,13 +128,39 @@ final class SensorArray {
             collect(obstacles, body);
         }
         collectMoving(obstacles, body);
-        for (int i = 0; i < truth.length; i++) {
-            truth[i] = measure(soundCones[i], obstacles, body);
+        if (!movingNear.isEmpty()) {
+            wakeAll();
+        }
+        for (int i = 0; i < awakeCount; i++) {
+            truth[awake[i]] = measure(soundCones[awake[i]], obstacles, body);
+        }
+        if (exact) {
+            System.arraycopy(truth, 0, reported, 0, truth.length);
+            return;
         }
         for (int i = 0; i < truth.length; i++) {
             boolean sound = actualCones[i] == soundCones[i];
             double seen = sound ? truth[i] : measure(actualCones[i], obstacles, body);
             reported[i] = signals[i].report(seen, truth[i + 1 < truth.length ? i + 1 : 0], tick);
+        }
+    }
+
+    private void wakeAll() {
+        awakeCount = truth.length;
+        for (int i = 0; i < awakeCount; i++) {
+            awake[i] = i;
+        }
+    }
+
+    /** Lets the sensors sleep that see nothing in the whole region, as long as no moving obstacle is near. */
+    private void wakeThoseThatMaySee() {
+        awakeCount = 0;
+        for (int i = 0; i < truth.length; i++) {
+            if (soundCones[i].seesNothing()) {
+                truth[i] = Reading.NOTHING;
+            } else {
+                awake[awakeCount++] = i;
+            }
         }
     }
 
@@ -156,6 +192,7 @@ final class SensorArray {
                 collect(actualCones[i], candidates);
             }
         }
+        wakeThoseThatMaySee();
     }
 
     private void collect(SensorCone cone, CandidateBuffer shapes) {

@@ -111,6 +111,11 @@ final class SensorCone {
         return distance <= horizon || horizon >= range;
     }
 
+    /** Returns whether this sensor certainly sees nothing but moving obstacles in the region of the last collection. */
+    boolean seesNothing() {
+        return near.isEmpty() && horizon >= range && !outsideBody;
+    }
+
     /**
      * Collects the candidates that this sensor may see, up to the horizon, while the robot stays near a pose.
      *

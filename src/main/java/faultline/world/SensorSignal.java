@@ -36,6 +36,11 @@ final class SensorSignal {
         return faults;
     }
 
+    /** Returns whether it reports what it sees and has no faults that an {@link #update} would let set in or end. */
+    boolean isExact() {
+        return exact && faults.isEmpty() && active.isEmpty();
+    }
+
     /**
      * Lets added faults set in and removed ones end; those that continue keep their state. Returns whether the optics
      * may have changed.
