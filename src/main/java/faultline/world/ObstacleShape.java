@@ -1,7 +1,6 @@
 package faultline.world;
 
 import faultline.geometry.Vector2;
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -281,14 +280,7 @@ public sealed interface ObstacleShape {
          *     finite
          */
         public PlanShape {
-            if (rings.isEmpty()) {
-                throw new IllegalArgumentException("a plan needs at least one ring");
-            }
-            List<List<Vector2>> copies = new ArrayList<>(rings.size());
-            for (List<Vector2> ring : rings) {
-                copies.add(requirePoints("plan", ring, 3));
-            }
-            rings = List.copyOf(copies);
+            rings = RingList.copyOf(rings);
         }
 
         @Override
@@ -298,20 +290,17 @@ public sealed interface ObstacleShape {
 
         @Override
         public boolean contains(Vector2 local) {
-            boolean inside = false;
-            for (List<Vector2> ring : rings) {
-                inside ^= isInsideEvenOdd(ring, local);
-            }
-            return inside;
+            return points().contains(local.x(), local.y());
         }
 
         @Override
         public double boundingRadius() {
-            double most = 0;
-            for (List<Vector2> ring : rings) {
-                most = Math.max(most, maxLength(ring));
-            }
-            return most;
+            return points().maxLength();
+        }
+
+        /** Returns the rings with the coordinates of their points. */
+        RingList points() {
+            return (RingList) rings;
         }
     }
 

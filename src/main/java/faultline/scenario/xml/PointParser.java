@@ -37,7 +37,7 @@ final class PointParser {
             begin++;
         }
         comma = -1;
-        for (end = begin; end < length && !isBlank(text[end]); end++) {
+        for (end = begin; end < length && (text[end] > ' ' || !isBlank(text[end])); end++) {
             if (text[end] == ',' && comma < 0) {
                 comma = end;
             }
@@ -46,7 +46,7 @@ final class PointParser {
     }
 
     private static boolean isBlank(char c) {
-        return c <= ' ' && (c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f');
+        return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f';
     }
 
     /** Returns the present pair. */

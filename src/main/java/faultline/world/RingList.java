@@ -1,0 +1,160 @@
+package faultline.world;
+
+import faultline.geometry.Vector2;
+import java.util.AbstractList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.RandomAccess;
+
+/**
+ * The rings of a floor plan, immutable. The coordinates of all points are in two arrays, because the plan of a building
+ * has tens of thousands: loops over the sides, each from a point to the next one of its ring, create no objects.
+ */
+final class RingList extends AbstractList<List<Vector2>> implements RandomAccess {
+
+    private final double[] xs;
+    private final double[] ys;
+    /** The index of the point after each one in its ring. */
+    private final int[] next;
+    /** The index of the first point of each ring, and the number of all points. */
+    private final int[] starts;
+
+    private RingList(List<List<Vector2>> rings) {
+        starts = new int[rings.size() + 1];
+        for (int ring = 0; ring < rings.size(); ring++) {
+            starts[ring + 1] = starts[ring] + rings.get(ring).size();
+        }
+        int size = starts[rings.size()];
+        xs = new double[size];
+        ys = new double[size];
+        next = new int[size];
+        for (int ring = 0; ring < rings.size(); ring++) {
+            List<Vector2> points = rings.get(ring);
+            for (int i = starts[ring]; i < starts[ring + 1]; i++) {
+                Vector2 point = points.get(i - starts[ring]);
+                xs[i] = point.x();
+                ys[i] = point.y();
+                next[i] = i + 1;
+            }
+            next[starts[ring + 1] - 1] = starts[ring];
+        }
+    }
+
+    /**
+     * Returns a copy of some rings, or the list itself if it is of this class.
+     *
+     * @throws IllegalArgumentException if there is no ring, a ring has fewer than three points, or a point is not
+     *     finite
+     */
+    static RingList copyOf(List<List<Vector2>> rings) {
+        if (rings instanceof RingList known) {
+            return known;
+        }
+        if (rings.isEmpty()) {
+            throw new IllegalArgumentException("a plan needs at least one ring");
+        }
+        for (int ring = 0; ring < rings.size(); ring++) {
+            if (rings.get(ring).size() < 3) {
+                throw new IllegalArgumentException(
+                        "a plan needs at least 3 points: " + rings.get(ring).size());
+            }
+        }
+        RingList copy = new RingList(rings);
+        for (int i = 0; i < copy.sides(); i++) {
+            // A number less itself is 0 if it is finite, else not a number.
+            if (copy.xs[i] - copy.xs[i] != 0 || copy.ys[i] - copy.ys[i] != 0) {
+                throw new IllegalArgumentException("the points of a plan must be finite: " + copy.point(i));
+            }
+        }
+        return copy;
+    }
+
+    /** Returns the number of sides of all rings, and of points. */
+    int sides() {
+        return xs.length;
+    }
+
+    /** Returns the point from which a side goes. */
+    Vector2 point(int side) {
+        return new Vector2(xs[side], ys[side]);
+    }
+
+    /** Returns the side that goes on where a side ends. */
+    int next(int side) {
+        return next[side];
+    }
+
+    /** Returns whether a point is inside by the even-odd rule. */
+    boolean contains(double x, double y) {
+        boolean inside = false;
+        for (int a = 0; a < xs.length; a++) {
+            int b = next[a];
+            if (ys[a] > y != ys[b] > y && x < xs[a] + (y - ys[a]) / (ys[b] - ys[a]) * (xs[b] - xs[a])) {
+                inside = !inside;
+            }
+        }
+        return inside;
+    }
+
+    /** Returns the greatest distance of a point from the origin, metres. */
+    double maxLength() {
+        double most = 0;
+        for (int i = 0; i < xs.length; i++) {
+            double square = xs[i] * xs[i] + ys[i] * ys[i];
+            most = square > most ? square : most;
+        }
+        return Math.sqrt(most);
+    }
+
+    /** Returns, in ascending order, the sides whose bounding boxes touch a square about a point, of half a side. */
+    int[] sidesNear(Vector2 centre, double reach) {
+        double left = centre.x() - reach;
+        double right = centre.x() + reach;
+        double bottom = centre.y() - reach;
+        double top = centre.y() + reach;
+        int[] near = new int[xs.length];
+        int count = 0;
+        for (int a = 0; a < xs.length; a++) {
+            int b = next[a];
+            if ((xs[a] >= left || xs[b] >= left)
+                    && (xs[a] <= right || xs[b] <= right)
+                    && (ys[a] >= bottom || ys[b] >= bottom)
+                    && (ys[a] <= top || ys[b] <= top)) {
+                near[count++] = a;
+            }
+        }
+        return Arrays.copyOf(near, count);
+    }
+
+    @Override
+    public int size() {
+        return starts.length - 1;
+    }
+
+    @Override
+    public List<Vector2> get(int index) {
+        return new PlanRing(starts[index], starts[index + 1] - starts[index]);
+    }
+
+    /** The points of one ring. */
+    private final class PlanRing extends AbstractList<Vector2> implements RandomAccess {
+        private final int start;
+        private final int size;
+
+        PlanRing(int start, int size) {
+            this.start = start;
+            this.size = size;
+        }
+
+        @Override
+        public int size() {
+            return size;
+        }
+
+        @Override
+        public Vector2 get(int index) {
+            return point(start + Objects.checkIndex(index, size));
+        }
+    }
+}
