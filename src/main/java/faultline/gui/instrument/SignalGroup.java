@@ -100,7 +100,7 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
         ChartLine truth = new ChartLine(
                 Messages.get("signal.sensor.truth"),
                 TraceChannels.trueReading(index),
-                theme -> theme.palette().text(),
+                theme -> theme.palette().sensorColours(index).outline(),
                 DashPattern.DOTTED);
         ChartLine reported = new ChartLine(
                 Messages.get("signal.sensor.reported"),

@@ -236,6 +236,7 @@ public final class MainWindow extends JFrame {
 
     private void installCloseHandler() {
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        addWindowListener(new ExposedRepaint(getRootPane()));
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent event) {

@@ -80,6 +80,20 @@ class StripChartTest {
         assertEquals("Sensor left", callOnEdt(() -> choice.getItemAt(5).toString()));
     }
 
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void linesThatCanBeShownTogetherDiffer(Theme theme) {
+        List<SignalGroup> all = SignalGroup.allOf(FRAME.snapshot().sensors());
+        for (SignalGroup shown : all) {
+            List<ChartLine> lines =
+                    shown.with(SignalGroup.additions(shown, all)).lines();
+            assertEquals(
+                    lines.size(),
+                    lines.stream().map(line -> line.style(theme)).distinct().count(),
+                    shown.name());
+        }
+    }
+
     @Test
     void everyLineIsNamedHoweverNarrowTheChart() {
         assertTrue(isLegendComplete(WIDTH), "in one row");
