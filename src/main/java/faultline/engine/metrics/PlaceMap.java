@@ -12,7 +12,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
@@ -30,7 +29,7 @@ final class PlaceMap {
     private final double joinDistance;
     private final List<Vector2> circle;
     /** The blocks of each wall that has been sampled, by its number. */
-    private final SortedMap<Integer, List<PlaceBlock>> sampled = new TreeMap<>();
+    private final Map<Integer, List<PlaceBlock>> sampled = new HashMap<>();
 
     /** The blocks around the ends of sampled walls, by x and y of the end. */
     private final Map<Double, Map<Double, List<PlaceBlock>>> corners = new HashMap<>();
@@ -183,6 +182,6 @@ final class PlaceMap {
 
     /** Returns the blocks of each wall that has been sampled so far, in the order of the walls. */
     List<List<PlaceBlock>> blocks() {
-        return List.copyOf(sampled.values());
+        return List.copyOf(new TreeMap<>(sampled).values());
     }
 }
