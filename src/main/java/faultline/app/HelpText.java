@@ -46,7 +46,7 @@ final class HelpText {
             faultline campaign PLAN --out DIR make all runs of a campaign plan, one row each in DIR/runs.csv
               --jobs N                     on N threads (default: one for each processor)
               --shard I/N                  only the I-th of N parts
-              --resume                     go on with what is in DIR, if anything is
+              --resume                     continue the campaign in DIR, if there is one
             faultline merge DIR... --out DIR put the parts of a campaign together
             faultline report DIR --out FILE.html make a page of a campaign, with intervals and differences
               --table FILE.csv             write the numbers of its cells as well

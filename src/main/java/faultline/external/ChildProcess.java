@@ -112,16 +112,16 @@ final class ChildProcess implements AutoCloseable {
     /** Each check counts the same, however late it is, so that time in which the program is kept waiting does not. */
     private void guardWrites(double seconds) {
         long seen = Long.MAX_VALUE;
-        Patience patience = new Patience(process.toHandle(), seconds);
+        ResponseTimeout timeout = new ResponseTimeout(process.toHandle(), seconds);
         while (process.isAlive()) {
             long start = writeStart;
             if (start != Long.MAX_VALUE && start == seen) {
-                patience.count(WRITE_CHECK_PERIOD);
+                timeout.count(WRITE_CHECK_PERIOD);
             } else {
-                patience = new Patience(process.toHandle(), seconds);
+                timeout = new ResponseTimeout(process.toHandle(), seconds);
             }
             seen = start;
-            if (patience.isExhausted()) {
+            if (timeout.isExhausted()) {
                 endedByGuard = true;
                 killTree();
             }
@@ -180,21 +180,21 @@ final class ChildProcess implements AutoCloseable {
      * @throws ProtocolException if none came in time, it is too long, or the child has ended
      */
     String receive(double seconds) throws IOException, ProtocolException {
-        Patience patience = new Patience(process.toHandle(), seconds);
+        ResponseTimeout timeout = new ResponseTimeout(process.toHandle(), seconds);
         for (String line = output.next(); ; line = output.next()) {
             if (line != null) {
                 return line;
             }
             if (!output.fill()) {
                 long start = System.nanoTime();
-                awaitOutput(patience, seconds);
-                patience.count(Math.min(LONGEST_WAIT, System.nanoTime() - start));
+                awaitOutput(timeout, seconds);
+                timeout.count(Math.min(LONGEST_WAIT, System.nanoTime() - start));
             }
         }
     }
 
-    private void awaitOutput(Patience patience, double seconds) throws IOException, ProtocolException {
-        double waited = patience.waited();
+    private void awaitOutput(ResponseTimeout timeout, double seconds) throws IOException, ProtocolException {
+        double waited = timeout.waited();
         if (waited < SPIN) {
             Thread.yield();
             return;
@@ -202,7 +202,7 @@ final class ChildProcess implements AutoCloseable {
         if (output.hasEnded() || !process.isAlive() && !output.isLeft()) {
             throw endOrClosed("standard output", output.hasPart() ? " in the middle of a line" : "");
         }
-        if (patience.isExhausted()) {
+        if (timeout.isExhausted()) {
             throw new ProtocolException(
                     "has not answered for " + seconds + " s", output.hasPart() ? "; its last line has no end" : "");
         }

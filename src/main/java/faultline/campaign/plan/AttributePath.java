@@ -27,7 +27,7 @@ record AttributePath(List<PathStep> steps, String attribute) {
     private static final Pattern STEP = Pattern.compile("([a-zA-Z]+)(?:\\[([^\\[\\]]+)])?");
     private static final Pattern ATTRIBUTE = Pattern.compile("@([a-zA-Z]+)");
 
-    /** The attributes but thresholds by their units, of which a column's name gets a suffix. */
+    /** The attributes, except thresholds, by unit. The name of a column ends with the unit. */
     private static final Map<String, Set<String>> UNITS = Map.of(
             "m",
                     Set.of(
@@ -62,7 +62,7 @@ record AttributePath(List<PathStep> steps, String attribute) {
      */
     record PathStep(String element, String key) {}
 
-    /** Parses a path, empty if the text is none. A leading {@code scenario/} may be there. */
+    /** Parses a path, which may start with {@code scenario/}; returns an empty result if the text is not a path. */
     static Optional<AttributePath> parse(String text) {
         List<String> parts = new ArrayList<>(List.of(text.strip().split("/", -1)));
         if (parts.size() > 1 && parts.get(0).equals("scenario")) {

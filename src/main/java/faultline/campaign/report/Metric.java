@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 
-/** What controllers are compared by: one number of each run. */
+/** A number of each run by which controllers are compared. */
 enum Metric {
     /** The share of the wall that was followed. */
     COVERAGE("coverage", "the share of the wall that was followed", "%.3f", run -> run.result()

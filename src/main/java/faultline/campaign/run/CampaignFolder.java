@@ -38,7 +38,7 @@ public final class CampaignFolder {
         return folder.resolve("runs.csv");
     }
 
-    /** Returns the table of what is not the same in every run of the program. */
+    /** Returns the table of values that differ when a campaign is repeated, such as processor times. */
     Path timing() {
         return folder.resolve("timing.csv");
     }
@@ -58,7 +58,7 @@ public final class CampaignFolder {
     /**
      * {@return the plan of this campaign, from its copy}
      *
-     * @throws ScenarioException if the copy is not there or not good
+     * @throws ScenarioException if the copy is missing or invalid
      */
     public CampaignPlan readPlan() throws ScenarioException {
         return PlanFiles.readCopy(plan());
@@ -86,10 +86,10 @@ public final class CampaignFolder {
     }
 
     /**
-     * Checks that writing the tables destroys no other file.
+     * Checks that the tables do not overwrite another file.
      *
      * @param inputs the files that the campaign is made from
-     * @throws IOException if a table is an input or another table, by a link, or is no file
+     * @throws IOException if a table is a folder, or is an input or another table by a link
      */
     void checkTables(List<Path> inputs) throws IOException {
         for (Path table : tables()) {
@@ -110,8 +110,8 @@ public final class CampaignFolder {
     }
 
     /**
-     * Takes this folder for a process of its own, until the lock is closed or the process ends; throws an exception if
-     * another process has it.
+     * Locks this folder until the channel is closed or the process ends. Throws an exception if another process has
+     * locked it.
      */
     FileChannel lock() throws IOException {
         Files.createDirectories(folder);
@@ -131,15 +131,15 @@ public final class CampaignFolder {
     }
 
     /**
-     * Writes the copy of the plan and the manifest, or, to resume, checks that those that are there are of the same
+     * Writes the copy of the plan and the manifest. If they exist, checks instead that they belong to the same
      * campaign.
      */
     void prepare(CampaignPlan plan, Shard shard, boolean resume) throws IOException {
         String text = CampaignManifest.text(plan, shard);
         Optional<String> earlier = readManifest();
         if (!resume && (earlier.isPresent() || Files.exists(runs()))) {
-            throw new IOException(folder
-                    + ": there is a campaign already; --resume goes on with it, another folder begins another one");
+            throw new IOException(
+                    folder + ": there is a campaign already; continue it with --resume, or use another folder");
         }
         if (earlier.isPresent() && !CampaignManifest.sameCampaign(earlier.get(), text)) {
             throw new IOException(folder + ": the campaign there has another plan or was made by another program");
@@ -178,7 +178,7 @@ public final class CampaignFolder {
         write(plan, CampaignManifest.text(plan, Shard.ALL));
     }
 
-    /** Removes what a killed process left half written. */
+    /** Removes the temporary files of a killed process. */
     private static void removeTemporaryFiles(Path folder) throws IOException {
         try (Stream<Path> files = Files.walk(folder, 2)) {
             List<Path> left = files.filter(file -> file.getFileName().toString().matches("\\..+\\.tmp"))

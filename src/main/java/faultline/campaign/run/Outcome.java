@@ -4,7 +4,7 @@ import faultline.engine.metrics.CarryOnMetrics;
 import faultline.engine.metrics.RunResult;
 import java.util.Locale;
 
-/** What became of a robot, in the order from the worst to the best. */
+/** The outcomes of a run, from the worst to the best. */
 public enum Outcome {
     /** It touched something. */
     COLLIDED,

@@ -3,28 +3,31 @@ package faultline.control.diagnosis;
 import java.util.Arrays;
 
 /**
- * Finds the one of three sensors beside a straight wall that drifts. While the robot drives along the wall all three
- * measure the same distance of it; where one differs from two that agree, and by the same over some way, it is wrong. A
- * step of the wall, or a thing that stands at it, passes from one sensor to the next within less way.
+ * Finds a drifting sensor among three that see the same straight wall. While the robot drives along the wall, all three
+ * measure the same distance to it. A sensor is wrong if it differs from two that agree, by the same amount over several
+ * legs of the path. A step of the wall, or an object at it, passes from one sensor to the next within a shorter
+ * distance.
  */
 final class WallAgreement {
 
     /** No sensor is wrong. */
     static final int NONE = -1;
 
-    /** Means are taken over this way, metres. */
+    /** The length of path over which means are computed, metres. */
     private static final double LEG = 0.15;
 
-    /** The legs in which the same sensor differs. */
+    /** The number of successive legs in which the same sensor must differ. */
     private static final int LEGS = 3;
 
-    /** Distances that differ by more are of different surfaces, or one is wrong, metres. */
+    /** If distances differ by more than this, they are of different surfaces, or one is wrong, metres. */
     private static final double DIFFERS = 0.03;
 
-    /** Distances that differ by less agree, metres. */
+    /** Distances agree if they differ by less than this, metres. */
     private static final double AGREES = 0.012;
 
-    /** The same ahead and behind: if the sensor between them drifts, the robot drives at a slant, metres. */
+    /**
+     * The same for the outer two sensors; it is larger because a robot steered by a drifting sensor is slanted, metres.
+     */
     private static final double AGREES_AROUND = 0.04;
 
     /** The most that a difference changes from one leg to the next, metres. */
@@ -36,7 +39,7 @@ final class WallAgreement {
     private static final int SENSORS = 3;
 
     private final double[] sums = new double[SENSORS];
-    /** How far the robot had rolled and turned at the beginning of the leg. */
+    /** The distance that the robot had driven before this leg, metres, and below it the heading, radians. */
     private double wayBefore;
 
     private double headingBefore;
@@ -85,7 +88,7 @@ final class WallAgreement {
         return legs >= LEGS ? odd : NONE;
     }
 
-    /** Returns the one that differs from two that agree. */
+    /** Returns the sensor that differs from two that agree, or {@link #NONE}. */
     private int differing() {
         for (int i = 0; i < SENSORS; i++) {
             double one = sums[(i + 1) % SENSORS] / count;

@@ -9,11 +9,10 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * How long a child has been waited for, and whether that is too long. Time in which the child was ready to run while
- * other programs had the processors does not count. Linux measures this time for each thread; elsewhere all time
- * counts.
+ * The time spent waiting for a child, with a limit. Time in which the child was ready to run while other programs had
+ * the processors does not count. Linux measures this time for each thread; elsewhere all time counts.
  */
-final class Patience {
+final class ResponseTimeout {
 
     private static final double NANOS_PER_SECOND = 1e9;
 
@@ -36,7 +35,7 @@ final class Patience {
      * @param child is waited for, with its descendants
      * @param seconds how long; infinity for no limit
      */
-    Patience(ProcessHandle child, double seconds) {
+    ResponseTimeout(ProcessHandle child, double seconds) {
         this.child = child;
         this.limit = seconds * NANOS_PER_SECOND;
     }
