@@ -8,15 +8,21 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.world.World;
 import java.lang.management.ManagementFactory;
+import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * Prints the processor time and the allocation of a tick, the least of some passes, all in one process. Unlike elapsed
+ * Prints the processor time and the allocation of a tick, medians of short passes, all in one process. Unlike elapsed
  * time, it says something on a machine that other work shares.
  */
 public final class ProcessorTime {
 
     private static final int PASSES = 4;
+    private static final int SHORT_PASSES = 41;
+    private static final int WARM_UP = 20;
+    /** Of a short pass. */
+    private static final int TICKS = 20_000;
+
     private static final int[] SEGMENTS = {4, 40, 400, 4000, 40_000};
     private static final int ROOMS = 20;
     private static final int ROOM_TICKS = 12_000;
@@ -36,18 +42,19 @@ public final class ProcessorTime {
         for (int segments : SEGMENTS) {
             SimulationSetup setup = BenchmarkRooms.of(segments);
             checkProbe(setup);
-            double probe = print(segments + " segments, bare probe", new BareProbe(setup), 200_000);
-            double tick = print(segments + " segments", run(setup)::tick, 200_000);
-            print(segments + " segments, the world alone", worldAlone(setup), 200_000);
-            System.out.println(
-                    String.format(Locale.ROOT, "%-40s %10.2f", segments + " segments, tick : probe", tick / probe));
+            Action probe = new Action(segments + " segments, bare probe", new BareProbe(setup));
+            Action tick = new Action(segments + " segments", run(setup)::tick);
+            Action alone = new Action(segments + " segments, the world alone", worldAlone(setup));
+            print(TICKS, probe, tick, alone);
+            System.out.println(String.format(
+                    Locale.ROOT, "%-40s %10.2f", segments + " segments, tick : probe", tick.time() / probe.time()));
         }
         for (RoomVariant room : RoomVariant.values()) {
-            int ticks = room == RoomVariant.MOVERS_1000 ? 5000 : 50_000;
-            print(room.toString(), run(room.setup())::tick, ticks);
+            int ticks = room == RoomVariant.MOVERS_1000 ? TICKS / 40 : TICKS / 4;
+            print(ticks, new Action(room.toString(), run(room.setup())::tick));
         }
         SimulationSetup large = BenchmarkRooms.of(INDEXED_SEGMENTS);
-        print(INDEXED_SEGMENTS + " segments, made", () -> makeWorld(large), 3);
+        print(1, new Action(INDEXED_SEGMENTS + " segments, made", () -> makeWorld(large)));
     }
 
     /** Returns a run of which no one shows a frame. */
@@ -120,20 +127,57 @@ public final class ProcessorTime {
         }
     }
 
-    /** Prints the time and the bytes of an action and returns the time, microseconds. */
-    private static double print(String name, Runnable action, int count) {
-        double leastTime = Double.POSITIVE_INFINITY;
-        double leastBytes = Double.POSITIVE_INFINITY;
-        for (int pass = 0; pass < PASSES; pass++) {
-            long time = THREADS.getCurrentThreadCpuTime();
-            long bytes = THREADS.getCurrentThreadAllocatedBytes();
-            for (int i = 0; i < count; i++) {
-                action.run();
+    /** Measures actions in turn, so that all are disturbed alike, and prints the medians. */
+    private static void print(int count, Action... actions) {
+        for (int pass = -WARM_UP; pass < SHORT_PASSES; pass++) {
+            for (Action action : actions) {
+                action.measure(count, pass);
             }
-            leastTime = Math.min(leastTime, (THREADS.getCurrentThreadCpuTime() - time) / 1e3 / count);
-            leastBytes = Math.min(leastBytes, (double) (THREADS.getCurrentThreadAllocatedBytes() - bytes) / count);
         }
-        System.out.println(String.format(Locale.ROOT, "%-40s %10.3f us %8.1f B", name, leastTime, leastBytes));
-        return leastTime;
+        for (Action action : actions) {
+            System.out.println(
+                    String.format(Locale.ROOT, "%-40s %10.3f us %8.1f B", action.name, action.time(), action.bytes()));
+        }
+    }
+
+    /** Something that is measured in many short passes. */
+    private static final class Action {
+        private final String name;
+        private final Runnable body;
+        /** Microseconds. */
+        private final double[] times = new double[SHORT_PASSES];
+
+        private final double[] bytes = new double[SHORT_PASSES];
+
+        Action(String name, Runnable body) {
+            this.name = name;
+            this.body = body;
+        }
+
+        /** Makes a pass; those of negative numbers only warm up. */
+        void measure(int count, int pass) {
+            long time = THREADS.getCurrentThreadCpuTime();
+            long allocated = THREADS.getCurrentThreadAllocatedBytes();
+            for (int i = 0; i < count; i++) {
+                body.run();
+            }
+            int kept = Math.max(0, pass);
+            times[kept] = (THREADS.getCurrentThreadCpuTime() - time) / 1e3 / count;
+            bytes[kept] = (double) (THREADS.getCurrentThreadAllocatedBytes() - allocated) / count;
+        }
+
+        double time() {
+            return median(times);
+        }
+
+        double bytes() {
+            return median(bytes);
+        }
+
+        private static double median(double[] values) {
+            double[] sorted = values.clone();
+            Arrays.sort(sorted);
+            return sorted[sorted.length / 2];
+        }
     }
 }
