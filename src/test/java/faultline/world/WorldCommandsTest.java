@@ -331,4 +331,21 @@ class WorldCommandsTest {
                         .plus(world.snapshot().contacts().get(1))
                         .times(0.5));
     }
+
+    @Test
+    void aRobotThatStandsSeesEachEditAtOnce() {
+        Command near = new Command.MoveObstacle("desk", new Pose(2.875, 2, 0));
+        double[] expected = {Reading.NOTHING, 0.5, Reading.NOTHING, 0.4};
+        List<List<Command>> edits = List.of(
+                List.of(),
+                List.of(near),
+                List.of(new Command.RemoveObstacle("desk")),
+                List.of(new Command.PlaceObstacle(DESK.withPose(new Pose(2.775, 2, 0)))));
+        for (int i = 0; i < expected.length; i++) {
+            edits.get(i).forEach(world::execute);
+            world.move(0, 0);
+            world.sense();
+            assertEquals(expected[i], world.trueReading(FRONT), 1e-12);
+        }
+    }
 }

@@ -243,4 +243,26 @@ class WorldReadingsTest {
             assertEquals(plain[i] + 0.1, shifted[i], 1e-12, "the same noise, then the fault");
         }
     }
+
+    @Test
+    void aSensorBesideTheBodyReadsZeroInsideASolidObstacleOnly() {
+        World world = room(2.625);
+        world.execute(new Command.ConfigureSensor(front(world).withMountPosition(new Vector2(0.8, 0))));
+        world.sense();
+        assertEquals(0, world.trueReading(FRONT));
+        world.execute(new Command.ConfigureSensor(front(world).withMountPosition(new Vector2(0.5, 0))));
+        world.sense();
+        assertEquals(0.125, world.trueReading(FRONT), 1e-12);
+    }
+
+    @Test
+    void theEnclosureIsTouchedWithBothCorners() {
+        World world = new World(new WorldSpec(3, 4, true, 0, List.of()), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 9);
+        assertEquals(WorldSpec.ENCLOSURE, drive(world).obstacle());
+        List<Vector2> contacts = world.snapshot().contacts();
+        assertEquals(2, contacts.size());
+        for (Vector2 corner : List.of(new Vector2(3, 1.9), new Vector2(3, 2.1))) {
+            assertTrue(contacts.stream().anyMatch(point -> point.distanceTo(corner) < 1e-6), contacts::toString);
+        }
+    }
 }
