@@ -62,8 +62,7 @@ final class RingList extends AbstractList<List<Vector2>> implements RandomAccess
         }
         RingList copy = new RingList(rings);
         for (int i = 0; i < copy.sides(); i++) {
-            // A number less itself is 0 if it is finite, else not a number.
-            if (copy.xs[i] - copy.xs[i] != 0 || copy.ys[i] - copy.ys[i] != 0) {
+            if (!Double.isFinite(copy.xs[i]) || !Double.isFinite(copy.ys[i])) {
                 throw new IllegalArgumentException("the points of a plan must be finite: " + copy.point(i));
             }
         }
