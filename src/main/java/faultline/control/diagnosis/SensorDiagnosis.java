@@ -49,10 +49,6 @@ public final class SensorDiagnosis {
     private final DeadReckoning reckoning = new DeadReckoning();
     private final CurvatureEstimate curvature = new CurvatureEstimate();
     private final WallAgreement agreement = new WallAgreement();
-    private final CornerCheck cornerCheck = new CornerCheck();
-    /** The sensor that looks straight ahead, null if none does. */
-    private InspectedSensor front;
-
     private final MotionClock clock = new MotionClock();
     private final Motion motion = new Motion();
     private RobotSpec robot;
@@ -128,7 +124,6 @@ public final class SensorDiagnosis {
         for (InspectedSensor sensor : inspectionOrder) {
             inspect(sensor, lastReadings[sensor.index()]);
         }
-        compareAfterCorner();
         if (alert || reckoning.way() - bodyMarkedWay > MARKING) {
             bodyMarkedWay = reckoning.way();
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), robot.width() / 2, clock.moment());
@@ -139,12 +134,6 @@ public final class SensorDiagnosis {
         int differs = agreement.update(wallLine, lastReadings, motion.way(), motion.heading());
         if (differs != WallAgreement.NONE) {
             verdicts.blameDrift(wallLine.sensor(differs).index());
-        }
-    }
-
-    private void compareAfterCorner() {
-        if (front != null && cornerCheck.differs(front, wallLine, lastReadings, reckoning, clock.ticks() - MEMORY)) {
-            verdicts.blameError(front.index());
         }
     }
 
@@ -169,10 +158,6 @@ public final class SensorDiagnosis {
             }
         }
         inspectionOrder = inOrder(sensors);
-        front = Arrays.stream(inspectionOrder)
-                .filter(sensor -> !sensor.looksAside())
-                .findFirst()
-                .orElse(null);
         wallLine = new WallLine(sensors);
         verdicts = same ? verdicts : new Verdicts(sensors);
         missedSurfaces = new MissedSurfaces(sensors, verdicts, grid, reckoning);

@@ -16,9 +16,6 @@ final class Verdicts {
     /** What it counts that a sensor differs from two that agree beside a wall: enough for itself. */
     private static final double DRIFTED = 12;
 
-    /** What it counts that a sensor measured a wall wrongly that is beside the robot now: twice is enough. */
-    private static final double MISMEASURED = 5;
-
     private static final double SUSPICIOUS = 0.3;
     private static final double FORGIVEN = 0.5;
     private static final int CONFIRMATIONS = 12;
@@ -106,11 +103,6 @@ final class Verdicts {
     /** Counts that a sensor differs from two others beside a straight wall. */
     void blameDrift(int sensor) {
         conflicts.add(sensor, sensor, DRIFTED);
-    }
-
-    /** Counts that a sensor measured another distance of a wall than the two that see it beside the robot. */
-    void blameError(int sensor) {
-        conflicts.add(sensor, sensor, MISMEASURED);
     }
 
     /** Trusts a sensor again that missed a surface which is not there. */

@@ -48,9 +48,6 @@ final class WallLine {
         }
     }
 
-    /** The place of the sensor that sees the wall ahead. */
-    static final int AHEAD = 0;
-
     /** The place of the sensor that faces the wall, between the one ahead and the one behind. */
     static final int BESIDE = 1;
 
@@ -85,26 +82,6 @@ final class WallLine {
                 && facing.sees(readings[facing.index])
                 && ahead.sees(readings[ahead.index])
                 && behind.sees(readings[behind.index]);
-    }
-
-    /**
-     * Returns whether the sensors that see the wall beside the robot and ahead are trusted and measure one distance.
-     *
-     * @param readings of all sensors
-     * @param tolerance metres
-     */
-    boolean isStraightAhead(double[] readings, double tolerance) {
-        return rays != null
-                && facing.sensor.isTrusted()
-                && ahead.sensor.isTrusted()
-                && facing.sees(readings[facing.index])
-                && ahead.sees(readings[ahead.index])
-                && Math.abs(aside(BESIDE, readings) - aside(AHEAD, readings)) < tolerance;
-    }
-
-    /** Returns how far ahead of the robot's centre the wall is seen, metres. */
-    double ahead(double[] readings) {
-        return ahead.x(readings[ahead.index]);
     }
 
     /** Returns a sensor of the line: the one that sees the wall ahead, beside, or behind the robot. */
