@@ -14,7 +14,6 @@ import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.FlowLayout;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -88,7 +87,7 @@ final class BatchDialog extends JDialog {
         UiText.name(tabs, "batch.tabs");
         RefreshSteps.add(getRootPane(), root -> setTitle(Messages.get("batch.title", scenario.name())));
         JPanel content = new JPanel(new BorderLayout(0, 8));
-        content.setBorder(BorderFactory.createEmptyBorder(8, 12, 12, 12));
+        content.setBorder(BorderFactory.createEmptyBorder(8, 12, 8, 12));
         content.add(tabs, BorderLayout.CENTER);
         content.add(createFooter(), BorderLayout.SOUTH);
         setContentPane(content);
@@ -132,9 +131,9 @@ final class BatchDialog extends JDialog {
         UiText.name(progressBar, "batch.progress");
         progress.add(progressBar, BorderLayout.CENTER);
         progress.add(RefreshSteps.add(status, label -> label.setText(statusText.get())), BorderLayout.SOUTH);
-        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
+        JPanel buttons = new WrappedRow();
         List.of(start, cancel, savePlan, saveResults, close).forEach(buttons::add);
-        JPanel footer = new JPanel(new BorderLayout(0, 8));
+        JPanel footer = new JPanel(new BorderLayout(0, 4));
         footer.add(progress, BorderLayout.CENTER);
         footer.add(buttons, BorderLayout.SOUTH);
         return footer;
@@ -274,6 +273,7 @@ final class BatchDialog extends JDialog {
     }
 
     private void openRun(Scenario opened) {
+        focusOwner();
         setVisible(false);
         actions.openRun(opened);
     }
@@ -361,6 +361,13 @@ final class BatchDialog extends JDialog {
         }
     }
 
+    /** Passes the focus to the window, for a window manager that focuses none when this dialog disappears. */
+    private void focusOwner() {
+        if (isFocused()) {
+            getOwner().requestFocus();
+        }
+    }
+
     private void discardRun() {
         if (run != null) {
             delete(run);
@@ -393,6 +400,7 @@ final class BatchDialog extends JDialog {
             }
             run = null;
         }
+        focusOwner();
         super.dispose();
     }
 }

@@ -25,6 +25,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 
 /** The fields of a batch: seeds, times, controller, sensors and faults. */
@@ -51,6 +52,11 @@ final class BatchForm extends JPanel {
     private final List<JCheckBox> sensors;
     private final FaultChoices faults;
     private final JLabel count = new JLabel(" ");
+    private final BorderLayout columnLayout = new BorderLayout();
+    private final JPanel columns = new JPanel(columnLayout);
+    private final JPanel first;
+    private final JPanel second;
+    private final JScrollPane scroll;
     private int row;
 
     /** Creates a form for a scenario. */
@@ -61,15 +67,26 @@ final class BatchForm extends JPanel {
         sensors = robot.sensors().stream().map(this::createSensorBox).toList();
         faults = new FaultChoices(this::updateCount);
         setInitialValues();
-        JPanel columns = new JPanel(new BorderLayout());
-        columns.add(
-                atTop(
-                        new TitledSection("batch.section.runs", createRunFields()),
-                        new TitledSection("batch.section.sensors", createSensorFields())),
-                BorderLayout.LINE_START);
-        columns.add(atTop(new TitledSection("batch.section.faults", faults)), BorderLayout.CENTER);
-        add(ScreenFit.scrolling(columns), BorderLayout.CENTER);
+        first = atTop(
+                new TitledSection("batch.section.runs", createRunFields()),
+                new TitledSection("batch.section.sensors", createSensorFields()));
+        second = atTop(new TitledSection("batch.section.faults", faults));
+        columns.add(first, BorderLayout.LINE_START);
+        columns.add(second, BorderLayout.CENTER);
+        scroll = ScreenFit.scrolling(columns);
+        add(scroll, BorderLayout.CENTER);
         RefreshSteps.add(count, label -> updateCount());
+    }
+
+    /** Shows the faults below the other fields where there is no room beside them. */
+    @Override
+    public void doLayout() {
+        int room = getWidth() - scroll.getVerticalScrollBar().getPreferredSize().width;
+        boolean beside = first.getPreferredSize().width + second.getPreferredSize().width <= room;
+        columnLayout.removeLayoutComponent(first);
+        columnLayout.addLayoutComponent(first, beside ? BorderLayout.LINE_START : BorderLayout.PAGE_START);
+        columns.invalidate();
+        super.doLayout();
     }
 
     private void setInitialValues() {

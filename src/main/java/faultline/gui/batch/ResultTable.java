@@ -7,6 +7,9 @@ import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.event.HierarchyBoundsAdapter;
+import java.awt.event.HierarchyEvent;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
@@ -18,6 +21,7 @@ import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JTable;
+import javax.swing.JViewport;
 import javax.swing.RowFilter;
 import javax.swing.SwingConstants;
 import javax.swing.border.Border;
@@ -34,6 +38,10 @@ final class ResultTable extends RowTable {
     private static final int MAX_SAMPLED_ROWS = 40;
     private static final int CELL_PADDING = 6;
     private static final int MAX_COLUMN_WIDTH = 260;
+    /** The widest hash of a table that lacks room. Its tool tip shows the whole text. */
+    private static final int SHORT_HASH_WIDTH = 90;
+
+    private static final String HASH = "trajectory_hash";
 
     /** The columns of what does not happen in every batch. They take no room before. */
     private static final Set<String> OCCASIONAL = Set.of("collision_time_s", "detection_delay_s", "failure");
@@ -42,6 +50,8 @@ final class ResultTable extends RowTable {
     private final transient TableRowSorter<Model> sorter;
     /** The columns of what has not happened. */
     private final transient List<TableColumn> hidden = new ArrayList<>();
+    /** Whether headings are broken into lines and the hash is cut, because the table lacks room. */
+    private boolean compact;
 
     /** The rows of a table; they are only added and replaced. */
     private static final class Model extends AbstractTableModel {
@@ -117,17 +127,24 @@ final class ResultTable extends RowTable {
             }
         }
         hidden.forEach(this::removeColumn);
+        addHierarchyBoundsListener(new HierarchyBoundsAdapter() {
+            @Override
+            public void ancestorResized(HierarchyEvent event) {
+                fitColumns();
+            }
+        });
         RefreshSteps.add(this, ResultTable::refresh);
     }
 
     /** Headings of numbers stand at the end of their column, as the numbers do. */
     private void setHeadingRenderers() {
         TableCellRenderer headings = (table, value, selected, focused, row, column) -> {
+            boolean textual = model.textual.get(convertColumnIndexToModel(column));
             Component heading = getTableHeader()
                     .getDefaultRenderer()
-                    .getTableCellRendererComponent(table, value, selected, focused, row, column);
+                    .getTableCellRendererComponent(
+                            table, headingText(String.valueOf(value), textual), selected, focused, row, column);
             if (heading instanceof JLabel label) {
-                boolean textual = model.textual.get(convertColumnIndexToModel(column));
                 label.setHorizontalAlignment(textual ? SwingConstants.LEADING : SwingConstants.TRAILING);
             }
             return heading;
@@ -135,6 +152,12 @@ final class ResultTable extends RowTable {
         for (int column = 0; column < getColumnCount(); column++) {
             getColumnModel().getColumn(column).setHeaderRenderer(headings);
         }
+    }
+
+    private String headingText(String name, boolean textual) {
+        return compact
+                ? "<html><div align=" + (textual ? "left" : "right") + ">" + name.replaceFirst(" ", "<br>")
+                : name;
     }
 
     private void refresh() {
@@ -210,29 +233,56 @@ final class ResultTable extends RowTable {
         });
     }
 
-    /** Makes each column as wide as its heading and its first rows. */
+    /** Makes each column as wide as its heading and its first rows, and narrower if all together lack room. */
     private void fitColumns() {
-        for (int column = 0; column < getColumnCount(); column++) {
-            int width = width(getTableHeader()
-                    .getDefaultRenderer()
-                    .getTableCellRendererComponent(this, getColumnName(column), false, false, -1, column));
-            for (int row = 0; row < Math.min(MAX_SAMPLED_ROWS, model.getRowCount()); row++) {
-                Component cell = getDefaultRenderer(ResultCell.class)
-                        .getTableCellRendererComponent(
-                                this,
-                                model.getValueAt(row, convertColumnIndexToModel(column)),
-                                false,
-                                false,
-                                row,
-                                column);
-                width = Math.max(width, width(cell));
-            }
-            getColumnModel().getColumn(column).setPreferredWidth(Math.min(TextSize.scaled(MAX_COLUMN_WIDTH), width));
+        boolean before = compact;
+        compact = false;
+        fitWidths();
+        compact = getParent() instanceof JViewport viewport
+                && viewport.getWidth() > 0
+                && getColumnModel().getTotalColumnWidth() > viewport.getWidth();
+        if (compact) {
+            fitWidths();
+        }
+        if (compact != before) {
+            getTableHeader().resizeAndRepaint();
         }
     }
 
-    private static int width(Component cell) {
-        return cell.getPreferredSize().width + TextSize.scaled(CELL_PADDING);
+    private void fitWidths() {
+        for (int column = 0; column < getColumnCount(); column++) {
+            TableColumn shown = getColumnModel().getColumn(column);
+            int width = width(shown.getHeaderRenderer()
+                    .getTableCellRendererComponent(this, getColumnName(column), false, false, -1, column));
+            int cells = 0;
+            for (int row = 0; row < Math.min(MAX_SAMPLED_ROWS, model.getRowCount()); row++) {
+                Component cell = getDefaultRenderer(ResultCell.class)
+                        .getTableCellRendererComponent(
+                                this, model.getValueAt(row, shown.getModelIndex()), false, false, row, column);
+                cells = Math.max(cells, width(cell));
+            }
+            width = Math.max(
+                    width, Math.min(cells, TextSize.scaled(isCut(shown) ? SHORT_HASH_WIDTH : MAX_COLUMN_WIDTH)));
+            shown.setPreferredWidth(Math.min(TextSize.scaled(MAX_COLUMN_WIDTH), width));
+            shown.setWidth(shown.getPreferredWidth());
+        }
+    }
+
+    @Override
+    public String getToolTipText(MouseEvent event) {
+        int row = rowAtPoint(event.getPoint());
+        int column = columnAtPoint(event.getPoint());
+        return row >= 0 && column >= 0 && isCut(getColumnModel().getColumn(column))
+                ? String.valueOf(getValueAt(row, column))
+                : super.getToolTipText(event);
+    }
+
+    private boolean isCut(TableColumn column) {
+        return compact && model.columns.get(column.getModelIndex()).equals(HASH);
+    }
+
+    private int width(Component cell) {
+        return cell.getPreferredSize().width + (compact ? 1 : TextSize.scaled(CELL_PADDING));
     }
 
     /** Fills the width of a wide window, and scrolls in a narrow one. */

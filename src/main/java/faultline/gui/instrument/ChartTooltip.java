@@ -4,11 +4,13 @@ import faultline.engine.recording.TraceLevel;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.PixelRectangle;
 import java.awt.BasicStroke;
+import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,7 +19,10 @@ import java.util.Locale;
 /** The values of a chart's lines at the time under the cursor, as text and as a box on the chart. */
 final class ChartTooltip {
 
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
     private static final int PADDING = 6;
+    private static final int SAMPLE_WIDTH = 8;
+    private static final int SAMPLE_HEIGHT = 3;
     private static final int ROW_HEIGHT = 15;
     private static final int POINTER_DISTANCE = 10;
 
@@ -85,9 +90,10 @@ final class ChartTooltip {
 
     /** Paints the box beside the marked time, on the side that has room. */
     private void paintBox(Graphics2D g, Theme theme, double x, double pictureHeight) {
+        g.setFont(FONT);
         FontMetrics metrics = g.getFontMetrics();
         List<String> lines = lines();
-        double width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + 2 * PADDING;
+        double width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + SAMPLE_WIDTH + 3 * PADDING;
         double beside = x + POINTER_DISTANCE + width < area().x() + area().width()
                 ? x + POINTER_DISTANCE
                 : x - POINTER_DISTANCE - width;
@@ -101,8 +107,21 @@ final class ChartTooltip {
         g.setColor(theme.colours().border());
         g.draw(background);
         g.setColor(theme.palette().text());
+        double textLeft = left + SAMPLE_WIDTH + 2 * PADDING;
         for (int i = 0; i < lines.size(); i++) {
-            g.drawString(lines.get(i), (float) (left + PADDING), (float) (top + (i + 1) * rowHeight - 1));
+            g.drawString(lines.get(i), (float) textLeft, (float) (top + (i + 1) * rowHeight - 1));
+        }
+        paintSamples(g, theme, left + PADDING, top, rowHeight);
+    }
+
+    /** Paints the colour of each line before its name, because a narrow chart has no legend of all lines. */
+    private void paintSamples(Graphics2D g, Theme theme, double left, double top, double rowHeight) {
+        List<ChartLine> curves = chart.signal().lines();
+        for (int i = 0; i < curves.size(); i++) {
+            ChartLine curve = curves.get(curves.size() - 1 - i);
+            double middle = top + (i + 2) * rowHeight - 1 - rowHeight / 3;
+            g.setColor(curve.colour().apply(theme));
+            g.fill(new Rectangle2D.Double(left, middle - SAMPLE_HEIGHT / 2.0, SAMPLE_WIDTH, SAMPLE_HEIGHT));
         }
     }
 }

@@ -22,6 +22,10 @@ import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
+import java.awt.font.LineBreakMeasurer;
+import java.awt.font.TextAttribute;
+import java.awt.font.TextLayout;
+import java.text.AttributedString;
 import java.util.Locale;
 import javax.accessibility.AccessibleRole;
 import javax.swing.ToolTipManager;
@@ -97,8 +101,8 @@ public final class StateDiagramView extends AccessibleComponent {
     }
 
     private void paintFrame(Graphics2D g) {
-        g.scale(scale(), scale());
         if (isFollower(frame)) {
+            g.scale(scale(), scale());
             new DiagramPainter(g, currentLayout(), Theme.current(), frame)
                     .paint(getWidth() / scale(), getHeight() / scale());
         } else {
@@ -109,15 +113,19 @@ public final class StateDiagramView extends AccessibleComponent {
         }
     }
 
-    /** Draws the parts of a sentence on separate lines, because the view may be narrow. */
-    private static void paintMessage(Graphics2D g, String sentence) {
-        String[] parts = sentence.split("(?<=;) ");
+    /** Draws a sentence in as many lines as the width needs. */
+    private void paintMessage(Graphics2D g, String sentence) {
+        AttributedString text = new AttributedString(sentence);
+        text.addAttribute(TextAttribute.FONT, g.getFont());
+        LineBreakMeasurer lines = new LineBreakMeasurer(text.getIterator(), g.getFontRenderContext());
+        float width = Math.max(1, getWidth() - 2 * MESSAGE_INSET);
         g.setColor(Theme.currentColours().muted());
-        for (int i = 0; i < parts.length; i++) {
-            g.drawString(
-                    parts[i],
-                    MESSAGE_INSET,
-                    MESSAGE_INSET + (i + 1) * g.getFontMetrics().getHeight());
+        float y = MESSAGE_INSET;
+        while (lines.getPosition() < sentence.length()) {
+            TextLayout line = lines.nextLayout(width);
+            y += line.getAscent();
+            line.draw(g, MESSAGE_INSET, y);
+            y += line.getDescent() + line.getLeading();
         }
     }
 

@@ -17,6 +17,7 @@ import java.awt.geom.AffineTransform;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
 import javax.accessibility.AccessibleRole;
 
 /** The plot area of a strip chart. It follows the newest frame, or is held over a past time span. */
@@ -66,7 +67,9 @@ final class StripView extends AccessibleComponent {
 
     void setSignal(SignalGroup chosen) {
         signal = chosen;
-        getAccessibleContext().setAccessibleDescription(chosen.name());
+        getAccessibleContext()
+                .setAccessibleDescription(chosen.name() + ": "
+                        + chosen.lines().stream().map(ChartLine::name).collect(Collectors.joining(", ")));
         repaint();
     }
 

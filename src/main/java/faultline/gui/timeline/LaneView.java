@@ -112,7 +112,10 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         }
     }
 
-    /** Prepares for the lanes of another scenario, of which the first one with an item will be the uppermost. */
+    /**
+     * Prepares for the lanes of another scenario, whose first lane with an item will be shown: uppermost if it is too
+     * low.
+     */
     void startScenario() {
         lane = 0;
         selection = LaneLayout.NONE;
@@ -121,8 +124,10 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     private void showFirstItem() {
         LaneLayout lanes = lanes();
+        int height = getVisibleRect().height;
         int first = model.items().stream().mapToInt(lanes::laneOf).min().orElse(0);
-        scrollRectToVisible(new Rectangle(0, lanes.laneTop(first) - lanes.top(), 1, getVisibleRect().height));
+        boolean shownFromTop = lanes.laneTop(first) + lanes.laneHeight(first) <= height;
+        scrollRectToVisible(new Rectangle(0, shownFromTop ? 0 : lanes.laneTop(first) - lanes.top(), 1, height));
     }
 
     /** Returns the y coordinate of the upper edge of the ruler, which stays where it is when the lanes scroll. */
@@ -163,9 +168,14 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         return items;
     }
 
+    /** Rows of a larger text may be a little lower, so that more small windows show all lanes. */
+    private static int minRowHeight() {
+        return Math.max(MIN_ROW_HEIGHT, TextSize.scaled(MIN_ROW_HEIGHT) - 1);
+    }
+
     private int rowHeight() {
         int available = (getHeight() - TextSize.scaled(RULER_HEIGHT)) / rowCount;
-        return Math.max(TextSize.scaled(MIN_ROW_HEIGHT), Math.min(TextSize.scaled(MAX_ROW_HEIGHT), available));
+        return Math.max(minRowHeight(), Math.min(TextSize.scaled(MAX_ROW_HEIGHT), available));
     }
 
     TimeAxis axis() {
@@ -262,7 +272,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     @Override
     public Dimension getPreferredSize() {
-        Dimension size = height(MAX_ROW_HEIGHT);
+        Dimension size = height(TextSize.scaled(MAX_ROW_HEIGHT));
         boolean scrolled = getParent() instanceof JViewport viewport
                 && viewport.getHeight() > 0
                 && viewport.getHeight() < size.height;
@@ -271,16 +281,16 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     @Override
     public Dimension getMinimumSize() {
-        return height(MIN_ROW_HEIGHT);
+        return height(minRowHeight());
     }
 
     private Dimension height(int rowHeight) {
-        return new Dimension(0, TextSize.scaled(RULER_HEIGHT) + Math.max(3, rowCount) * TextSize.scaled(rowHeight));
+        return new Dimension(0, TextSize.scaled(RULER_HEIGHT) + Math.max(3, rowCount) * rowHeight);
     }
 
     @Override
     public Dimension getPreferredScrollableViewportSize() {
-        return height(MAX_ROW_HEIGHT);
+        return height(TextSize.scaled(MAX_ROW_HEIGHT));
     }
 
     @Override

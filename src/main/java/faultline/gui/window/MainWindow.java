@@ -249,6 +249,19 @@ public final class MainWindow extends JFrame {
                 canvas.requestFocusInWindow();
             }
         });
+        addWindowFocusListener(new WindowAdapter() {
+            @Override
+            public void windowGainedFocus(WindowEvent event) {
+                EventQueue.invokeLater(MainWindow.this::focusIfNothingHasFocus);
+            }
+        });
+    }
+
+    /** Keys would have no effect if the component that had the focus before a dialog cannot have it again. */
+    private void focusIfNothingHasFocus() {
+        if (isFocused() && getFocusOwner() == null) {
+            canvas.requestFocusInWindow();
+        }
     }
 
     private void quit() {

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,7 +17,10 @@ import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
+import javax.swing.JScrollPane;
 import javax.swing.JTextField;
+import javax.swing.JViewport;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -96,5 +101,39 @@ class BatchFormTest {
         type("Start of the fault", "5..");
         assertTrue(callOnEdt(form::findProblem).isPresent());
         assertTrue(labels().contains("A value has the wrong form"), labels());
+    }
+
+    @Test
+    void aNarrowDialogScrollsTheFieldsDownOnly() {
+        for (Language language : Language.values()) {
+            form = callOnEdt(() -> {
+                Messages.setLanguage(language);
+                return new BatchForm(scenario);
+            });
+            for (int width : new int[] {600, 1050}) {
+                runOnEdt(() -> layOut(width));
+                JViewport viewport = callOnEdt(() -> ComponentFinder.findAll(form, JViewport.class)
+                        .findFirst()
+                        .orElseThrow());
+                assertTrue(
+                        viewport.getView().getWidth() <= viewport.getWidth(),
+                        language + " " + width + " " + viewport.getView().getWidth());
+                assertEquals(width == 600, viewport.getView().getHeight() > viewport.getHeight());
+            }
+        }
+    }
+
+    private void layOut(int width) {
+        form.setSize(width, 600);
+        form.doLayout();
+        JScrollPane scroll =
+                ComponentFinder.findAll(form, JScrollPane.class).findFirst().orElseThrow();
+        scroll.doLayout();
+        scroll.getViewport().doLayout();
+    }
+
+    @AfterEach
+    void restoreLanguage() {
+        runOnEdt(() -> Messages.setLanguage(Language.ENGLISH));
     }
 }

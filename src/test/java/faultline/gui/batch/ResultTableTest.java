@@ -3,13 +3,17 @@ package faultline.gui.batch;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import javax.swing.JLabel;
+import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
@@ -107,5 +111,34 @@ class ResultTableTest {
         assertEquals(
                 "Reason of failure",
                 callOnEdt(() -> table.getColumnModel().getColumn(1).getHeaderValue()));
+    }
+
+    @Test
+    void aTableWithoutRoomBreaksItsHeadingsAndCutsTheHash() {
+        table = callOnEdt(
+                () -> new ResultTable("batch.tab.runs", List.of("fault_sensor", "trajectory_hash"), opened::add));
+        String hash = "0123456789abcdef";
+        runOnEdt(() -> table.addRows(
+                List.of(List.of(ResultCell.ofText("front-right"), ResultCell.of("trajectory_hash", hash)))));
+        int whole = callOnEdt(() -> table.getPreferredSize().width);
+        int room = whole - 40;
+        JScrollPane scroll = callOnEdt(() -> new JScrollPane(table));
+        assertTrue(widthIn(scroll, room) <= room, "wider than " + room);
+        assertEquals(hash, callOnEdt(() -> table.getValueAt(0, 1).toString()));
+        Rectangle cell = callOnEdt(() -> table.getCellRect(0, 1, true));
+        MouseEvent over = new MouseEvent(table, MouseEvent.MOUSE_MOVED, 0, 0, cell.x + 5, cell.y + 5, 0, false);
+        assertEquals(hash, callOnEdt(() -> table.getToolTipText(over)));
+        assertEquals(whole, widthIn(scroll, whole + 40), "there is room again");
+    }
+
+    private int widthIn(JScrollPane scroll, int room) {
+        return callOnEdt(() -> {
+            // The border of a scroll pane takes no room here.
+            scroll.setBorder(null);
+            scroll.setSize(room, 200);
+            scroll.doLayout();
+            scroll.getViewport().doLayout();
+            return table.getPreferredSize().width;
+        });
     }
 }

@@ -22,6 +22,7 @@ import faultline.gui.theme.Theme;
 import faultline.paint.chart.StateDiagramLayout;
 import faultline.paint.surface.PixelRectangle;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -137,6 +138,19 @@ class StateDiagramViewTest {
         BufferedImage picture = picture(SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 10));
         assertEquals(0, SampleRuns.count(picture, Theme.currentColours().accent()));
         assertEquals("State None", callOnEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
+    }
+
+    @Test
+    void aSentenceInLargeTextTakesMoreLines() {
+        runOnEdt(() -> view.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 34)));
+        BufferedImage picture = picture(SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 10));
+        int ground = picture.getRGB(WIDTH - 1, HEIGHT - 1);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = WIDTH - 10; x < WIDTH; x++) {
+                assertEquals(ground, picture.getRGB(x, y), x + ", " + y);
+            }
+        }
+        assertTrue(SampleRuns.count(picture, Theme.currentColours().muted()) > 200, "nothing is written");
     }
 
     @Test

@@ -18,6 +18,7 @@ import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.PixelRectangle;
 import faultline.world.Command;
+import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
@@ -145,6 +146,23 @@ class StripChartTest {
             }
         }
         runOnEdt(TextSize.NORMAL::install);
+    }
+
+    @Test
+    void theValuesAtTheCursorShowTheColoursOfTheirLines() {
+        addSensors(4);
+        runOnEdt(() -> SampleRuns.render(chart, 240, HEIGHT));
+        StripScale scale = callOnEdt(() -> chart.view().scale().orElseThrow());
+        BufferedImage picture = new BufferedImage(240, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = picture.createGraphics();
+        ChartTooltip values = new ChartTooltip(scale, 15);
+        values.paint(graphics, Theme.LIGHT, HEIGHT);
+        graphics.dispose();
+        assertEquals(scale.signal().lines().size() + 1, values.lines().size());
+        for (ChartLine line : scale.signal().lines()) {
+            long pixels = SampleRuns.count(picture, line.colour().apply(Theme.LIGHT));
+            assertTrue(pixels >= 16, line.name() + " has " + pixels + " pixels");
+        }
     }
 
     /** Adds the first lines that can be shown beside the distance. */

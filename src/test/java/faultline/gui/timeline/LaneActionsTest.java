@@ -86,6 +86,28 @@ class LaneActionsTest {
     }
 
     @Test
+    void lanesStayAtTheirTopIfTheFirstItemIsVisibleThere() {
+        List<Lane> lanes = Stream.of("1", "left", "3", "4", "5", "6")
+                .<Lane>map(Lane.OfSensor::new)
+                .toList();
+        runOnEdt(() -> {
+            JScrollPane pane = new JScrollPane(view);
+            pane.setBorder(null);
+            view.startScenario();
+            view.update(lanes, view.axis(), 0);
+            pane.setSize(400, view.getMinimumSize().height - 7);
+            for (int pass = 0; pass < 2; pass++) {
+                pane.doLayout();
+                pane.getViewport().doLayout();
+            }
+        });
+        runOnEdt(() -> {
+            assertEquals(7, view.getHeight() - view.getVisibleRect().height, "they scroll");
+            assertEquals(0, view.rulerTop());
+        });
+    }
+
+    @Test
     void theLanesOfAnotherScenarioBeginWithTheFirstThatHasAnItemBelowTheRuler() {
         List<Lane> ten = Stream.of("1", "2", "3", "4", "5", "left", "7", "8", "9", "10", "11", "12")
                 .<Lane>map(Lane.OfSensor::new)
