@@ -1,6 +1,7 @@
 package faultline.external;
 
 import java.io.IOException;
+import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -92,7 +93,7 @@ final class ResponseTimeout {
                 String[] fields = Files.readString(thread.resolve("schedstat")).split(" ");
                 delays.put(thread, Long.parseLong(fields[1]));
             }
-        } catch (IOException ended) {
+        } catch (IOException | DirectoryIteratorException ended) {
             // Threads that have ended, or a system that does not measure this, delay nothing.
         }
     }
