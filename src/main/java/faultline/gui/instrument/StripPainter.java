@@ -7,7 +7,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
-import faultline.gui.timeline.CommandText;
+import faultline.gui.timeline.CommandRole;
 import faultline.gui.timeline.Lane;
 import faultline.gui.timeline.TimelineItem;
 import faultline.paint.chart.PlotPainter;
@@ -140,7 +140,7 @@ final class StripPainter {
     private void paintEvents() {
         EventLog log = content.frame().recording().events();
         for (long i = log.firstIndex(); i < log.endIndex(); i++) {
-            if (log.get(i) instanceof RunEvent.CommandExecuted done && CommandText.isSettingChange(done.command())) {
+            if (log.get(i) instanceof RunEvent.CommandExecuted done && CommandRole.isSettingChange(done.command())) {
                 paintMoment(done.time(), theme.palette().muted(), DashPattern.DOTTED);
             } else if (log.get(i) instanceof RunEvent.Collided collided) {
                 paintMoment(collided.time(), theme.palette().collision(), DashPattern.SOLID);

@@ -8,28 +8,15 @@ import faultline.world.Command;
 import java.util.Locale;
 
 /** Describes commands in the user's language. */
-public final class CommandText implements Command.Visitor<String> {
+public class CommandText implements Command.Visitor<String> {
 
     private static final CommandText INSTANCE = new CommandText();
 
-    private CommandText() {}
+    CommandText() {}
 
     /** Returns what a command does, as one sentence. */
     public static String format(Command command) {
         return command.accept(INSTANCE);
-    }
-
-    /** Returns whether a command adds or removes a fault. */
-    public static boolean isFaultChange(Command command) {
-        return command instanceof Command.MotorCommand
-                || command instanceof Command.SensorCommand && !(command instanceof Command.SwitchSensor);
-    }
-
-    /** Returns whether a command changes settings of the controller, of a sensor or of the platform. */
-    public static boolean isSettingChange(Command command) {
-        return command instanceof Command.ConfigureController
-                || command instanceof Command.ConfigureSensor
-                || command instanceof Command.SetPlatform;
     }
 
     @Override

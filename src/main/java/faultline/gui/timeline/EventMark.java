@@ -13,7 +13,7 @@ public final class EventMark {
         if (event instanceof RunEvent.CommandExecuted done) {
             return EventText.isFailure(event)
                     ? Glyph.FAULT
-                    : CommandText.isFaultChange(done.command()) ? Glyph.CHECK : Glyph.PENCIL;
+                    : CommandRole.isFaultChange(done.command()) ? Glyph.CHECK : Glyph.PENCIL;
         }
         if (event instanceof RunEvent.StateChanged) {
             return Glyph.TRANSITION;

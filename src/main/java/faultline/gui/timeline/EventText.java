@@ -5,7 +5,6 @@ import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
-import faultline.world.Command;
 import java.util.Locale;
 
 /** Describes the events of a run. */
@@ -16,7 +15,7 @@ public final class EventText {
     /** Returns the kind of an event. */
     public static String kind(RunEvent event) {
         if (event instanceof RunEvent.CommandExecuted done) {
-            return Messages.get(CommandText.isFaultChange(done.command()) ? "event.fault" : "event.command");
+            return Messages.get(CommandRole.isFaultChange(done.command()) ? "event.fault" : "event.command");
         }
         if (event instanceof RunEvent.Diverged) {
             return Messages.get("event.ghost");
@@ -41,9 +40,8 @@ public final class EventText {
         return event instanceof RunEvent.Collided
                 || event instanceof RunEvent.HealthChanged change
                         && !change.health().isTrusted()
-                || event instanceof RunEvent.CommandExecuted done && done.command() instanceof Command.InjectFault
-                || event instanceof RunEvent.CommandExecuted broken
-                        && broken.command() instanceof Command.InjectMotorFault;
+                || event instanceof RunEvent.CommandExecuted done
+                        && CommandRole.of(done.command()).isFaultStart();
     }
 
     public static String time(RunEvent event) {

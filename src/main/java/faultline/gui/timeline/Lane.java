@@ -3,7 +3,6 @@ package faultline.gui.timeline;
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
 import faultline.robot.MotorSide;
-import faultline.world.Command;
 
 /** A lane of the time line. */
 public sealed interface Lane {
@@ -44,16 +43,5 @@ public sealed interface Lane {
         public String label() {
             return Messages.get("timeline.world");
         }
-    }
-
-    /** Returns the lane of a command. */
-    static Lane of(Command command) {
-        if (command instanceof Command.SensorCommand change) {
-            return new OfSensor(change.sensor());
-        }
-        if (command instanceof Command.ConfigureSensor change) {
-            return new OfSensor(change.sensor().id());
-        }
-        return command instanceof Command.MotorCommand change ? new OfMotors(change.motor()) : OTHER;
     }
 }

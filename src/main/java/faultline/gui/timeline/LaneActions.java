@@ -1,12 +1,13 @@
 package faultline.gui.timeline;
 
 import faultline.gui.text.Messages;
-import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
-import faultline.sensor.Fault;
+import faultline.robot.MotorSide;
 import faultline.sensor.FaultKind;
 import faultline.world.Command;
 import java.awt.Component;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
@@ -19,10 +20,11 @@ final class LaneActions {
 
     private final LaneView view;
     private final TimelineEditor editor;
-    /** The kind and numbers of a new fault: those of the last one. */
-    private Fault lastFault = FaultKind.STUCK.createFault(FaultKind.STUCK.defaultValue());
-
-    private MotorFault lastMotorFault = MotorFaultKind.WEAK.createFault(MotorFaultKind.WEAK.defaultValue());
+    /** The last faults of sensors and of motors, which have the kind and the numbers of a new one. */
+    private final List<Command> lastFaults = new ArrayList<>(List.of(
+            new Command.InjectFault("", FaultKind.STUCK.createFault(FaultKind.STUCK.defaultValue())),
+            new Command.InjectMotorFault(
+                    MotorSide.LEFT, MotorFaultKind.WEAK.createFault(MotorFaultKind.WEAK.defaultValue()))));
 
     LaneActions(LaneView view, TimelineEditor editor) {
         this.view = view;
@@ -70,12 +72,10 @@ final class LaneActions {
 
     /** Returns a fault in the selected lane; empty in the lane of everything else. */
     Optional<TimelineItem> newFault(double start, double end) {
-        if (view.selectedLane() instanceof Lane.OfSensor sensor) {
-            return Optional.of(new TimelineItem(new Command.InjectFault(sensor.id(), lastFault), start, end));
-        }
-        return view.selectedLane() instanceof Lane.OfMotors motors
-                ? Optional.of(new TimelineItem(new Command.InjectMotorFault(motors.side(), lastMotorFault), start, end))
-                : Optional.empty();
+        return lastFaults.stream()
+                .map(fault -> new TimelineItem(fault, start, end).inLane(view.selectedLane()))
+                .filter(item -> item.lane().equals(view.selectedLane()))
+                .findFirst();
     }
 
     /** Asks for the details of a new item and adds it. */
@@ -86,11 +86,7 @@ final class LaneActions {
     }
 
     private void addAndSelect(TimelineItem item) {
-        if (item.command() instanceof Command.InjectFault inject) {
-            lastFault = inject.fault();
-        } else if (item.command() instanceof Command.InjectMotorFault inject) {
-            lastMotorFault = inject.fault();
-        }
+        lastFaults.replaceAll(fault -> fault.getClass() == item.command().getClass() ? item.command() : fault);
         editor.add(item);
         view.select(item);
     }

@@ -46,13 +46,13 @@ final class RunMarks {
         for (long i = log.firstIndex(); i < log.endIndex(); i++) {
             if (log.get(i) instanceof RunEvent.StateChanged change && change.to() == FollowerState.TURN
                     || log.get(i) instanceof RunEvent.CommandExecuted done
-                            && CommandText.isSettingChange(done.command())
+                            && CommandRole.isSettingChange(done.command())
                             && !planned.contains(new Execution(done.command(), done.tick()))) {
                 result.addEvent(log.get(i));
             }
         }
         items.stream()
-                .filter(item -> item.isInterval() || CommandText.isSettingChange(item.command()))
+                .filter(item -> item.isInterval() || CommandRole.isSettingChange(item.command()))
                 .forEach(result::addItem);
         if (end > 0) {
             result.marks.add(new SliderMark(
@@ -73,7 +73,7 @@ final class RunMarks {
     /** Returns the changes of settings that are marked as items. */
     private Set<Execution> plannedChanges(List<TimelineItem> items) {
         return items.stream()
-                .filter(item -> CommandText.isSettingChange(item.command()))
+                .filter(item -> CommandRole.isSettingChange(item.command()))
                 .map(item -> new Execution(item.command(), Math.round(item.start() / dt)))
                 .collect(Collectors.toSet());
     }

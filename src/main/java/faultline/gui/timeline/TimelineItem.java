@@ -17,18 +17,17 @@ public record TimelineItem(Command command, double start, double end) {
 
     /** Returns an item that lasts to the end of the run, if its command can last, or else is over at once. */
     static TimelineItem from(Command command, double start) {
-        return new TimelineItem(command, start, isLasting(command) ? Double.POSITIVE_INFINITY : start);
+        boolean lasts = !CommandRole.of(command).endings().isEmpty();
+        return new TimelineItem(command, start, lasts ? Double.POSITIVE_INFINITY : start);
     }
 
-    private static boolean isLasting(Command command) {
-        return command instanceof Command.InjectFault
-                || command instanceof Command.InjectMotorFault
-                || command instanceof Command.SwitchSensor switched && !switched.on();
+    private CommandRole role() {
+        return CommandRole.of(command);
     }
 
     /** Returns whether this is an interval, a bar and not a mark. */
     public boolean isInterval() {
-        return isLasting(command);
+        return !role().endings().isEmpty();
     }
 
     /** Returns whether this is an interval that lasts to the end of the run. */
@@ -38,7 +37,7 @@ public record TimelineItem(Command command, double start, double end) {
 
     /** Returns the lane of this item. */
     public Lane lane() {
-        return Lane.of(command);
+        return role().lane();
     }
 
     /**
@@ -46,7 +45,7 @@ public record TimelineItem(Command command, double start, double end) {
      * switched off.
      */
     public SensorColours colours(Palette palette, int sensor) {
-        if (command instanceof Command.SwitchSensor) {
+        if (role().effect() == CommandRole.Effect.SWITCH) {
             return new SensorColours(palette.muted(), palette.muted());
         }
         return lane() instanceof Lane.OfSensor
@@ -59,43 +58,21 @@ public record TimelineItem(Command command, double start, double end) {
         return new TimelineItem(command, newStart, isInterval() ? newEnd : newStart);
     }
 
-    /** Returns this item with another command at its start. */
-    TimelineItem withCommand(Command other) {
-        return new TimelineItem(other, start, end);
-    }
-
-    /** Returns this item in another lane, or the same item if it cannot be there. */
+    /** Returns this item in another lane, or an equal one if it cannot be there. */
     TimelineItem inLane(Lane other) {
-        if (other instanceof Lane.OfSensor sensor && command instanceof Command.InjectFault inject) {
-            return withCommand(new Command.InjectFault(sensor.id(), inject.fault()));
-        }
-        if (other instanceof Lane.OfSensor sensor && command instanceof Command.SwitchSensor switched) {
-            return withCommand(new Command.SwitchSensor(sensor.id(), switched.on()));
-        }
-        return other instanceof Lane.OfMotors motors && command instanceof Command.InjectMotorFault inject
-                ? withCommand(new Command.InjectMotorFault(motors.side(), inject.fault()))
-                : this;
+        return new TimelineItem(role().inLane().apply(other), start, end);
     }
 
     /** Returns the commands of this item: one, or two if it ends before the run does. */
     List<TimedCommand> commands() {
         TimedCommand first = new TimedCommand(start, command);
-        return isInterval() && !isOpen() ? List.of(first, new TimedCommand(end, endCommand())) : List.of(first);
+        return isInterval() && !isOpen()
+                ? List.of(first, new TimedCommand(end, endings().get(0)))
+                : List.of(first);
     }
 
-    private Command endCommand() {
-        if (command instanceof Command.InjectFault inject) {
-            return new Command.ClearFault(inject.sensor(), inject.fault());
-        }
-        return command instanceof Command.InjectMotorFault inject
-                ? new Command.ClearMotorFault(inject.motor(), inject.fault())
-                : new Command.SwitchSensor(((Command.SwitchSensor) command).sensor(), true);
-    }
-
-    /** Returns whether a later command ends this interval. */
-    boolean endsWith(Command later) {
-        boolean all = later instanceof Command.ClearFaults && command instanceof Command.InjectFault
-                || later instanceof Command.ClearMotorFaults;
-        return later.equals(endCommand()) || all && Lane.of(later).equals(lane());
+    /** Returns the commands that can end this interval, first the one that ends no other; empty for a moment. */
+    List<Command> endings() {
+        return role().endings();
     }
 }

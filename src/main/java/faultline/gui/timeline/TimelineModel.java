@@ -1,7 +1,6 @@
 package faultline.gui.timeline;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -33,7 +32,7 @@ public final class TimelineModel {
 
         /** Returns whether a later command ends this interval. */
         boolean isEndedBy(TimedCommand later) {
-            return last == NONE && item.isInterval() && item.endsWith(later.command());
+            return last == NONE && item.endings().contains(later.command());
         }
 
         Pair endedBy(TimedCommand later, int index) {
@@ -58,11 +57,11 @@ public final class TimelineModel {
 
     private void add(int index) {
         TimedCommand timed = commands.get(index);
-        boolean all =
-                timed.command() instanceof Command.ClearFaults || timed.command() instanceof Command.ClearMotorFaults;
         boolean found = false;
-        for (int i = 0; i < pairs.size() && (all || !found); i++) {
+        boolean endsOthers = true;
+        for (int i = 0; i < pairs.size() && endsOthers; i++) {
             if (pairs.get(i).isEndedBy(timed)) {
+                endsOthers = !pairs.get(i).item().endings().get(0).equals(timed.command());
                 pairs.set(i, pairs.get(i).endedBy(timed, index));
                 found = true;
             }

@@ -9,17 +9,32 @@ import java.util.Locale;
 /** Describes the items of the time line in the user's language. */
 final class TimelineText {
 
+    private static final CommandText LABELS = new Labels();
+
     private TimelineText() {}
+
+    /** Describes commands, those that begin an interval without their sensor or motors. */
+    private static final class Labels extends CommandText {
+
+        @Override
+        public String visit(Command.InjectFault command) {
+            return ReadingText.format(command.fault());
+        }
+
+        @Override
+        public String visit(Command.InjectMotorFault command) {
+            return MotorFaultText.format(command.fault());
+        }
+
+        @Override
+        public String visit(Command.SwitchSensor command) {
+            return command.on() ? super.visit(command) : Messages.get("timeline.off");
+        }
+    }
 
     /** Returns a short name: the fault, or what the command does. */
     static String label(TimelineItem item) {
-        if (item.command() instanceof Command.InjectFault inject) {
-            return ReadingText.format(inject.fault());
-        }
-        if (item.command() instanceof Command.InjectMotorFault inject) {
-            return MotorFaultText.format(inject.fault());
-        }
-        return item.isInterval() ? Messages.get("timeline.off") : CommandText.format(item.command());
+        return item.command().accept(LABELS);
     }
 
     /** Returns the label with its sensor or motors. */

@@ -1,0 +1,146 @@
+package faultline.gui.timeline;
+
+import faultline.robot.MotorSide;
+import faultline.world.Command;
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * What a command means on the time line. Each kind of command has a visitor's method of its own here, so that a new one
+ * does not compile without a role.
+ *
+ * @param lane the lane
+ * @param effect what the command changes
+ * @param endings the commands that end the interval which the command begins, first the one that ends no other
+ *     interval; empty if the command is over at once
+ * @param inLane returns the same command in another lane, or the command itself if it cannot be there
+ */
+public record CommandRole(Lane lane, Effect effect, List<Command> endings, Function<Lane, Command> inLane) {
+
+    private static final Command.Visitor<CommandRole> FINDER = new Finder();
+
+    /** What a command changes. */
+    public enum Effect {
+        /** The faults of a sensor or of motors. */
+        FAULT,
+        /** Whether a sensor is on. */
+        SWITCH,
+        /** Settings of the controller, of a sensor or of the platform. */
+        SETTING,
+        /** An obstacle. */
+        OBSTACLE
+    }
+
+    /** Returns the role of a command. */
+    public static CommandRole of(Command command) {
+        return command.accept(FINDER);
+    }
+
+    /** Returns whether a command adds or removes a fault. */
+    static boolean isFaultChange(Command command) {
+        return of(command).effect == Effect.FAULT;
+    }
+
+    /** Returns whether a command changes settings of the controller, of a sensor or of the platform. */
+    public static boolean isSettingChange(Command command) {
+        return of(command).effect == Effect.SETTING;
+    }
+
+    /** Returns whether the command adds a fault. */
+    boolean isFaultStart() {
+        return effect == Effect.FAULT && !endings.isEmpty();
+    }
+
+    private static CommandRole moment(Lane lane, Effect effect, Command command) {
+        return new CommandRole(lane, effect, List.of(), other -> command);
+    }
+
+    private static CommandRole ofSensor(
+            Command.SensorCommand command, Effect effect, List<Command> endings, Function<String, Command> copy) {
+        return new CommandRole(
+                new Lane.OfSensor(command.sensor()),
+                effect,
+                endings,
+                other -> other instanceof Lane.OfSensor sensor ? copy.apply(sensor.id()) : command);
+    }
+
+    private static final class Finder implements Command.Visitor<CommandRole> {
+
+        @Override
+        public CommandRole visit(Command.SwitchSensor command) {
+            List<Command> endings =
+                    command.on() ? List.of() : List.of(new Command.SwitchSensor(command.sensor(), true));
+            return ofSensor(command, Effect.SWITCH, endings, id -> new Command.SwitchSensor(id, command.on()));
+        }
+
+        @Override
+        public CommandRole visit(Command.InjectFault command) {
+            List<Command> endings = List.of(
+                    new Command.ClearFault(command.sensor(), command.fault()),
+                    new Command.ClearFaults(command.sensor()));
+            return ofSensor(command, Effect.FAULT, endings, id -> new Command.InjectFault(id, command.fault()));
+        }
+
+        @Override
+        public CommandRole visit(Command.ClearFault command) {
+            return moment(new Lane.OfSensor(command.sensor()), Effect.FAULT, command);
+        }
+
+        @Override
+        public CommandRole visit(Command.ClearFaults command) {
+            return moment(new Lane.OfSensor(command.sensor()), Effect.FAULT, command);
+        }
+
+        @Override
+        public CommandRole visit(Command.InjectMotorFault command) {
+            MotorSide side = command.motor();
+            return new CommandRole(
+                    new Lane.OfMotors(side),
+                    Effect.FAULT,
+                    List.of(new Command.ClearMotorFault(side, command.fault()), new Command.ClearMotorFaults(side)),
+                    other -> other instanceof Lane.OfMotors motors
+                            ? new Command.InjectMotorFault(motors.side(), command.fault())
+                            : command);
+        }
+
+        @Override
+        public CommandRole visit(Command.ClearMotorFault command) {
+            return moment(new Lane.OfMotors(command.motor()), Effect.FAULT, command);
+        }
+
+        @Override
+        public CommandRole visit(Command.ClearMotorFaults command) {
+            return moment(new Lane.OfMotors(command.motor()), Effect.FAULT, command);
+        }
+
+        @Override
+        public CommandRole visit(Command.ConfigureSensor command) {
+            return moment(new Lane.OfSensor(command.sensor().id()), Effect.SETTING, command);
+        }
+
+        @Override
+        public CommandRole visit(Command.SetPlatform command) {
+            return moment(Lane.OTHER, Effect.SETTING, command);
+        }
+
+        @Override
+        public CommandRole visit(Command.ConfigureController command) {
+            return moment(Lane.OTHER, Effect.SETTING, command);
+        }
+
+        @Override
+        public CommandRole visit(Command.MoveObstacle command) {
+            return moment(Lane.OTHER, Effect.OBSTACLE, command);
+        }
+
+        @Override
+        public CommandRole visit(Command.PlaceObstacle command) {
+            return moment(Lane.OTHER, Effect.OBSTACLE, command);
+        }
+
+        @Override
+        public CommandRole visit(Command.RemoveObstacle command) {
+            return moment(Lane.OTHER, Effect.OBSTACLE, command);
+        }
+    }
+}

@@ -1,0 +1,186 @@
+package faultline.gui.timeline;
+
+import faultline.control.ControllerSpec;
+import faultline.geometry.Pose;
+import faultline.gui.panel.ControllerForm;
+import faultline.gui.panel.FaultFields;
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.NumberSpinner;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaultKind;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.sensor.FaultKind;
+import faultline.world.Command;
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.GridLayout;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/**
+ * Adds the fields for the details of a command to a form: a fault, the pose of a move, or the controller. Each method
+ * returns what reads the command from its fields, or nothing if a value is invalid.
+ */
+final class DetailFields implements Command.SetupVisitor<Supplier<Optional<Command>>> {
+
+    /** The row of the start, between the details and the fields of a controller; the end is in the next one. */
+    static final int TIMES_ROW = 5;
+
+    private static final int FIRST_ROW = 1;
+    private static final int CONTROLLER_ROW = TIMES_ROW + 2;
+    private static final double MAX_NUMBER = 1e6;
+    private static final double HALF_DECIMAL = 0.5e-4;
+    private static final int COLUMNS = 8;
+
+    private final JPanel form;
+    private final JComboBox<Lane> lane;
+    private final RobotSpec robot;
+    private final double tick;
+    private final ControllerForm controllerForm = new ControllerForm(this::setController);
+    private ControllerSpec.BuiltIn controller;
+
+    DetailFields(JPanel form, JComboBox<Lane> lane, RobotSpec robot, double tick) {
+        this.form = form;
+        this.lane = lane;
+        this.robot = robot;
+        this.tick = tick;
+    }
+
+    /** Returns a field for a number, which is at least 0 initially. */
+    static NumberSpinner number(String key) {
+        return new NumberSpinner("0.00##", 0, MAX_NUMBER, 1, ignored -> {})
+                .withName(key)
+                .withColumns(COLUMNS)
+                .keepInvalidText();
+    }
+
+    /** Shows a number of at least 0. */
+    static void setNumber(NumberSpinner field, double value) {
+        field.setLimits(0, MAX_NUMBER, value);
+    }
+
+    /** Returns the number of a field; the old one, to the bit, if the field still shows it in its four decimals. */
+    static double valueOf(NumberSpinner field, double old) {
+        return Math.abs(field.doubleValue() - old) <= HALF_DECIMAL ? old : field.doubleValue();
+    }
+
+    static void addRow(JPanel form, int row, Component label, Component field, String unit) {
+        form.add(label, FormConstraints.cell(0, row));
+        form.add(field, FormConstraints.cell(1, row));
+        form.add(new JLabel(unit), FormConstraints.fillCell(2, row));
+    }
+
+    @Override
+    public Supplier<Optional<Command>> visit(Command.InjectFault command) {
+        FaultFields<FaultKind, Fault> fault = FaultFields.forSensors();
+        lane.addActionListener(event -> updateRange(fault));
+        updateRange(fault);
+        Fault old = command.fault();
+        fault.setFault(old.kind(), old.value(), old.length());
+        fault.addTo(form, FIRST_ROW, 0);
+        return () -> fault.commitFault().map(valid -> new Command.InjectFault(command.sensor(), valid));
+    }
+
+    private void updateRange(FaultFields<FaultKind, Fault> fault) {
+        if (lane.getSelectedItem() instanceof Lane.OfSensor sensor) {
+            robot.sensor(sensor.id()).ifPresent(spec -> fault.setRange(spec.range()));
+        }
+    }
+
+    @Override
+    public Supplier<Optional<Command>> visit(Command.InjectMotorFault command) {
+        FaultFields<MotorFaultKind, MotorFault> fault = FaultFields.forMotors();
+        fault.setFault(command.fault().kind(), command.fault().value(), 0);
+        fault.addTo(form, FIRST_ROW, 0);
+        return () -> fault.commitFault().map(valid -> new Command.InjectMotorFault(command.motor(), valid));
+    }
+
+    @Override
+    public Supplier<Optional<Command>> visit(Command.MoveObstacle command) {
+        Pose old = command.pose();
+        double oldDegrees = Math.toDegrees(old.heading());
+        NumberSpinner x = addPoseField(FIRST_ROW, "timeline.x", "m", old.x());
+        NumberSpinner y = addPoseField(FIRST_ROW + 1, "timeline.y", "m", old.y());
+        NumberSpinner heading = addPoseField(FIRST_ROW + 2, "timeline.heading", "°", oldDegrees);
+        return () -> {
+            if (!x.commitValidEdit() || !y.commitValidEdit() || !heading.commitValidEdit()) {
+                return Optional.empty();
+            }
+            double degrees = valueOf(heading, oldDegrees);
+            double radians = degrees == oldDegrees ? old.heading() : Math.toRadians(degrees);
+            Pose pose = new Pose(valueOf(x, old.x()), valueOf(y, old.y()), radians);
+            return Optional.of(new Command.MoveObstacle(command.obstacle(), pose));
+        };
+    }
+
+    private NumberSpinner addPoseField(int row, String key, String unit, double value) {
+        NumberSpinner field = number(key);
+        field.setLimits(-MAX_NUMBER, MAX_NUMBER, value);
+        addRow(form, row, FormConstraints.label(key, field), field, unit);
+        return field;
+    }
+
+    /** Adds the fields of a controller in two columns. */
+    @Override
+    public Supplier<Optional<Command>> visit(Command.ConfigureController command) {
+        List<JComponent> sections = controllerForm.sections();
+        JPanel columns = new JPanel(new GridLayout(1, 2));
+        columns.add(column(sections.get(0), sections.get(1)));
+        columns.add(column(sections.get(2), sections.get(3)));
+        form.add(columns, FormConstraints.fillRow(0, CONTROLLER_ROW));
+        NumberSpinner.findIn(columns).forEach(NumberSpinner::keepInvalidText);
+        setController(command.controller());
+        return () -> NumberSpinner.findIn(columns).allMatch(NumberSpinner::commitValidEdit)
+                ? Optional.of(new Command.ConfigureController(controller))
+                : Optional.empty();
+    }
+
+    private static JPanel column(JComponent upper, JComponent lower) {
+        JPanel sections = new JPanel(new BorderLayout());
+        sections.add(upper, BorderLayout.NORTH);
+        sections.add(lower, BorderLayout.CENTER);
+        JPanel column = new JPanel(new BorderLayout());
+        column.add(sections, BorderLayout.NORTH);
+        return column;
+    }
+
+    private void setController(ControllerSpec.BuiltIn changed) {
+        controller = changed;
+        controllerForm.setController(changed, robot, tick);
+    }
+
+    @Override
+    public Supplier<Optional<Command>> visitTimed(Command command) {
+        return withoutDetails(command);
+    }
+
+    @Override
+    public Supplier<Optional<Command>> visit(Command.ConfigureSensor command) {
+        return withoutDetails(command);
+    }
+
+    @Override
+    public Supplier<Optional<Command>> visit(Command.PlaceObstacle command) {
+        return withoutDetails(command);
+    }
+
+    @Override
+    public Supplier<Optional<Command>> visit(Command.RemoveObstacle command) {
+        return withoutDetails(command);
+    }
+
+    @Override
+    public Supplier<Optional<Command>> visit(Command.SetPlatform command) {
+        return withoutDetails(command);
+    }
+
+    private static Supplier<Optional<Command>> withoutDetails(Command command) {
+        return () -> Optional.of(command);
+    }
+}
