@@ -185,27 +185,13 @@ public sealed interface Command {
         }
     }
 
-    /** A command that switches a sensor or changes its faults. */
-    sealed interface SensorCommand extends Command {
-
-        /** {@return the sensor's id} */
-        String sensor();
-    }
-
-    /** A command that changes the faults of the motors of a side. */
-    sealed interface MotorCommand extends Command {
-
-        /** {@return the side} */
-        MotorSide motor();
-    }
-
     /**
      * Switches a sensor on or off.
      *
      * @param sensor the sensor's id
      * @param on the new state
      */
-    record SwitchSensor(String sensor, boolean on) implements SensorCommand {
+    record SwitchSensor(String sensor, boolean on) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -242,7 +228,7 @@ public sealed interface Command {
      * @param sensor the sensor's id
      * @param fault the fault, which acts after those that the sensor already has
      */
-    record InjectFault(String sensor, Fault fault) implements SensorCommand {
+    record InjectFault(String sensor, Fault fault) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -255,7 +241,7 @@ public sealed interface Command {
      * @param sensor the sensor's id
      * @param fault the fault; the oldest one equal to it is removed
      */
-    record ClearFault(String sensor, Fault fault) implements SensorCommand {
+    record ClearFault(String sensor, Fault fault) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -267,7 +253,7 @@ public sealed interface Command {
      *
      * @param sensor the sensor's id
      */
-    record ClearFaults(String sensor) implements SensorCommand {
+    record ClearFaults(String sensor) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -280,7 +266,7 @@ public sealed interface Command {
      * @param motor the side
      * @param fault the fault, which acts after those that the side already has
      */
-    record InjectMotorFault(MotorSide motor, MotorFault fault) implements MotorCommand {
+    record InjectMotorFault(MotorSide motor, MotorFault fault) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -293,7 +279,7 @@ public sealed interface Command {
      * @param motor the side
      * @param fault the fault; the oldest one equal to it is removed
      */
-    record ClearMotorFault(MotorSide motor, MotorFault fault) implements MotorCommand {
+    record ClearMotorFault(MotorSide motor, MotorFault fault) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -305,7 +291,7 @@ public sealed interface Command {
      *
      * @param motor the side
      */
-    record ClearMotorFaults(MotorSide motor) implements MotorCommand {
+    record ClearMotorFaults(MotorSide motor) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);

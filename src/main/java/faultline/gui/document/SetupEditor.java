@@ -129,10 +129,10 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
         if (command instanceof Command.SwitchSensor now && earlier instanceof Command.SwitchSensor before) {
             return now.sensor().equals(before.sensor()) && now.on() != before.on();
         }
-        return command instanceof Command.ClearFault clear
-                && earlier instanceof Command.InjectFault inject
-                && clear.sensor().equals(inject.sensor())
-                && clear.fault().equals(inject.fault());
+        return earlier instanceof Command.InjectFault inject
+                        && command.equals(new Command.ClearFault(inject.sensor(), inject.fault()))
+                || earlier instanceof Command.InjectMotorFault broken
+                        && command.equals(new Command.ClearMotorFault(broken.motor(), broken.fault()));
     }
 
     /** Reverts, one by one, the changes that obstruct the start pose. */

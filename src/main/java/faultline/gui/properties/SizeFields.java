@@ -7,6 +7,8 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.world.ObstacleShape;
 import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -16,6 +18,8 @@ final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
 
     private static final double MIN_SIZE = 0.001;
     private static final double MAX_SIZE = 10_000;
+    /** The size of a shape that cannot be changed here. */
+    private static final Size NO_FIELDS = ofPoints(List.of(), null);
 
     /**
      * The size of a shape.
@@ -23,9 +27,17 @@ final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
      * @param kind the last part of the keys of the labels
      * @param first the first length, metres; not a number if there is none
      * @param second the second length, metres; not a number if there is none
+     * @param resized returns a shape of the same kind with other lengths; null if it has none
      * @param points the points, empty if it has lengths
+     * @param redrawn returns a shape of the same kind with other points; null if it has none
      */
-    record Size(String kind, double first, double second, List<Vector2> points) {}
+    record Size(
+            String kind,
+            double first,
+            double second,
+            BiFunction<Double, Double, ObstacleShape> resized,
+            List<Vector2> points,
+            Function<List<Vector2>, ObstacleShape> redrawn) {}
 
     private final Predicate<ObstacleShape> onChange;
     private final JLabel firstLabel = new JLabel();
@@ -35,16 +47,11 @@ final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
     private final NumberSpinner second =
             new NumberSpinner("0.00##", MIN_SIZE, MAX_SIZE, 0.05, value -> change(first().doubleValue(), value));
     private final PointsField points = new PointsField("obstacle.points", this::changePoints);
-    /** Null if none is shown. */
-    private ObstacleShape shape;
+    private Size size = NO_FIELDS;
 
     SizeFields(Predicate<ObstacleShape> onChange) {
         this.onChange = onChange;
-        RefreshSteps.add(firstLabel, label -> setLabels(kind()));
-    }
-
-    private String kind() {
-        return shape == null ? "rectangle" : shape.accept(this).kind();
+        RefreshSteps.add(firstLabel, label -> setLabels(size.kind()));
     }
 
     private NumberSpinner first() {
@@ -79,22 +86,12 @@ final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
     }
 
     private boolean change(double newFirst, double newSecond) {
-        if (shape instanceof ObstacleShape.RectangleShape) {
-            return onChange.test(new ObstacleShape.RectangleShape(newFirst, newSecond));
-        }
-        if (shape instanceof ObstacleShape.CircleShape) {
-            return onChange.test(new ObstacleShape.CircleShape(newFirst));
-        }
-        return shape instanceof ObstacleShape.EllipseShape
-                && onChange.test(new ObstacleShape.EllipseShape(newFirst, newSecond));
+        return size.resized() != null && onChange.test(size.resized().apply(newFirst, newSecond));
     }
 
     private boolean changePoints(List<Vector2> entered) {
         try {
-            return onChange.test(
-                    shape instanceof ObstacleShape.WallShape
-                            ? new ObstacleShape.WallShape(entered)
-                            : new ObstacleShape.PolygonShape(entered));
+            return size.redrawn() != null && onChange.test(size.redrawn().apply(entered));
         } catch (IllegalArgumentException notAllowed) {
             return false;
         }
@@ -102,8 +99,7 @@ final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
 
     /** Shows a shape, or disabled fields if it is null. */
     void setShape(ObstacleShape shapeOrNull) {
-        shape = shapeOrNull;
-        Size size = shape == null ? new Size("rectangle", Double.NaN, Double.NaN, List.of()) : shape.accept(this);
+        size = shapeOrNull == null ? NO_FIELDS : shapeOrNull.accept(this);
         setLabels(size.kind());
         show(first, size.first());
         show(second, size.second());
@@ -116,33 +112,42 @@ final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
         field.setWorldValue(value);
     }
 
-    @Override
-    public Size visit(ObstacleShape.RectangleShape rectangle) {
-        return new Size("rectangle", rectangle.width(), rectangle.height(), List.of());
+    private static Size ofLengths(
+            String kind, double first, double second, BiFunction<Double, Double, ObstacleShape> resized) {
+        return new Size(kind, first, second, resized, List.of(), null);
+    }
+
+    private static Size ofPoints(List<Vector2> points, Function<List<Vector2>, ObstacleShape> redrawn) {
+        return new Size("rectangle", Double.NaN, Double.NaN, null, points, redrawn);
     }
 
     @Override
-    public Size visit(ObstacleShape.CircleShape circle) {
-        return new Size("circle", circle.radius(), Double.NaN, List.of());
+    public Size visit(ObstacleShape.RectangleShape shape) {
+        return ofLengths("rectangle", shape.width(), shape.height(), ObstacleShape.RectangleShape::new);
     }
 
     @Override
-    public Size visit(ObstacleShape.EllipseShape ellipse) {
-        return new Size("ellipse", ellipse.rx(), ellipse.ry(), List.of());
+    public Size visit(ObstacleShape.CircleShape shape) {
+        return ofLengths("circle", shape.radius(), Double.NaN, (r, none) -> new ObstacleShape.CircleShape(r));
     }
 
     @Override
-    public Size visit(ObstacleShape.PolygonShape polygon) {
-        return new Size("rectangle", Double.NaN, Double.NaN, polygon.points());
+    public Size visit(ObstacleShape.EllipseShape shape) {
+        return ofLengths("ellipse", shape.rx(), shape.ry(), ObstacleShape.EllipseShape::new);
     }
 
     @Override
-    public Size visit(ObstacleShape.WallShape wall) {
-        return new Size("rectangle", Double.NaN, Double.NaN, wall.points());
+    public Size visit(ObstacleShape.PolygonShape shape) {
+        return ofPoints(shape.points(), ObstacleShape.PolygonShape::new);
     }
 
     @Override
-    public Size visit(ObstacleShape.PlanShape plan) {
-        return new Size("rectangle", Double.NaN, Double.NaN, List.of());
+    public Size visit(ObstacleShape.WallShape shape) {
+        return ofPoints(shape.points(), ObstacleShape.WallShape::new);
+    }
+
+    @Override
+    public Size visit(ObstacleShape.PlanShape shape) {
+        return NO_FIELDS;
     }
 }

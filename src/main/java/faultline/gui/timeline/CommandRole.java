@@ -55,30 +55,31 @@ public record CommandRole(Lane lane, Effect effect, List<Command> endings, Funct
         return new CommandRole(lane, effect, List.of(), other -> command);
     }
 
-    private static CommandRole ofSensor(
-            Command.SensorCommand command, Effect effect, List<Command> endings, Function<String, Command> copy) {
-        return new CommandRole(
-                new Lane.OfSensor(command.sensor()),
-                effect,
-                endings,
-                other -> other instanceof Lane.OfSensor sensor ? copy.apply(sensor.id()) : command);
+    /** Returns a function that changes the sensor of a command, which must be in the lane of a sensor. */
+    private static Function<Lane, Command> bySensor(Command command, Function<String, Command> copy) {
+        return lane -> lane instanceof Lane.OfSensor sensor ? copy.apply(sensor.id()) : command;
     }
 
     private static final class Finder implements Command.Visitor<CommandRole> {
 
         @Override
         public CommandRole visit(Command.SwitchSensor command) {
-            List<Command> endings =
-                    command.on() ? List.of() : List.of(new Command.SwitchSensor(command.sensor(), true));
-            return ofSensor(command, Effect.SWITCH, endings, id -> new Command.SwitchSensor(id, command.on()));
+            String sensor = command.sensor();
+            return new CommandRole(
+                    new Lane.OfSensor(sensor),
+                    Effect.SWITCH,
+                    command.on() ? List.of() : List.of(new Command.SwitchSensor(sensor, true)),
+                    bySensor(command, id -> new Command.SwitchSensor(id, command.on())));
         }
 
         @Override
         public CommandRole visit(Command.InjectFault command) {
-            List<Command> endings = List.of(
-                    new Command.ClearFault(command.sensor(), command.fault()),
-                    new Command.ClearFaults(command.sensor()));
-            return ofSensor(command, Effect.FAULT, endings, id -> new Command.InjectFault(id, command.fault()));
+            String sensor = command.sensor();
+            return new CommandRole(
+                    new Lane.OfSensor(sensor),
+                    Effect.FAULT,
+                    List.of(new Command.ClearFault(sensor, command.fault()), new Command.ClearFaults(sensor)),
+                    bySensor(command, id -> new Command.InjectFault(id, command.fault())));
         }
 
         @Override

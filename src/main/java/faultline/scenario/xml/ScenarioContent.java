@@ -5,7 +5,8 @@ import faultline.engine.metrics.Expectation;
 import faultline.io.XmlText;
 
 /**
- * The content of a scenario file.
+ * The content of a scenario file. It has the components of {@code faultline.scenario.Scenario}, which loads, saves and
+ * runs itself: if the reader returned that record, the two packages would depend on each other.
  *
  * @param name a name for people; on one line
  * @param description a description for people, may be empty; on one line

@@ -15,6 +15,8 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
     private final ControllerSpec.WallFollowing follower;
     private final XmlWriter out;
     private double time;
+    /** The command that clears the fault that was written last; null if the last command added no fault. */
+    private Command clearing;
 
     private TimelineWriter(ControllerSpec.WallFollowing follower, XmlWriter out) {
         this.follower = follower;
@@ -27,8 +29,9 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
         out.beginElement("timeline");
         for (int i = 0; i < commands.size(); i++) {
             writer.time = commands.get(i).time();
+            writer.clearing = null;
             XmlWriter element = commands.get(i).command().accept(writer);
-            if (i + 1 < commands.size() && isClearedBy(commands.get(i), commands.get(i + 1))) {
+            if (i + 1 < commands.size() && writer.isCleared(commands.get(i + 1))) {
                 i++;
                 element.attribute("until", commands.get(i).time());
             }
@@ -37,13 +40,8 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
         out.endElement();
     }
 
-    private static boolean isClearedBy(TimedCommand first, TimedCommand second) {
-        return second.time() > first.time()
-                && (first.command() instanceof Command.InjectFault inject
-                                && second.command().equals(new Command.ClearFault(inject.sensor(), inject.fault()))
-                        || first.command() instanceof Command.InjectMotorFault broken
-                                && second.command()
-                                        .equals(new Command.ClearMotorFault(broken.motor(), broken.fault())));
+    private boolean isCleared(TimedCommand next) {
+        return next.time() > time && next.command().equals(clearing);
     }
 
     private XmlWriter begin(String name) {
@@ -78,6 +76,7 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
 
     @Override
     public XmlWriter visit(Command.InjectFault command) {
+        clearing = new Command.ClearFault(command.sensor(), command.fault());
         return beginFault("fault", command.sensor(), command.fault());
     }
 
@@ -93,6 +92,7 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
 
     @Override
     public XmlWriter visit(Command.InjectMotorFault command) {
+        clearing = new Command.ClearMotorFault(command.motor(), command.fault());
         return beginMotorFault("fault", command.motor(), command.fault());
     }
 

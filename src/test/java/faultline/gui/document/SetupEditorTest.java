@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -63,9 +65,12 @@ class SetupEditorTest {
     @Test
     void twoCommandsOfOneTickThatCancelOutAreLeftOut() {
         Fault stuck = new Fault.Stuck(0.4);
+        MotorFault dead = new MotorFault.NoDrive();
         assertEquals(
                 BASE,
                 after(
+                        new Command.InjectMotorFault(MotorSide.LEFT, dead),
+                        new Command.ClearMotorFault(MotorSide.LEFT, dead),
                         new Command.SwitchSensor("left", false),
                         new Command.InjectFault("front", stuck),
                         new Command.ClearFault("front", stuck),
