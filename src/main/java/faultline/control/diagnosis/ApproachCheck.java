@@ -35,19 +35,23 @@ final class ApproachCheck {
      * Returns the distance ahead of the sensor at which the surface crosses the path, metres; infinite if none is
      * predicted.
      */
-    static double expectedAhead(MountedCone cone, ClaimRing claims) {
-        if (across(cone, claims.reading(0)) > BESIDE) {
+    static double expectedAhead(MountedCone cone, MeasurementRing measurements) {
+        if (across(cone, measurements.reading(0)) > BESIDE) {
             return Reading.NOTHING;
         }
         for (int i = 0; i < POINTS; i++) {
-            if (!claims.has(i) || claims.reading(i) < 0 || Math.abs(claims.axis(i) - claims.axis(0)) > STRAIGHT) {
+            if (!measurements.has(i)
+                    || measurements.reading(i) < 0
+                    || Math.abs(measurements.axis(i) - measurements.axis(0)) > STRAIGHT) {
                 return Reading.NOTHING;
             }
         }
-        double cos = StrictMath.cos(claims.axis(0) - cone.bearing());
-        double sin = StrictMath.sin(claims.axis(0) - cone.bearing());
-        double driven = way(claims, 0, cos, sin) - way(claims, POINTS - 1, cos, sin);
-        return driven < MIN_WAY ? Reading.NOTHING : ahead(cone, -slope(claims, cos, sin), claims.reading(0));
+        double cos = StrictMath.cos(measurements.axis(0) - cone.bearing());
+        double sin = StrictMath.sin(measurements.axis(0) - cone.bearing());
+        double driven = way(measurements, 0, cos, sin) - way(measurements, POINTS - 1, cos, sin);
+        return driven < MIN_WAY
+                ? Reading.NOTHING
+                : ahead(cone, -slope(measurements, cos, sin), measurements.reading(0));
     }
 
     /** Returns the distance of a point on the cone's inner edge from the path. */
@@ -59,23 +63,23 @@ final class ApproachCheck {
         return Math.abs(cone.bearing()) - cone.half();
     }
 
-    private static double way(ClaimRing claims, int age, double cos, double sin) {
-        return claims.x(age) * cos + claims.y(age) * sin;
+    private static double way(MeasurementRing measurements, int age, double cos, double sin) {
+        return measurements.x(age) * cos + measurements.y(age) * sin;
     }
 
     /** Returns the slope of the readings over the distance, by least squares. */
-    private static double slope(ClaimRing claims, double cos, double sin) {
+    private static double slope(MeasurementRing measurements, double cos, double sin) {
         double meanWay = 0;
         double meanReading = 0;
         for (int i = 0; i < POINTS; i++) {
-            meanWay += way(claims, i, cos, sin) / POINTS;
-            meanReading += claims.reading(i) / POINTS;
+            meanWay += way(measurements, i, cos, sin) / POINTS;
+            meanReading += measurements.reading(i) / POINTS;
         }
         double top = 0;
         double bottom = 0;
         for (int i = 0; i < POINTS; i++) {
-            double way = way(claims, i, cos, sin) - meanWay;
-            top += way * (claims.reading(i) - meanReading);
+            double way = way(measurements, i, cos, sin) - meanWay;
+            top += way * (measurements.reading(i) - meanReading);
             bottom += way * way;
         }
         return top / bottom;

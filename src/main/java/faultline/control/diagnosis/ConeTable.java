@@ -1,9 +1,9 @@
 package faultline.control.diagnosis;
 
-/** The directions in a sensor's cone in which its claims are checked, relative to its axis, computed once. */
+/** The directions in a sensor's cone in which its measurements are tested, relative to its axis, computed once. */
 final class ConeTable {
 
-    /** The number of points on a claimed arc that are checked. */
+    /** The number of points on a measured arc that are tested. */
     static final int SAMPLES = 7;
 
     private final double[] cos = new double[SAMPLES];

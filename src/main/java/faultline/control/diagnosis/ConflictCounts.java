@@ -79,7 +79,7 @@ final class ConflictCounts {
     }
 
     /** Returns whether two sensors contradict each other often enough to matter. */
-    boolean isStandoff(int one, int other) {
+    boolean isDisagreement(int one, int other) {
         return one != other && pair(one, other) > MAX_PAIR - 1;
     }
 

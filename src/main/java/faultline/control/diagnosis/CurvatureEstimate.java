@@ -3,16 +3,17 @@ package faultline.control.diagnosis;
 import java.util.Arrays;
 
 /**
- * Learns by how much the robot's path bends more than it believes, because wheels or motors of its sides differ. Beside
- * a straight wall the distance r and the believed heading h are bound by r' = -sin h, so r plus the integral of h is a
- * straight line over the way; where the path bends by k more than believed, it is a parabola with second derivative -k.
+ * Estimates the additional curvature of the robot's path where wheels or motors of its sides differ from its model.
+ * Beside a straight wall the distance r and the heading h by the model satisfy r' = -sin h, so r plus the integral of h
+ * is a straight line over the way; where the path has an additional curvature k, it is a parabola with second
+ * derivative -k.
  */
 final class CurvatureEstimate {
 
     /** Means over three legs of this length give a sample, metres. */
     private static final double LEG = 0.15;
 
-    /** The number of samples whose median is used: some are spoiled by corners and by obstacles at the wall. */
+    /** The number of samples whose median is used: corners and obstacles at the wall make some wrong. */
     private static final int SAMPLES = 7;
 
     /** Wheels and a track that are each off by 5 % bend the path by up to 0.55; corners more, 1/m. */
@@ -21,7 +22,7 @@ final class CurvatureEstimate {
     /** All samples but the least and the greatest agree within this, or nothing is learnt, 1/m. */
     private static final double MAX_SPREAD = 0.25;
 
-    /** Less than this is taken for none, so that nothing changes where belief and truth agree, 1/m. */
+    /** A smaller curvature counts as none, so that nothing changes where the model of the robot is right, 1/m. */
     private static final double NEGLIGIBLE = 0.1;
 
     /** The robot may turn this much over the legs of a sample, radians. */
@@ -49,19 +50,19 @@ final class CurvatureEstimate {
     private double heading;
     private double integral;
 
-    /** Returns how much more to the left the path bends than believed, 1/m, 0 if that is negligible. */
+    /** Returns the additional curvature to the left, 1/m, 0 if it is negligible. */
     double curvature() {
         return curvature;
     }
 
     /**
-     * Takes a reading after a piece of motion.
+     * Processes a reading after some motion.
      *
      * @param reading of the sensor that faces the wall, metres
      * @param sag by how much it exceeds the distance to the line through what others see ahead and behind, metres; not
      *     a number where there is no such line
-     * @param rolled as believed, metres
-     * @param turned as believed, without the correction, radians
+     * @param rolled by the model, metres
+     * @param turned by the model, without the correction, radians
      */
     void update(double reading, double sag, double rolled, double turned) {
         if (Double.isNaN(sag)) {

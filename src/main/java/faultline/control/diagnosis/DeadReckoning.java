@@ -66,7 +66,7 @@ public final class DeadReckoning {
         }
     }
 
-    /** Sets how much more to the left the robot drives than its motors say, 1/m. */
+    /** Sets the curvature to the left that the motor model lacks, 1/m. */
     void setCurvature(double perMetre) {
         curvature = perMetre;
     }

@@ -3,10 +3,10 @@ package faultline.control.diagnosis;
 import java.util.Arrays;
 
 /**
- * A map of square cells around the robot that wraps at its borders. Each cell remembers for each source, that is, a
- * sensor or the robot's own body, when that source last saw it free and when it last saw a surface there. Moments are
- * those of a clock that runs with the robot's motion, because motion makes dead reckoning uncertain. What is older than
- * the reader's memory does not count, so cells need not be cleared as the robot moves.
+ * An occupancy grid around the robot that wraps at its borders. Each cell remembers for each source, that is, a sensor
+ * or the robot's own body, when that source last saw it free and when it last saw a surface there. Moments are those of
+ * a clock that runs with the robot's motion, because motion makes dead reckoning uncertain. What is older than the
+ * reader's memory does not count, so cells need not be cleared as the robot moves.
  */
 public final class EvidenceGrid {
 

@@ -29,12 +29,14 @@ final class HealthReport {
     /**
      * Reports a sensor.
      *
-     * @param sensor its place in the robot's list
-     * @param finding against it
-     * @param share of the evidence that it takes to stop trusting it
+     * @param inspected the sensor
+     * @param assessment of all sensors
      * @param tick now
      */
-    void update(int sensor, SensorFinding finding, double share, long tick) {
+    void update(InspectedSensor inspected, TrustAssessment assessment, long tick) {
+        int sensor = inspected.index();
+        SensorFinding finding = inspected.finding();
+        double share = assessment.evidence(sensor);
         SensorHealth before = health.get(sensor);
         if (share == shares[sensor] && finding == before.finding()) {
             return;

@@ -3,7 +3,7 @@ package faultline.control.diagnosis;
 import faultline.control.SensorFinding;
 import faultline.control.diagnosis.EvidenceGrid.RowParity;
 
-/** A sensor under diagnosis: its mounting, its recent claims, and the findings against it. */
+/** A sensor under diagnosis: its mounting, its recent measurements, and the findings against it. */
 final class InspectedSensor {
 
     /** A sensor that is not trusted is tried again after this time, seconds; each further finding doubles it. */
@@ -12,7 +12,7 @@ final class InspectedSensor {
     /** The longest such time, seconds; that of a finding that takes long to be made again from the first. */
     private static final double MAX_PROBATION = 48;
 
-    /** Sensors that look ahead or to the wall's side matter most; the claims of others are marked less often. */
+    /** Sensors that look ahead or to the wall's side matter most; the evidence of others is added less often. */
     private static final double AHEAD = StrictMath.toRadians(60);
 
     private static final double BESIDE = StrictMath.toRadians(30);
@@ -23,7 +23,7 @@ final class InspectedSensor {
     private static final double TURN_RADIUS = 0.24;
 
     private final int index;
-    private final ClaimRing claims = new ClaimRing();
+    private final MeasurementRing measurements = new MeasurementRing();
     private MountedCone cone;
     private ConeTable table;
     private SensorFinding finding = SensorFinding.NONE;
@@ -31,10 +31,10 @@ final class InspectedSensor {
     private double probation = FIRST_PROBATION;
     private boolean wasDistrusted;
     private double confirmations;
-    private int standoff;
+    private int disagreement;
     private double blindAt = -1;
     private double jumpedAt = Double.NEGATIVE_INFINITY;
-    private ForeseenSurface missed;
+    private PredictedSurface missed;
     private double sideways;
     private boolean looksAway;
     private double markedWay = Double.NEGATIVE_INFINITY;
@@ -42,7 +42,7 @@ final class InspectedSensor {
     private RowParity rows = RowParity.ODD;
     private int inspections;
     private int markedInspections;
-    private int openSample;
+    private int unseenSample;
 
     InspectedSensor(int index, MountedCone cone) {
         this.index = index;
@@ -74,7 +74,7 @@ final class InspectedSensor {
         return looksAway;
     }
 
-    /** Records that its claim is marked in the map, and returns the number of inspections that the mark stands for. */
+    /** Records that its measurement is added to the grid, and returns the number of inspections that it represents. */
     int mark(DeadReckoning reckoning) {
         markedWay = reckoning.way();
         markedTurning = reckoning.turning();
@@ -84,16 +84,16 @@ final class InspectedSensor {
     }
 
     /**
-     * Returns the sample of its claimed arc that no one had seen free when it was tested last: the next test most
-     * likely ends there too.
+     * Returns the sample of its measured arc that no sensor had seen free in the last test: the next test most likely
+     * ends there too.
      */
-    int openSample() {
-        return openSample;
+    int unseenSample() {
+        return unseenSample;
     }
 
-    /** Notes a sample of its claimed arc that no one has seen free. */
-    void noteOpenSample(int sample) {
-        openSample = sample;
+    /** Sets the sample of its measured arc that no sensor has seen free. */
+    void setUnseenSample(int sample) {
+        unseenSample = sample;
     }
 
     void countInspection() {
@@ -121,8 +121,8 @@ final class InspectedSensor {
         return 1 << index;
     }
 
-    ClaimRing claims() {
-        return claims;
+    MeasurementRing measurements() {
+        return measurements;
     }
 
     MountedCone cone() {
@@ -158,14 +158,14 @@ final class InspectedSensor {
             boolean costly = reason == SensorFinding.MISLEADING;
             probation = costly ? MAX_PROBATION : wasDistrusted ? Math.min(MAX_PROBATION, 2 * probation) : probation;
             wasDistrusted = true;
-            standoff = 0;
+            disagreement = 0;
         }
         since = time;
         confirmations = 0;
     }
 
     /** Forgets that it was not trusted. */
-    void acquit() {
+    void clearHistory() {
         wasDistrusted = false;
         probation = FIRST_PROBATION;
     }
@@ -176,7 +176,7 @@ final class InspectedSensor {
         since = time;
     }
 
-    /** Returns how often others recently saw what it claims; counts decay. */
+    /** Returns how often others recently saw what it measured; counts decay. */
     double confirmations() {
         return confirmations;
     }
@@ -190,9 +190,9 @@ final class InspectedSensor {
     }
 
     /** Counts how long it alone contradicts another, and returns the count. */
-    int countStandoff(boolean stands) {
-        standoff = stands ? standoff + 1 : 0;
-        return standoff;
+    int countDisagreement(boolean stands) {
+        disagreement = stands ? disagreement + 1 : 0;
+        return disagreement;
     }
 
     /** Records that its reading jumped. */
@@ -206,13 +206,13 @@ final class InspectedSensor {
     }
 
     /** Records that it did not see what another sensor predicted. */
-    void missSurface(ForeseenSurface surface, double time) {
+    void missSurface(PredictedSurface surface, double time) {
         missed = surface;
         blindAt = time;
     }
 
     /** Returns what it did not see last, null if there is none. */
-    ForeseenSurface missed() {
+    PredictedSurface missed() {
         return missed;
     }
 

@@ -2,26 +2,26 @@ package faultline.control.diagnosis;
 
 import faultline.sensor.Reading;
 
-/** Looks for surfaces that the front sensor misses: another sensor foresees or meets them. */
+/** Looks for surfaces that the front sensor misses: another sensor predicts or meets them. */
 final class MissedSurfaces {
 
     /** A slower robot turns on the spot, where surfaces may come near, metres per second. */
     private static final double DRIVING = 0.06;
 
     private final InspectedSensor[] sensors;
-    private final Verdicts verdicts;
+    private final TrustAssessment assessment;
     private final EvidenceGrid grid;
     private final DeadReckoning reckoning;
 
-    MissedSurfaces(InspectedSensor[] sensors, Verdicts verdicts, EvidenceGrid grid, DeadReckoning reckoning) {
+    MissedSurfaces(InspectedSensor[] sensors, TrustAssessment assessment, EvidenceGrid grid, DeadReckoning reckoning) {
         this.sensors = sensors;
-        this.verdicts = verdicts;
+        this.assessment = assessment;
         this.grid = grid;
         this.reckoning = reckoning;
     }
 
     /**
-     * Tests whether a sensor that looks diagonally ahead foresees a surface that the front sensor does not see.
+     * Tests whether a sensor that looks diagonally ahead predicts a surface that the front sensor does not see.
      *
      * @param sensor that sees something
      * @param readings of all sensors
@@ -32,12 +32,12 @@ final class MissedSurfaces {
     void test(InspectedSensor sensor, double[] readings, double wantedDistance, int oldest, double time) {
         MountedCone cone = sensor.cone();
         if (ApproachCheck.applies(cone)) {
-            testFront(cone, ApproachCheck.expectedAhead(cone, sensor.claims()), readings, oldest, time);
+            testFront(cone, ApproachCheck.expectedAhead(cone, sensor.measurements()), readings, oldest, time);
         }
-        if (NearSurfaceCheck.applies(cone) && verdicts.mayBeRight(sensor) && reckoning.v() > DRIVING) {
+        if (NearSurfaceCheck.applies(cone) && assessment.mayBeRight(sensor) && reckoning.v() > DRIVING) {
             testFront(
                     cone,
-                    NearSurfaceCheck.expectedAhead(cone, sensor.claims(), wantedDistance),
+                    NearSurfaceCheck.expectedAhead(cone, sensor.measurements(), wantedDistance),
                     readings,
                     oldest,
                     time);
@@ -47,7 +47,7 @@ final class MissedSurfaces {
     /**
      * Tests whether a front sensor that sees nothing misses a surface.
      *
-     * @param by the cone of the sensor that foresees it
+     * @param by the cone of the sensor that predicts it
      * @param expected how far ahead of that sensor it crosses the path, metres; infinite if there is none
      */
     private void testFront(MountedCone by, double expected, double[] readings, int oldest, double time) {
@@ -59,11 +59,11 @@ final class MissedSurfaces {
             boolean blind = Math.abs(front.cone().bearing()) < front.cone().half()
                     && front.isTrusted()
                     && readings[front.index()] >= front.cone().range()
-                    && due + ForeseenSurface.FARTHER < front.cone().range();
+                    && due + PredictedSurface.FARTHER < front.cone().range();
             if (blind) {
-                ForeseenSurface surface = ForeseenSurface.ahead(reckoning, front.cone(), due);
+                PredictedSurface surface = PredictedSurface.ahead(reckoning, front.cone(), due);
                 if (!isRefuted(surface, front, oldest)) {
-                    verdicts.blameBlind(front, surface, time);
+                    assessment.addMissedSurface(front, surface, time);
                 }
             }
         }
@@ -74,8 +74,8 @@ final class MissedSurfaces {
         return isRefuted(sensor.missed(), sensor, oldest);
     }
 
-    private boolean isRefuted(ForeseenSurface surface, InspectedSensor sensor, int oldest) {
-        int others = verdicts.trusted() & ~sensor.bit() | 1 << sensors.length;
+    private boolean isRefuted(PredictedSurface surface, InspectedSensor sensor, int oldest) {
+        int others = assessment.trusted() & ~sensor.bit() | 1 << sensors.length;
         return surface.isRefuted(grid, oldest, others);
     }
 }

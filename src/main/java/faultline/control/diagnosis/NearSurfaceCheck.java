@@ -3,8 +3,8 @@ package faultline.control.diagnosis;
 import faultline.sensor.Reading;
 
 /**
- * Takes a surface that is very near to a sensor that looks diagonally ahead for one that crosses the path: if the front
- * sensor saw it, the robot would have turned before.
+ * Predicts that a surface very near to a sensor that looks diagonally ahead crosses the path: if the front sensor saw
+ * it, the robot would have turned before.
  */
 final class NearSurfaceCheck {
 
@@ -14,10 +14,10 @@ final class NearSurfaceCheck {
     /** The same as a share of the wanted distance from the wall, where that is less. */
     private static final double NEAR_SHARE = 0.56;
 
-    /** The claims that must agree, so that a single wrong reading is no surface. */
-    private static final int CLAIMS = 3;
+    /** The number of measurements that must agree, so that a single wrong reading is no surface. */
+    private static final int MEASUREMENTS = 3;
 
-    /** Claims that differ by less than this from one inspection to the next agree, metres. */
+    /** Measurements that differ by less than this from one inspection to the next agree, metres. */
     private static final double STEP = 0.05;
 
     private NearSurfaceCheck() {}
@@ -31,13 +31,13 @@ final class NearSurfaceCheck {
      * Returns the distance ahead of the sensor at which the surface crosses the path if it faces the sensor, metres;
      * infinite if none is near.
      */
-    static double expectedAhead(MountedCone cone, ClaimRing claims, double wantedDistance) {
-        double reading = claims.reading(0);
-        if (reading > Math.min(NEAR, NEAR_SHARE * wantedDistance) || !claims.has(CLAIMS - 1)) {
+    static double expectedAhead(MountedCone cone, MeasurementRing measurements, double wantedDistance) {
+        double reading = measurements.reading(0);
+        if (reading > Math.min(NEAR, NEAR_SHARE * wantedDistance) || !measurements.has(MEASUREMENTS - 1)) {
             return Reading.NOTHING;
         }
-        for (int i = 1; i < CLAIMS; i++) {
-            if (claims.reading(i) < 0 || Math.abs(claims.reading(i) - claims.reading(i - 1)) > STEP) {
+        for (int i = 1; i < MEASUREMENTS; i++) {
+            if (measurements.reading(i) < 0 || Math.abs(measurements.reading(i) - measurements.reading(i - 1)) > STEP) {
                 return Reading.NOTHING;
             }
         }

@@ -49,7 +49,7 @@ final class WallAgreement {
     private int legs;
 
     /**
-     * Takes the distances at an inspection.
+     * Processes the distances at an inspection.
      *
      * @param line the sensors
      * @param readings of all sensors

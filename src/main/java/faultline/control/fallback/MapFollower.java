@@ -321,8 +321,8 @@ public final class MapFollower {
         }
         // Everything visible has been seen: what is still unknown counts as a surface.
         double far = known + radius();
-        diagnosis.doubt(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
-        diagnosis.doubt(heading.unknownX(), heading.unknownY());
+        diagnosis.markUnseen(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
+        diagnosis.markUnseen(heading.unknownX(), heading.unknownY());
     }
 
     /** {@return whether the robot has made no progress since it took over, or for a long time} */

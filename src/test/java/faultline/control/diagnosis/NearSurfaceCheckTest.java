@@ -11,11 +11,11 @@ class NearSurfaceCheckTest {
     private static final MountedCone CONE = new MountedCone(0.125, 0.1, DIAGONAL, Math.toRadians(10), 0.8);
 
     private static double expected(double wantedDistance, double... readings) {
-        ClaimRing claims = new ClaimRing();
+        MeasurementRing measurements = new MeasurementRing();
         for (double reading : readings) {
-            claims.add(0, 0, DIAGONAL, Math.cos(DIAGONAL), Math.sin(DIAGONAL), reading, 0);
+            measurements.add(0, 0, DIAGONAL, Math.cos(DIAGONAL), Math.sin(DIAGONAL), reading, 0);
         }
-        return NearSurfaceCheck.expectedAhead(CONE, claims, wantedDistance);
+        return NearSurfaceCheck.expectedAhead(CONE, measurements, wantedDistance);
     }
 
     @Test

@@ -8,7 +8,7 @@ package faultline.control.diagnosis;
  * @param cos the direction of the path
  * @param sin the same
  */
-record ForeseenSurface(double x, double y, double cos, double sin) {
+record PredictedSurface(double x, double y, double cos, double sin) {
 
     /** The surface may be nearer than predicted by this, metres. */
     private static final double NEARER = 0.05;
@@ -19,11 +19,11 @@ record ForeseenSurface(double x, double y, double cos, double sin) {
     private static final double STEP = EvidenceGrid.CELL;
 
     /** Returns the one at a distance from a sensor that looks ahead. */
-    static ForeseenSurface ahead(DeadReckoning reckoning, MountedCone cone, double distance) {
+    static PredictedSurface ahead(DeadReckoning reckoning, MountedCone cone, double distance) {
         double cos = reckoning.headingCos();
         double sin = reckoning.headingSin();
         double forward = cone.x() + distance;
-        return new ForeseenSurface(
+        return new PredictedSurface(
                 reckoning.x() + cos * forward - sin * cone.y(),
                 reckoning.y() + sin * forward + cos * cone.y(),
                 cos,

@@ -4,33 +4,33 @@ import faultline.control.SensorFinding;
 
 /**
  * Decides from contradictions which sensors are trusted. A sensor is no longer trusted if its count exceeds a threshold
- * and is the greatest, or if it alone contradicts a sensor that others confirm more.
+ * and is the greatest, or if it and one other contradict only each other and others confirm that one more.
  */
-final class Verdicts {
+final class TrustAssessment {
 
     private static final double THRESHOLD = 9;
 
-    /** What a missed surface counts: two in a row are enough, because the robot may be driving at it. */
+    /** The count of a missed surface: two in a row exceed the threshold, because the robot may be driving at it. */
     private static final double MISSED = 5;
 
-    /** What it counts that a sensor differs from two that agree beside a wall: enough for itself. */
+    /** The count of a sensor that differs from two that agree beside a wall: it exceeds the threshold alone. */
     private static final double DRIFTED = 12;
 
     private static final double SUSPICIOUS = 0.3;
     private static final double FORGIVEN = 0.5;
     private static final int CONFIRMATIONS = 12;
 
-    /** The inspections after which one of two that stand alone against each other is not trusted. */
-    private static final int MAX_STANDOFF = 25;
+    /** The number of inspections after which one of two sensors that contradict only each other is not trusted. */
+    private static final int MAX_DISAGREEMENT = 25;
 
     /** The same where the reading of one of them, but not that of the other, jumped a short time ago. */
-    private static final int MAX_STANDOFF_AFTER_JUMP = 3;
+    private static final int MAX_DISAGREEMENT_AFTER_JUMP = 3;
 
     /** A jump this long ago explains a contradiction, seconds. */
     private static final double JUMP_MEMORY = 4;
 
     /** A sensor that was contradicted less than this time ago may have been right, seconds. */
-    private static final double EXONERATION = 6;
+    private static final double RESTORATION = 6;
 
     /** A sensor that missed a surface less than this time ago is blind, seconds. */
     private static final double BLINDNESS = 0.5;
@@ -40,7 +40,7 @@ final class Verdicts {
     private int trusted;
     private double lastSuspicion = Double.NEGATIVE_INFINITY;
 
-    Verdicts(InspectedSensor[] sensors) {
+    TrustAssessment(InspectedSensor[] sensors) {
         this.sensors = sensors;
         this.conflicts = new ConflictCounts(sensors.length);
         this.trusted = (1 << sensors.length) - 1;
@@ -61,12 +61,12 @@ final class Verdicts {
     }
 
     /**
-     * Counts a contradiction of a sensor's claim.
+     * Counts a contradiction of a sensor's measurement.
      *
-     * @param sensor that claims
-     * @param by the sensors each of which has seen all of the claimed arc free, a bit for each; 0 if only together
+     * @param sensor that measured
+     * @param by the sensors each of which has seen all of the measured arc free, a bit for each; 0 if only together
      */
-    void blame(int sensor, int by) {
+    void addContradiction(int sensor, int by) {
         if (by == 0) {
             conflicts.add(sensor, sensor, 0.5);
             return;
@@ -95,20 +95,20 @@ final class Verdicts {
     }
 
     /** Counts a surface that a sensor should see but does not. */
-    void blameBlind(InspectedSensor sensor, ForeseenSurface surface, double time) {
+    void addMissedSurface(InspectedSensor sensor, PredictedSurface surface, double time) {
         conflicts.add(sensor.index(), sensor.index(), MISSED);
         sensor.missSurface(surface, time);
     }
 
     /** Counts that a sensor differs from two others beside a straight wall. */
-    void blameDrift(int sensor) {
+    void addDrift(int sensor) {
         conflicts.add(sensor, sensor, DRIFTED);
     }
 
     /** Trusts a sensor again that missed a surface which is not there. */
-    void acquit(InspectedSensor sensor, double time) {
+    void restore(InspectedSensor sensor, double time) {
         conflicts.clearSelf(sensor.index());
-        sensor.acquit();
+        sensor.clearHistory();
         trust(sensor, time);
     }
 
@@ -117,9 +117,9 @@ final class Verdicts {
         sensor.fade(share);
     }
 
-    void judge(InspectedSensor sensor, double time) {
+    void assess(InspectedSensor sensor, double time) {
         if (sensor.isTrusted() && !conflicts.isActive(sensor.index())) {
-            sensor.countStandoff(false);
+            sensor.countDisagreement(false);
             return;
         }
         double against = conflicts.against(sensor.index(), trusted);
@@ -127,16 +127,16 @@ final class Verdicts {
             lastSuspicion = time;
         }
         if (sensor.isTrusted()) {
-            int standoff = sensor.countStandoff(hasStandoff(sensor, time));
-            int most = hasJumped(sensor, time) ? MAX_STANDOFF_AFTER_JUMP : MAX_STANDOFF;
-            if (against > THRESHOLD && isWorst(against) || standoff > most) {
+            int disagreement = sensor.countDisagreement(hasDisagreement(sensor, time));
+            int most = hasJumped(sensor, time) ? MAX_DISAGREEMENT_AFTER_JUMP : MAX_DISAGREEMENT;
+            if (against > THRESHOLD && isWorst(against) || disagreement > most) {
                 boolean own = conflicts.pair(sensor.index(), sensor.index()) > against / 2;
                 boolean blind = own && time - sensor.blindAt() < BLINDNESS;
                 distrust(
                         sensor,
                         blind ? SensorFinding.BLIND : own ? SensorFinding.INCONSISTENT : SensorFinding.CONTRADICTED,
                         time);
-                exonerate(time);
+                restoreContradicted(time);
             }
         } else if (against < FORGIVEN && sensor.hasServedProbation(time) && sensor.confirmations() > CONFIRMATIONS) {
             trust(sensor, time);
@@ -147,13 +147,13 @@ final class Verdicts {
      * Returns whether a sensor and another contradict each other, but no other sensor, and the other is more credible:
      * it alone has not jumped, or others confirm it more.
      */
-    private boolean hasStandoff(InspectedSensor sensor, double time) {
+    private boolean hasDisagreement(InspectedSensor sensor, double time) {
         for (InspectedSensor other : sensors) {
-            if (other.isTrusted() && conflicts.isStandoff(sensor.index(), other.index())) {
+            if (other.isTrusted() && conflicts.isDisagreement(sensor.index(), other.index())) {
                 boolean jumped = hasJumped(sensor, time);
-                boolean guilty =
+                boolean lessCredible =
                         jumped == hasJumped(other, time) ? sensor.confirmations() <= other.confirmations() : jumped;
-                if (guilty) {
+                if (lessCredible) {
                     return true;
                 }
             }
@@ -166,10 +166,10 @@ final class Verdicts {
     }
 
     /** Trusts sensors again that were contradicted only by sensors that are no longer trusted. */
-    private void exonerate(double time) {
+    private void restoreContradicted(double time) {
         for (InspectedSensor sensor : sensors) {
             if (sensor.finding() == SensorFinding.CONTRADICTED
-                    && time - sensor.since() < EXONERATION
+                    && time - sensor.since() < RESTORATION
                     && conflicts.against(sensor.index(), trusted) < FORGIVEN) {
                 trust(sensor, time);
             }

@@ -1,51 +1,51 @@
 package faultline.control.diagnosis;
 
 /**
- * Tests the claims of a sensor against the map: a surface must lie somewhere on the arc at the reported distance, so
- * not all of that arc can be free.
+ * Tests the measurements of a sensor against the map: a surface must lie somewhere on the arc at the reported distance,
+ * so not all of that arc can be free.
  */
-final class ClaimCheck {
+final class ArcCheck {
 
     /** No contradiction. */
     static final int POSSIBLE = -1;
 
-    /** A claimed arc is checked up to this far beyond the cone on either side, because cells are coarse, metres. */
+    /** A measured arc is tested up to this far beyond the cone on either side, because cells are coarse, metres. */
     private static final double ARC_MARGIN = 0.025;
 
     private final EvidenceGrid grid;
 
-    ClaimCheck(EvidenceGrid grid) {
+    ArcCheck(EvidenceGrid grid) {
         this.grid = grid;
     }
 
     /**
-     * Returns which sensors have seen all of a claimed arc free.
+     * Returns which sensors have seen all of a measured arc free.
      *
-     * @param sensor that claims
-     * @param age of the claim
+     * @param sensor that measured
+     * @param age of the measurement
      * @param oldest moment that counts
      * @param asked the sensors that count, a bit for each
      * @return their bits; 0 if none alone has seen all of it; {@link #POSSIBLE} if no sensor has seen a part of it free
      */
     int contradicting(InspectedSensor sensor, int age, int oldest, int asked) {
         ConeTable table = sensor.table();
-        ClaimRing claims = sensor.claims();
-        double axisCos = claims.axisCos(age);
-        double axisSin = claims.axisSin(age);
-        double reading = claims.reading(age);
+        MeasurementRing measurements = sensor.measurements();
+        double axisCos = measurements.axisCos(age);
+        double axisSin = measurements.axisSin(age);
+        double reading = measurements.reading(age);
         int all = asked;
-        int i = sensor.openSample();
+        int i = sensor.unseenSample();
         for (int tested = 0; tested < ConeTable.SAMPLES; tested++) {
             double cos = table.cos(i, axisCos, axisSin);
             double sin = table.sin(i, axisCos, axisSin);
             double aside = ARC_MARGIN * ConeTable.outward(i);
             int by = grid.freeBy(
-                    EvidenceGrid.cellOf(claims.x(age) + reading * cos - aside * sin),
-                    EvidenceGrid.cellOf(claims.y(age) + reading * sin + aside * cos),
+                    EvidenceGrid.cellOf(measurements.x(age) + reading * cos - aside * sin),
+                    EvidenceGrid.cellOf(measurements.y(age) + reading * sin + aside * cos),
                     oldest,
                     asked);
             if (by == 0) {
-                sensor.noteOpenSample(i);
+                sensor.setUnseenSample(i);
                 return POSSIBLE;
             }
             all &= by;
@@ -55,26 +55,26 @@ final class ClaimCheck {
     }
 
     /**
-     * Marks the last claim in the map.
+     * Adds the last measurement to the grid as hit evidence.
      *
-     * @param sensor that claims
+     * @param sensor that measured
      * @param now the moment
      * @param oldest moment that counts
      * @param others the sensors that count, a bit for each
-     * @return whether another sensor saw a surface on the claimed arc
+     * @return whether another sensor saw a surface on the measured arc
      */
     boolean confirm(InspectedSensor sensor, int now, int oldest, int others) {
         ConeTable table = sensor.table();
-        ClaimRing claims = sensor.claims();
-        double axisCos = claims.axisCos(0);
-        double axisSin = claims.axisSin(0);
-        double reading = claims.reading(0);
+        MeasurementRing measurements = sensor.measurements();
+        double axisCos = measurements.axisCos(0);
+        double axisSin = measurements.axisSin(0);
+        double reading = measurements.reading(0);
         boolean found = false;
         int lastColumn = Integer.MIN_VALUE;
         int lastRow = 0;
         for (int i = 0; i < ConeTable.SAMPLES; i++) {
-            double x = claims.x(0) + reading * table.cos(i, axisCos, axisSin);
-            double y = claims.y(0) + reading * table.sin(i, axisCos, axisSin);
+            double x = measurements.x(0) + reading * table.cos(i, axisCos, axisSin);
+            double y = measurements.y(0) + reading * table.sin(i, axisCos, axisSin);
             int column = EvidenceGrid.cellOf(x);
             int row = EvidenceGrid.cellOf(y);
             if (column != lastColumn || row != lastRow) {

@@ -1,7 +1,10 @@
 package faultline.control.diagnosis;
 
-/** The last claims of one sensor: where its cone was, and its reading; the reading is negative if it saw nothing. */
-final class ClaimRing {
+/**
+ * The last measurements of one sensor: the pose of its cone, and its reading; the reading is negative if it saw
+ * nothing.
+ */
+final class MeasurementRing {
 
     /** A power of two. */
     private static final int SIZE = 32;
@@ -22,7 +25,7 @@ final class ClaimRing {
         data[slot + 6] = clock;
     }
 
-    /** Returns whether there is a claim of some age, counted in claims, 0 for the last. */
+    /** Returns whether there is a measurement of some age, counted in measurements, 0 for the last. */
     boolean has(int age) {
         return age < Math.min(count, SIZE);
     }

@@ -1,0 +1,233 @@
+package faultline.control.diagnosis;
+
+import faultline.control.SensorFinding;
+import faultline.control.diagnosis.EvidenceGrid.RowParity;
+import faultline.sensor.Reading;
+import java.util.Arrays;
+import java.util.Comparator;
+
+/**
+ * Inspects all sensors together: adds what they measure to the evidence grid and tests their measurements against it. A
+ * surface must lie somewhere on the arc at the measured distance, so other trusted sensors, or the sensor itself,
+ * cannot recently have seen all of that arc free.
+ */
+final class SensorInspection {
+
+    /** How long free-space evidence counts in a test, on the motion clock. */
+    private static final int MEMORY = 700;
+
+    /** A sector is free up to this far before the reading, metres. */
+    private static final double FREE_MARGIN = 0.04;
+
+    /**
+     * A measurement is tested again after these numbers of inspections, because there is more free-space evidence by
+     * then.
+     */
+    private static final int[] RETESTS = {5, 12, 24};
+
+    /**
+     * As long as nothing is suspicious, a measurement is added to the grid after the sensor's cone has moved sideways
+     * by this, metres.
+     */
+    private static final double MARKING = 0.05;
+
+    /**
+     * A sector of less than this radius takes little time to mark. As long as nothing is suspicious, the free-space
+     * evidence of sensors that look away from the path and the wall extends up to this distance only, metres.
+     */
+    private static final double NEAR = 0.5;
+
+    /** A contradiction is suspicious for this long, seconds. */
+    private static final double SUSPICION = 1;
+
+    /** The share of each count that remains after an inspection. */
+    private static final double FADE = 0.97;
+
+    private final EvidenceGrid grid;
+    private final DeadReckoning reckoning;
+    private final MotionClock clock;
+    private final Motion motion;
+    private final HealthReport report;
+    private final ArcCheck arcCheck;
+    private final WallAgreement agreement = new WallAgreement();
+    /** The sensors in the order in which they are inspected. */
+    private InspectedSensor[] sensors = {};
+
+    private WallLine wallLine;
+    private TrustAssessment assessment;
+    private MissedSurfaces missedSurfaces;
+    private boolean alert;
+    private double bodyMarkedWay = Double.NEGATIVE_INFINITY;
+    private double wantedDistance = Double.POSITIVE_INFINITY;
+
+    SensorInspection(
+            EvidenceGrid grid, DeadReckoning reckoning, MotionClock clock, Motion motion, HealthReport report) {
+        this.grid = grid;
+        this.reckoning = reckoning;
+        this.clock = clock;
+        this.motion = motion;
+        this.report = report;
+        this.arcCheck = new ArcCheck(grid);
+    }
+
+    /**
+     * Sets the sensors, which may be new or have new settings.
+     *
+     * @param refitted all sensors in the robot's order
+     * @param line those on the wall's side
+     * @param trust the assessment of the sensors
+     */
+    void refit(InspectedSensor[] refitted, WallLine line, TrustAssessment trust) {
+        sensors = inOrder(refitted);
+        wallLine = line;
+        assessment = trust;
+        missedSurfaces = new MissedSurfaces(refitted, trust, grid, reckoning);
+    }
+
+    /** Returns sensors in order of bearing from the front by way of the wall, so that both sides work alike. */
+    private static InspectedSensor[] inOrder(InspectedSensor[] sensors) {
+        return Arrays.stream(sensors)
+                .sorted(Comparator.comparingDouble(sensor -> {
+                    double bearing = sensor.cone().bearing();
+                    return bearing < 0 ? bearing + 2 * StrictMath.PI : bearing;
+                }))
+                .toArray(InspectedSensor[]::new);
+    }
+
+    /** Sets the distance from the wall that the robot keeps, metres. */
+    void setWantedDistance(double metres) {
+        wantedDistance = metres;
+    }
+
+    /**
+     * Inspects all sensors.
+     *
+     * @param readings of all sensors in the robot's order
+     * @param bodyRadius of the disc that the robot's body covers, metres
+     * @param time now, seconds
+     * @param tick now
+     */
+    void inspectAll(double[] readings, double bodyRadius, double time, long tick) {
+        alert = !assessment.allTrusted() || time - assessment.lastSuspicion() < SUSPICION;
+        compareBesideWall(readings);
+        for (InspectedSensor sensor : sensors) {
+            inspect(sensor, readings, time);
+            report.update(sensor, assessment, tick);
+        }
+        if (alert || reckoning.way() - bodyMarkedWay > MARKING) {
+            bodyMarkedWay = reckoning.way();
+            grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), bodyRadius, clock.moment());
+        }
+    }
+
+    private void compareBesideWall(double[] readings) {
+        int differs = agreement.update(wallLine, readings, motion.way(), motion.heading());
+        if (differs != WallAgreement.NONE) {
+            assessment.addDrift(wallLine.sensor(differs).index());
+        }
+    }
+
+    private void inspect(InspectedSensor sensor, double[] readings, double time) {
+        double reading = readings[sensor.index()];
+        if (!Reading.isOff(reading)) {
+            boolean sees = reading < sensor.cone().range();
+            addMeasurement(sensor, sees ? reading : -1);
+            if (sees) {
+                test(sensor, 0, clock.moment() - MEMORY);
+            }
+            addEvidence(sensor, sees, reading);
+            retest(sensor);
+            if (sees) {
+                missedSurfaces.test(sensor, readings, wantedDistance, clock.moment() - MEMORY, time);
+            }
+        }
+        assessment.fade(sensor, FADE);
+        if (sensor.finding() == SensorFinding.BLIND && missedSurfaces.isRefuted(sensor, clock.moment() - MEMORY)) {
+            assessment.restore(sensor, time);
+        }
+        assessment.assess(sensor, time);
+    }
+
+    private void addMeasurement(InspectedSensor sensor, double reading) {
+        MountedCone cone = sensor.cone();
+        double cos = reckoning.headingCos();
+        double sin = reckoning.headingSin();
+        sensor.measurements()
+                .add(
+                        reckoning.x() + cos * cone.x() - sin * cone.y(),
+                        reckoning.y() + sin * cone.x() + cos * cone.y(),
+                        reckoning.heading() + cone.bearing(),
+                        sensor.table().axisCos(cos, sin),
+                        sensor.table().axisSin(cos, sin),
+                        reading,
+                        clock.ticks());
+    }
+
+    /** Adds the last measurement to the grid: at once if that takes little time, otherwise after some motion. */
+    private void addEvidence(InspectedSensor sensor, boolean sees, double reading) {
+        sensor.countInspection();
+        boolean due = alert || sensor.movedSinceMark(reckoning) > MARKING;
+        double radius = (sees ? reading : sensor.cone().range()) - FREE_MARGIN;
+        boolean small = radius < NEAR;
+        if (due) {
+            int inspections = sensor.mark(reckoning);
+            if (sees && isConfirmed(sensor)) {
+                sensor.confirm(inspections);
+            }
+        }
+        if (radius > 0 && (due || small)) {
+            boolean near = sensor.looksAway() && !alert;
+            markFree(
+                    sensor,
+                    near ? Math.min(radius, NEAR) : radius,
+                    alert || small || !sensor.looksAside() ? RowParity.ALL : sensor.nextRows());
+        }
+    }
+
+    private boolean isConfirmed(InspectedSensor sensor) {
+        int now = clock.moment();
+        return arcCheck.confirm(sensor, now, now - MEMORY, assessment.trusted() & ~sensor.bit());
+    }
+
+    private void markFree(InspectedSensor sensor, double radius, RowParity rows) {
+        MeasurementRing ring = sensor.measurements();
+        grid.markSector(
+                sensor.index(),
+                ring.x(0),
+                ring.y(0),
+                ring.axisCos(0),
+                ring.axisSin(0),
+                sensor.table(),
+                radius,
+                clock.moment(),
+                rows);
+    }
+
+    private void retest(InspectedSensor sensor) {
+        if (!alert) {
+            retest(sensor, RETESTS[sensor.inspections() % RETESTS.length]);
+            return;
+        }
+        for (int age : RETESTS) {
+            retest(sensor, age);
+        }
+    }
+
+    private void retest(InspectedSensor sensor, int age) {
+        MeasurementRing ring = sensor.measurements();
+        if (ring.has(age) && ring.reading(age) >= 0) {
+            double since = clock.ticks() - ring.clock(age);
+            if (since > 1 && since < MEMORY) {
+                test(sensor, age, (int) ring.clock(age) + 1);
+            }
+        }
+    }
+
+    /** Tests a measurement against the free-space evidence since a moment. */
+    private void test(InspectedSensor sensor, int age, int oldest) {
+        int by = arcCheck.contradicting(sensor, age, oldest, assessment.trusted() | sensor.bit());
+        if (by != ArcCheck.POSSIBLE) {
+            assessment.addContradiction(sensor.index(), by);
+        }
+    }
+}
