@@ -66,14 +66,18 @@ public final class PendingEdits {
                         command instanceof Command.ConfigureController change ? change.controller() : controller);
     }
 
-    /** Returns an obstacle of the newest frame where it will be after all pending commands. */
+    /** Returns an obstacle of the newest frame as it will be after all pending commands that move or replace it. */
     public Obstacle expected(Obstacle obstacle) {
-        return applied(
-                obstacle,
-                (command, moved) -> command instanceof Command.MoveObstacle move
-                                && move.obstacle().equals(moved.id())
-                        ? moved.withPose(move.pose())
-                        : moved);
+        return applied(obstacle, PendingEdits::changed);
+    }
+
+    private static Obstacle changed(Command command, Obstacle obstacle) {
+        if (command instanceof Command.PlaceObstacle place) {
+            return place.obstacle().id().equals(obstacle.id()) ? place.obstacle() : obstacle;
+        }
+        return command instanceof Command.MoveObstacle move && move.obstacle().equals(obstacle.id())
+                ? obstacle.withPose(move.pose())
+                : obstacle;
     }
 
     private <T> T applied(T shown, BiFunction<Command, T, T> effect) {

@@ -91,8 +91,9 @@ final class ObstacleForm extends JPanel {
             return false;
         }
         try {
-            Obstacle changed = change.apply(editor.pendingEdits().expected(obstacle));
-            if (!changed.equals(obstacle)) {
+            Obstacle expected = editor.pendingEdits().expected(obstacle);
+            Obstacle changed = change.apply(expected);
+            if (!changed.equals(expected)) {
                 editor.send(new Command.PlaceObstacle(changed));
             }
             return true;

@@ -56,4 +56,13 @@ class PendingEditsTest {
         pending.clear();
         assertEquals(BOX, pending.expected(BOX));
     }
+
+    @Test
+    void anObstacleIsExpectedWithTheShapeThatWasSentAndThePoseSentAfterIt() {
+        Obstacle larger = BOX.withShape(new ObstacleShape.CircleShape(0.2));
+        pending.add(List.of(new Command.PlaceObstacle(larger)));
+        pending.add(List.of(new Command.PlaceObstacle(BOX.withId("pole"))));
+        pending.add(List.of(new Command.MoveObstacle("box", new Pose(2, 1, 0))));
+        assertEquals(larger.withPose(new Pose(2, 1, 0)), pending.expected(BOX));
+    }
 }

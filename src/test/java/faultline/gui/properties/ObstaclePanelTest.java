@@ -128,6 +128,17 @@ class ObstaclePanelTest {
         assertEquals(5, commands.size());
     }
 
+    @Test
+    void aChangeKeepsThoseThatHaveNotBeenAnsweredYet() {
+        select("crate");
+        type("Height, m", 0.55);
+        runOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Glossy").doClick(0));
+        assertEquals(new ObstacleShape.RectangleShape(0.6, 0.55), placed(1).shape());
+        type("Height, m", 0.4);
+        runOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Glossy").doClick(0));
+        assertEquals(CRATE, placed(3), "sent although the last frame shows the same");
+    }
+
     private Obstacle placed(int index) {
         return ((Command.PlaceObstacle) commands.get(index)).obstacle();
     }
