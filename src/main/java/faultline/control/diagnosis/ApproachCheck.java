@@ -35,32 +35,38 @@ final class ApproachCheck {
      * Returns the distance ahead of the sensor at which the surface crosses the path, metres; infinite if none is
      * predicted.
      */
-    static double expectedAhead(MountedCone cone, MeasurementRing measurements) {
-        if (across(cone, measurements.reading(0)) > BESIDE) {
+    static double expectedAhead(InspectedSensor sensor) {
+        MountedCone cone = sensor.cone();
+        ConeTable table = sensor.table();
+        MeasurementRing measurements = sensor.measurements();
+        // The distance of the point on the cone's inner edge from the path.
+        double across = Math.abs(cone.y()) + measurements.reading(0) * table.innerSin();
+        if (across > BESIDE || !isStraight(measurements)) {
             return Reading.NOTHING;
-        }
-        for (int i = 0; i < POINTS; i++) {
-            if (!measurements.has(i)
-                    || measurements.reading(i) < 0
-                    || Math.abs(measurements.axis(i) - measurements.axis(0)) > STRAIGHT) {
-                return Reading.NOTHING;
-            }
         }
         double cos = StrictMath.cos(measurements.axis(0) - cone.bearing());
         double sin = StrictMath.sin(measurements.axis(0) - cone.bearing());
         double driven = way(measurements, 0, cos, sin) - way(measurements, POINTS - 1, cos, sin);
-        return driven < MIN_WAY
-                ? Reading.NOTHING
-                : ahead(cone, -slope(measurements, cos, sin), measurements.reading(0));
+        double rate = driven < MIN_WAY ? 0 : -slope(measurements, cos, sin);
+        if (rate < table.innerCos() + MARGIN) {
+            return Reading.NOTHING;
+        }
+        // tan(phi) = (1 / rate - cos e) / sin e; the surface extends from its point on the edge to the middle of the
+        // path.
+        double tan = (1 / rate - table.innerCos()) / table.innerSin();
+        return measurements.reading(0) * table.innerCos() + across * tan;
     }
 
-    /** Returns the distance of a point on the cone's inner edge from the path. */
-    private static double across(MountedCone cone, double reading) {
-        return Math.abs(cone.y()) + reading * StrictMath.sin(edge(cone));
-    }
-
-    private static double edge(MountedCone cone) {
-        return Math.abs(cone.bearing()) - cone.half();
+    /** Returns whether the last measurements all saw something while the robot drove straight. */
+    private static boolean isStraight(MeasurementRing measurements) {
+        for (int i = 0; i < POINTS; i++) {
+            if (!measurements.has(i)
+                    || measurements.reading(i) < 0
+                    || Math.abs(measurements.axis(i) - measurements.axis(0)) > STRAIGHT) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private static double way(MeasurementRing measurements, int age, double cos, double sin) {
@@ -83,16 +89,5 @@ final class ApproachCheck {
             bottom += way * way;
         }
         return top / bottom;
-    }
-
-    private static double ahead(MountedCone cone, double rate, double reading) {
-        double edge = edge(cone);
-        if (rate < StrictMath.cos(edge) + MARGIN) {
-            return Reading.NOTHING;
-        }
-        // tan(phi) = (1 / rate - cos e) / sin e; the surface extends from its point on the edge to the middle of the
-        // path.
-        double tan = (1 / rate - StrictMath.cos(edge)) / StrictMath.sin(edge);
-        return reading * StrictMath.cos(edge) + across(cone, reading) * tan;
     }
 }

@@ -78,7 +78,7 @@ final class ArcCheck {
             int column = EvidenceGrid.cellOf(x);
             int row = EvidenceGrid.cellOf(y);
             if (column != lastColumn || row != lastRow) {
-                found = found || grid.hitBy(column, row, oldest, others) != 0;
+                found = found || grid.isHit(column, row, oldest, others);
                 grid.markHit(sensor.index(), column, row, now);
                 lastColumn = column;
                 lastRow = row;

@@ -8,10 +8,17 @@ final class ConeTable {
 
     private final double[] cos = new double[SAMPLES];
     private final double[] sin = new double[SAMPLES];
+    /** Of the bearing of the edge nearer to straight ahead, as an angle to either side. */
+    private final double innerCos;
+
+    private final double innerSin;
     private final double bearingCos;
     private final double bearingSin;
 
     ConeTable(MountedCone cone) {
+        double inner = Math.abs(cone.bearing()) - cone.half();
+        innerCos = StrictMath.cos(inner);
+        innerSin = StrictMath.sin(inner);
         bearingCos = StrictMath.cos(cone.bearing());
         bearingSin = StrictMath.sin(cone.bearing());
         for (int i = 0; i < SAMPLES; i++) {
@@ -42,6 +49,16 @@ final class ConeTable {
      */
     static int outward(int sample) {
         return sample == 0 ? -1 : sample == SAMPLES - 1 ? 1 : 0;
+    }
+
+    /** Returns the cosine of the angle between straight ahead and the edge nearer to it. */
+    double innerCos() {
+        return innerCos;
+    }
+
+    /** Returns the sine of that angle. */
+    double innerSin() {
+        return innerSin;
     }
 
     double cosHalf() {

@@ -105,6 +105,17 @@ public final class EvidenceGrid {
         return by(hit, cell(column, row), since, asked);
     }
 
+    /** Returns whether some of the sources asked saw a surface in a cell, as {@link #hitBy} does. */
+    boolean isHit(int column, int row, int since, int asked) {
+        int cell = cell(column, row);
+        for (int rest = asked; rest != 0; rest &= rest - 1) {
+            if (hit[Integer.numberOfTrailingZeros(rest) * PLANE + cell] >= since) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /**
      * Finds when some sources last saw the cells of a part of a row free.
      *

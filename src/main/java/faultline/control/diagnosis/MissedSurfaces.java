@@ -32,7 +32,7 @@ final class MissedSurfaces {
     void test(InspectedSensor sensor, double[] readings, double wantedDistance, int oldest, double time) {
         MountedCone cone = sensor.cone();
         if (ApproachCheck.applies(cone)) {
-            testFront(cone, ApproachCheck.expectedAhead(cone, sensor.measurements()), readings, oldest, time);
+            testFront(cone, ApproachCheck.expectedAhead(sensor), readings, oldest, time);
         }
         if (NearSurfaceCheck.applies(cone) && assessment.mayBeRight(sensor) && reckoning.v() > DRIVING) {
             testFront(
