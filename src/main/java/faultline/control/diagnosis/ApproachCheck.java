@@ -13,7 +13,7 @@ final class ApproachCheck {
     private static final int POINTS = 7;
 
     /** The least distance over which the rate is measured, metres. */
-    private static final double MIN_WAY = 0.08;
+    private static final double MIN_DISTANCE = 0.08;
 
     /** The margin by which the rate must exceed that of an object beside the path. */
     private static final double MARGIN = 0.14;
@@ -46,8 +46,8 @@ final class ApproachCheck {
         }
         double cos = StrictMath.cos(measurements.axis(0) - cone.bearing());
         double sin = StrictMath.sin(measurements.axis(0) - cone.bearing());
-        double driven = way(measurements, 0, cos, sin) - way(measurements, POINTS - 1, cos, sin);
-        double rate = driven < MIN_WAY ? 0 : -slope(measurements, cos, sin);
+        double driven = along(measurements, 0, cos, sin) - along(measurements, POINTS - 1, cos, sin);
+        double rate = driven < MIN_DISTANCE ? 0 : -slope(measurements, cos, sin);
         if (rate < table.innerCos() + MARGIN) {
             return Reading.NOTHING;
         }
@@ -69,24 +69,24 @@ final class ApproachCheck {
         return true;
     }
 
-    private static double way(MeasurementRing measurements, int age, double cos, double sin) {
+    private static double along(MeasurementRing measurements, int age, double cos, double sin) {
         return measurements.x(age) * cos + measurements.y(age) * sin;
     }
 
     /** Returns the slope of the readings over the distance, by least squares. */
     private static double slope(MeasurementRing measurements, double cos, double sin) {
-        double meanWay = 0;
+        double meanAlong = 0;
         double meanReading = 0;
         for (int i = 0; i < POINTS; i++) {
-            meanWay += way(measurements, i, cos, sin) / POINTS;
+            meanAlong += along(measurements, i, cos, sin) / POINTS;
             meanReading += measurements.reading(i) / POINTS;
         }
         double top = 0;
         double bottom = 0;
         for (int i = 0; i < POINTS; i++) {
-            double way = way(measurements, i, cos, sin) - meanWay;
-            top += way * (measurements.reading(i) - meanReading);
-            bottom += way * way;
+            double offset = along(measurements, i, cos, sin) - meanAlong;
+            top += offset * (measurements.reading(i) - meanReading);
+            bottom += offset * offset;
         }
         return top / bottom;
     }

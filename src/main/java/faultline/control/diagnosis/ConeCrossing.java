@@ -12,8 +12,8 @@ final class ConeCrossing {
     private static final int RIGHT = 2;
 
     /**
-     * A border that moves by less than this share of what rolling and turning alone would make of it may as well have
-     * moved the other way.
+     * If a border moves by less than this share of the sum of its motions by rolling and by turning, the direction of
+     * its motion is uncertain.
      */
     private static final double UNSURE = 0.05;
 
@@ -27,7 +27,7 @@ final class ConeCrossing {
     /** The width of the cone at a distance of 1. */
     private final double width;
 
-    private double wayBefore;
+    private double distanceBefore;
     private double headingBefore;
     private int entry;
     private double entryStep;
@@ -59,14 +59,15 @@ final class ConeCrossing {
     void appear(double distance) {
         entry = borders(distance, 1);
         entryStep = step(distance);
-        wayBefore = motion.way();
+        distanceBefore = motion.netDistance();
         headingBefore = motion.heading();
     }
 
     /** Returns whether the surface that came into view last can have left it at some distance. */
     boolean canDisappear(double distance) {
         int exit = borders(distance, -1);
-        double swept = Math.abs(axis.sideways(distance, motion.way() - wayBefore, motion.heading() - headingBefore));
+        double swept = Math.abs(
+                axis.sideways(distance, motion.netDistance() - distanceBefore, motion.heading() - headingBefore));
         boolean back = (entry & exit) != 0 && swept <= entryStep + step(distance);
         boolean across = (entry & swapped(exit)) != 0 && swept > CROSSED * distance * width;
         return back || across;

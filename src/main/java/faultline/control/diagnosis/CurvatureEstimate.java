@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * Estimates the additional curvature of the robot's path where wheels or motors of its sides differ from its model.
  * Beside a straight wall the distance r and the heading h by the model satisfy r' = -sin h, so r plus the integral of h
- * is a straight line over the way; where the path has an additional curvature k, it is a parabola with second
- * derivative -k.
+ * is a straight line over the distance driven; where the path has an additional curvature k, it is a parabola with
+ * second derivative -k.
  */
 final class CurvatureEstimate {
 
@@ -30,7 +30,7 @@ final class CurvatureEstimate {
 
     /**
      * A wall is straight if what the sensor reads is this near to the line through what others see ahead and behind,
-     * metres: on the way round a disc of 1 m it is 0.04.
+     * metres: on a path around a disc of 1 m it is 0.04.
      */
     private static final double MAX_SAG = 0.015;
 
@@ -43,7 +43,7 @@ final class CurvatureEstimate {
     private final double[] sags = new double[3];
     private int legs;
     private double legSum;
-    private double legWay;
+    private double legLength;
     private int legCount;
     private double legTurning;
     private double legSag;
@@ -74,19 +74,19 @@ final class CurvatureEstimate {
         }
         heading += turned;
         integral += heading * rolled;
-        legWay += Math.abs(rolled);
+        legLength += Math.abs(rolled);
         legTurning += Math.abs(turned);
         legSag += sag;
         legSum += reading + integral;
         legCount++;
-        if (legWay >= LEG) {
+        if (legLength >= LEG) {
             endLeg();
         }
     }
 
     private void beginLeg() {
         legSum = 0;
-        legWay = 0;
+        legLength = 0;
         legCount = 0;
         legTurning = 0;
         legSag = 0;
@@ -97,7 +97,7 @@ final class CurvatureEstimate {
         means[last] = legSum / legCount;
         turnings[last] = legTurning;
         sags[last] = Math.abs(legSag / legCount);
-        double length = legWay;
+        double length = legLength;
         beginLeg();
         boolean straight = Math.max(sags[0], Math.max(sags[1], sags[2])) < MAX_SAG;
         if (legs >= 3 && straight && turnings[0] + turnings[1] + turnings[2] < MAX_TURNING) {

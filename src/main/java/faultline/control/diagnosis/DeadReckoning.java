@@ -24,7 +24,7 @@ public final class DeadReckoning {
     private double decay;
     private double rolled;
     private double turned;
-    private double way;
+    private double distance;
     private double turning;
     private double curvature;
 
@@ -61,7 +61,7 @@ public final class DeadReckoning {
             turn(turn);
             rolled += step;
             turned += turn;
-            way += Math.abs(step);
+            distance += Math.abs(step);
             turning += Math.abs(turn);
         }
     }
@@ -149,8 +149,8 @@ public final class DeadReckoning {
     }
 
     /** {@return the total distance rolled, forwards and backwards, metres} */
-    public double way() {
-        return way;
+    public double distance() {
+        return distance;
     }
 
     /** Returns the total angle turned in both directions, radians. */

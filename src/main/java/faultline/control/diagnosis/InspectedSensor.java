@@ -9,7 +9,7 @@ final class InspectedSensor {
     /** A sensor that is not trusted is tried again after this time, seconds; each further finding doubles it. */
     private static final double FIRST_PROBATION = 3;
 
-    /** The longest such time, seconds; that of a finding that takes long to be made again from the first. */
+    /** The maximum of this time, seconds; it applies at once to a finding that takes long to be made again. */
     private static final double MAX_PROBATION = 48;
 
     /** Sensors that look ahead or to the wall's side matter most; the evidence of others is added less often. */
@@ -37,7 +37,7 @@ final class InspectedSensor {
     private PredictedSurface missed;
     private double sideways;
     private boolean looksAway;
-    private double markedWay = Double.NEGATIVE_INFINITY;
+    private double markedDistance = Double.NEGATIVE_INFINITY;
     private double markedTurning;
     private RowParity rows = RowParity.ODD;
     private int inspections;
@@ -59,12 +59,12 @@ final class InspectedSensor {
         }
     }
 
-    /** Returns how far its cone has moved sideways since what it sees was marked in the map, metres. */
+    /** Returns how far its cone has moved sideways since its evidence was last added to the grid, metres. */
     double movedSinceMark(DeadReckoning reckoning) {
-        return sideways * (reckoning.way() - markedWay) + TURN_RADIUS * (reckoning.turning() - markedTurning);
+        return sideways * (reckoning.distance() - markedDistance) + TURN_RADIUS * (reckoning.turning() - markedTurning);
     }
 
-    /** Returns whether its cone does not hold the way ahead. */
+    /** Returns whether straight ahead is outside its cone. */
     boolean looksAside() {
         return Math.abs(cone.bearing()) > cone.half();
     }
@@ -76,7 +76,7 @@ final class InspectedSensor {
 
     /** Records that its measurement is added to the grid, and returns the number of inspections that it represents. */
     int mark(DeadReckoning reckoning) {
-        markedWay = reckoning.way();
+        markedDistance = reckoning.distance();
         markedTurning = reckoning.turning();
         int passed = inspections - markedInspections;
         markedInspections = inspections;
@@ -100,7 +100,7 @@ final class InspectedSensor {
         inspections++;
     }
 
-    /** Returns the rows that the next mark of every second row takes. */
+    /** Returns the rows to mark next if every second row is marked. */
     RowParity nextRows() {
         rows = rows == RowParity.EVEN ? RowParity.ODD : RowParity.EVEN;
         return rows;
@@ -111,12 +111,12 @@ final class InspectedSensor {
         return inspections;
     }
 
-    /** Returns its place in the robot's list. */
+    /** Returns its index in the robot's list of sensors. */
     int index() {
         return index;
     }
 
-    /** Returns its place as a bit. */
+    /** Returns the bit with its index. */
     int bit() {
         return 1 << index;
     }
@@ -164,7 +164,7 @@ final class InspectedSensor {
         confirmations = 0;
     }
 
-    /** Forgets that it was not trusted. */
+    /** Resets the time after which it is tried again. */
     void clearHistory() {
         wasDistrusted = false;
         probation = FIRST_PROBATION;
@@ -189,7 +189,7 @@ final class InspectedSensor {
         confirmations *= share;
     }
 
-    /** Counts how long it alone contradicts another, and returns the count. */
+    /** Counts the successive inspections in which it and another contradict only each other, and returns the count. */
     int countDisagreement(boolean stands) {
         disagreement = stands ? disagreement + 1 : 0;
         return disagreement;

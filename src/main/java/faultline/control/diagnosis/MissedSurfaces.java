@@ -69,7 +69,7 @@ final class MissedSurfaces {
         }
     }
 
-    /** Returns whether others, or the robot's own body, found free where a sensor missed a surface last. */
+    /** Returns whether other sensors or the robot's body have found the place of the last missed surface free. */
     boolean isRefuted(InspectedSensor sensor, int oldest) {
         return isRefuted(sensor.missed(), sensor, oldest);
     }

@@ -5,14 +5,14 @@ final class Motion {
 
     private double rolled;
     private double turned;
-    private double way;
+    private double netDistance;
     private double heading;
 
     /** Adds a step. */
     void advance(double rolledBy, double turnedBy) {
         rolled = rolledBy;
         turned = turnedBy;
-        way += rolledBy;
+        netDistance += rolledBy;
         heading += turnedBy;
     }
 
@@ -27,8 +27,8 @@ final class Motion {
     }
 
     /** Returns the distance rolled forwards less that rolled backwards, metres. */
-    double way() {
-        return way;
+    double netDistance() {
+        return netDistance;
     }
 
     /** Returns the total turn, radians, positive to the left. */

@@ -5,8 +5,8 @@ package faultline.control.diagnosis;
  *
  * @param x metres
  * @param y metres
- * @param cos the direction of the path
- * @param sin the same
+ * @param cos the cosine of the direction of the path
+ * @param sin the sine of it
  */
 record PredictedSurface(double x, double y, double cos, double sin) {
 
@@ -18,7 +18,7 @@ record PredictedSurface(double x, double y, double cos, double sin) {
 
     private static final double STEP = EvidenceGrid.CELL;
 
-    /** Returns the one at a distance from a sensor that looks ahead. */
+    /** Returns the surface at a distance from a sensor that looks ahead. */
     static PredictedSurface ahead(DeadReckoning reckoning, MountedCone cone, double distance) {
         double cos = reckoning.headingCos();
         double sin = reckoning.headingSin();
@@ -30,7 +30,7 @@ record PredictedSurface(double x, double y, double cos, double sin) {
                 sin);
     }
 
-    /** Returns whether the path was seen free all along where the surface can be, so that it is somewhere else. */
+    /** Returns whether the whole part of the path where the surface can be was seen free. */
     boolean isRefuted(EvidenceGrid grid, int oldest, int asked) {
         for (double along = -NEARER; along < FARTHER; along += STEP) {
             int column = EvidenceGrid.cellOf(x + along * cos);

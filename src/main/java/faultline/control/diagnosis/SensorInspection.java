@@ -57,7 +57,7 @@ final class SensorInspection {
     private TrustAssessment assessment;
     private MissedSurfaces missedSurfaces;
     private boolean alert;
-    private double bodyMarkedWay = Double.NEGATIVE_INFINITY;
+    private double bodyMarkedDistance = Double.NEGATIVE_INFINITY;
     private double wantedDistance = Double.POSITIVE_INFINITY;
 
     SensorInspection(
@@ -84,7 +84,7 @@ final class SensorInspection {
         missedSurfaces = new MissedSurfaces(refitted, trust, grid, reckoning);
     }
 
-    /** Returns sensors in order of bearing from the front by way of the wall, so that both sides work alike. */
+    /** Returns sensors in order of bearing, from the front towards the wall, so that both sides work alike. */
     private static InspectedSensor[] inOrder(InspectedSensor[] sensors) {
         return Arrays.stream(sensors)
                 .sorted(Comparator.comparingDouble(sensor -> {
@@ -114,14 +114,14 @@ final class SensorInspection {
             inspect(sensor, readings, time);
             report.update(sensor, assessment, tick);
         }
-        if (alert || reckoning.way() - bodyMarkedWay > MARKING) {
-            bodyMarkedWay = reckoning.way();
+        if (alert || reckoning.distance() - bodyMarkedDistance > MARKING) {
+            bodyMarkedDistance = reckoning.distance();
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), bodyRadius, clock.moment());
         }
     }
 
     private void compareBesideWall(double[] readings) {
-        int differs = agreement.update(wallLine, readings, motion.way(), motion.heading());
+        int differs = agreement.update(wallLine, readings, motion.netDistance(), motion.heading());
         if (differs != WallAgreement.NONE) {
             assessment.addDrift(wallLine.sensor(differs).index());
         }

@@ -56,7 +56,7 @@ final class SignalCheck {
     private double first = Double.NaN;
     private double second = Double.NaN;
     private double turn;
-    private double way;
+    private double distance;
     private double scatter;
     private double lastSpike = Double.NaN;
     private double flips;
@@ -66,7 +66,7 @@ final class SignalCheck {
     private boolean explained;
 
     private boolean quiet;
-    /** Whether no spikes, scatter or flips are remembered. */
+    /** Whether the counts of spikes, scatter and flips are negligible. */
     private boolean unremarkable;
 
     SignalCheck(MountedCone cone, Motion motion) {
@@ -87,7 +87,7 @@ final class SignalCheck {
         return testAll(reading);
     }
 
-    /** Returns whether a reading continues the last ones smoothly; if so, takes note of it. */
+    /** Returns whether a reading continues the last ones smoothly; if so, stores it. */
     private boolean continues(double reading) {
         double newFirst = reading - before;
         double newSecond = newFirst - first;
@@ -99,7 +99,7 @@ final class SignalCheck {
                 && Math.abs(newSecond - second) <= SCATTER;
         if (smooth) {
             turn = 0;
-            way = 0;
+            distance = 0;
             before = reading;
             first = newFirst;
             second = newSecond;
@@ -107,7 +107,7 @@ final class SignalCheck {
         return smooth;
     }
 
-    /** Returns whether the last reading jumped: it differs from what the two before it let expect. */
+    /** Returns whether the last reading jumped: it differs from the extrapolation of the two before it. */
     boolean jumped() {
         return jumped;
     }
@@ -129,7 +129,7 @@ final class SignalCheck {
         return stuck ? SensorFinding.STUCK : remembered;
     }
 
-    /** Does what the tests do with a reading that continues the last ones smoothly. */
+    /** Reduces the counts as the tests do for a reading that continues the last ones smoothly. */
     private SensorFinding fade() {
         spikes -= spikes * SPIKE_STEP;
         scatter -= scatter * SCATTER_STEP;
@@ -137,7 +137,7 @@ final class SignalCheck {
         return remembered();
     }
 
-    /** Returns the finding for what is remembered of earlier readings. */
+    /** Returns the finding that follows from the counts of earlier readings. */
     private SensorFinding remembered() {
         unremarkable = scatter < NEGLIGIBLE && spikes < NEGLIGIBLE && flips < NEGLIGIBLE;
         if (scatter > MAX_SCATTER || spikes > MAX_SPIKES) {
@@ -146,28 +146,28 @@ final class SignalCheck {
         return flips > MAX_FLIPS ? SensorFinding.INTERMITTENT : SensorFinding.NONE;
     }
 
-    /** Returns whether another reading of nothing after one of nothing changes nothing. */
+    /** Returns whether another reading that sees nothing would change no count. */
     private boolean isQuiet() {
         return before == Reading.NOTHING
                 && flips < NEGLIGIBLE
                 && spikes < NEGLIGIBLE
                 && scatter <= MAX_SCATTER
                 && turn == 0
-                && way == 0
+                && distance == 0
                 && Double.isNaN(second);
     }
 
     private boolean isStuck(double reading) {
         if (reading != before || reading == Reading.NOTHING) {
             turn = 0;
-            way = 0;
+            distance = 0;
             return false;
         }
         turn += motion.turned();
-        way += motion.rolled();
+        distance += motion.rolled();
         return Math.abs(turn) > STUCK_TURN
-                || Math.abs(way * axisCos) > STUCK_DISTANCE && Math.abs(cone.bearing()) < cone.half()
-                || reading < 0.001 && Math.abs(way) + Math.abs(turn) > STUCK_DISTANCE;
+                || Math.abs(distance * axisCos) > STUCK_DISTANCE && Math.abs(cone.bearing()) < cone.half()
+                || reading < 0.001 && Math.abs(distance) + Math.abs(turn) > STUCK_DISTANCE;
     }
 
     /**
@@ -192,7 +192,7 @@ final class SignalCheck {
         second = newSecond;
     }
 
-    /** Learns whether motion explains that a surface came into view and left it again. */
+    /** Determines whether motion explains that a surface came into view and left it again. */
     private void learnCrossing(double reading) {
         if (reading < before - SPIKE) {
             crossing.appear(reading);

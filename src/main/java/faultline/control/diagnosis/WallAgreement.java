@@ -26,21 +26,22 @@ final class WallAgreement {
     private static final double AGREES = 0.012;
 
     /**
-     * The same for the outer two sensors; it is larger because a robot steered by a drifting sensor is slanted, metres.
+     * The same for the outer two sensors; it is larger because a robot that steers by a drifting sensor does not drive
+     * parallel to the wall, metres.
      */
     private static final double AGREES_AROUND = 0.04;
 
-    /** The most that a difference changes from one leg to the next, metres. */
+    /** The maximum change of a difference from one leg to the next, metres. */
     private static final double STEADY = 0.012;
 
-    /** The most that the robot turns in a leg: beside a straight wall it drives straight, radians. */
+    /** The maximum turn of the robot in a leg, because beside a straight wall it drives straight, radians. */
     private static final double MAX_TURN = StrictMath.toRadians(3);
 
     private static final int SENSORS = 3;
 
     private final double[] sums = new double[SENSORS];
-    /** The distance that the robot had driven before this leg, metres, and below it the heading, radians. */
-    private double wayBefore;
+    /** The distance at the start of this leg, metres. */
+    private double distanceBefore;
 
     private double headingBefore;
     private int count;
@@ -53,13 +54,13 @@ final class WallAgreement {
      *
      * @param line the sensors
      * @param readings of all sensors
-     * @param way how far the robot has rolled so far, metres
+     * @param distance how far the robot has rolled so far, metres
      * @param heading how far it has turned so far, radians
-     * @return the sensor that is wrong, as a place in the line, or {@link #NONE}
+     * @return the sensor that is wrong, as an index in the line, or {@link #NONE}
      */
-    int update(WallLine line, double[] readings, double way, double heading) {
+    int update(WallLine line, double[] readings, double distance, double heading) {
         if (!line.isSeen(readings)) {
-            beginLeg(way, heading);
+            beginLeg(distance, heading);
             legs = 0;
             return NONE;
         }
@@ -67,20 +68,20 @@ final class WallAgreement {
             sums[i] += line.aside(i, readings);
         }
         count++;
-        return Math.abs(way - wayBefore) < LEG ? NONE : endLeg(way, heading);
+        return Math.abs(distance - distanceBefore) < LEG ? NONE : endLeg(distance, heading);
     }
 
-    private void beginLeg(double way, double heading) {
+    private void beginLeg(double distance, double heading) {
         Arrays.fill(sums, 0);
         count = 0;
-        wayBefore = way;
+        distanceBefore = distance;
         headingBefore = heading;
     }
 
-    private int endLeg(double way, double heading) {
+    private int endLeg(double distance, double heading) {
         int differs = Math.abs(heading - headingBefore) > MAX_TURN ? NONE : differing();
         double by = differs == NONE ? 0 : (sums[differs] - sums[(differs + 1) % SENSORS]) / count;
-        beginLeg(way, heading);
+        beginLeg(distance, heading);
         boolean again = differs != NONE && differs == odd && Math.abs(by - difference) < STEADY;
         legs = differs == NONE ? 0 : again ? legs + 1 : 1;
         odd = differs;

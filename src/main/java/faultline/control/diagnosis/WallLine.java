@@ -10,7 +10,7 @@ final class WallLine {
 
     private static final double QUARTER = StrictMath.PI / 2;
 
-    /** Sensors ahead and behind look at the wall at a slant between these. */
+    /** The minimum angle between the axis of a sensor ahead or behind and the normal of the wall. */
     private static final double MIN_SLANT = StrictMath.toRadians(20);
 
     private static final double MAX_SLANT = StrictMath.toRadians(70);
@@ -48,7 +48,7 @@ final class WallLine {
         }
     }
 
-    /** The place of the sensor that faces the wall, between the one ahead and the one behind. */
+    /** The index of the sensor that faces the wall, between the one ahead and the one behind. */
     static final int BESIDE = 1;
 
     private WallRay facing;
@@ -89,17 +89,18 @@ final class WallLine {
         return rays[place].sensor;
     }
 
-    /** Returns how far the wall that a sensor of the line sees is aside of the robot's centre, metres. */
+    /** Returns the lateral distance from the robot's centre to the wall that a sensor of the line sees, metres. */
     double aside(int place, double[] readings) {
         return rays[place].y(readings[rays[place].index]);
     }
 
     /**
-     * By how much the wall beside the robot is farther than the line between what is seen ahead and behind.
+     * Returns by how much the wall beside the robot is farther away than the line between the points seen ahead and
+     * behind.
      *
      * @param readings of all sensors
-     * @return metres, not a number if one of the three sees nothing, or the one that faces the wall is not trusted;
-     *     with the others, which may be suspected just because the path bends, a sag that is wrong does no harm
+     * @return metres; NaN if one of the three sees nothing or the one that faces the wall is not trusted. The others
+     *     may be suspected only because the path bends, and a wrong result does no harm then
      */
     double sag(double[] readings) {
         if (!isSeen(readings) || !facing.sensor.isTrusted()) {

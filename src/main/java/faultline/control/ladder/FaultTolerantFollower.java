@@ -124,7 +124,7 @@ public final class FaultTolerantFollower implements Controller {
                 && last.telemetry().state() == FollowerState.ALIGN;
         if (aligned
                 && alignments.isRepeated(
-                        diagnosis.reckoning().way(), diagnosis.reckoning().heading())) {
+                        diagnosis.reckoning().distance(), diagnosis.reckoning().heading())) {
             Rung.facingWall(diagnosis).ifPresent(diagnosis::distrustMisleading);
             alignments.reset();
         }
