@@ -86,15 +86,28 @@ final class ResponseTimeout {
         return delays;
     }
 
-    private static void addDelays(Path threads, Map<Path, Long> delays) {
+    /**
+     * Adds the run-queue delay of each thread that still runs.
+     *
+     * @param threads the folder of a process with one folder for each of its threads
+     */
+    static void addDelays(Path threads, Map<Path, Long> delays) {
         try (DirectoryStream<Path> each = Files.newDirectoryStream(threads)) {
             for (Path thread : each) {
-                // The time on a processor, the time ready to run without one, nanoseconds, and the number of turns.
-                String[] fields = Files.readString(thread.resolve("schedstat")).split(" ");
-                delays.put(thread, Long.parseLong(fields[1]));
+                addDelay(thread, delays);
             }
         } catch (IOException | DirectoryIteratorException ended) {
-            // Threads that have ended, or a system that does not measure this, delay nothing.
+            // A process that has ended, or a system that does not measure this, delays nothing.
+        }
+    }
+
+    private static void addDelay(Path thread, Map<Path, Long> delays) {
+        try {
+            // The time on a processor, the time ready to run without one, nanoseconds, and the number of turns.
+            String[] fields = Files.readString(thread.resolve("schedstat")).split(" ");
+            delays.put(thread, Long.parseLong(fields[1]));
+        } catch (IOException ended) {
+            // A thread that has ended since the folder was listed delays nothing; the others still count.
         }
     }
 }
