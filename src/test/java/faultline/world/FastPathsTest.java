@@ -47,6 +47,32 @@ class FastPathsTest {
         assertTrue(edits > 2 * WORLDS, edits + " edits");
     }
 
+    /** Near lists are made for a region: here each drive leaves many of them in one direction. */
+    @Test
+    void everyReadingOfAStraightDriveIsThatOfBruteForce() {
+        for (int degrees = 0; degrees < 360; degrees += 15) {
+            Pose start = new Pose(10, 10, Math.toRadians(degrees));
+            List<Obstacle> posts = new ArrayList<>();
+            for (int i = 0; i < 20; i++) {
+                Vector2 offset = new Vector2(0.2 * i, (i % 2 == 0 ? 1 : -1) * random.nextDouble(0.3, 1));
+                posts.add(new Obstacle(
+                        "post" + i,
+                        new ObstacleShape.CircleShape(0.05),
+                        Pose.ORIGIN.withPosition(start.toParent(offset))));
+            }
+            WorldSpec spec = new WorldSpec(20, 20, true, 100, posts);
+            World world = new World(spec, RobotSpec.DEFAULT, start, DT, 1);
+            BruteForceJudge judge = new BruteForceJudge(world, spec, DT);
+            for (int tick = 0; tick < 300; tick++) {
+                world.move(MAX_VOLTS, MAX_VOLTS);
+                world.sense();
+                assertReadings(degrees + " degrees", world, judge);
+            }
+            double driven = world.pose().position().distanceTo(start.position());
+            assertTrue(driven > 2 && world.collision().isEmpty(), degrees + " degrees: " + driven + " m");
+        }
+    }
+
     private void run(String name) {
         boolean crowded = random.nextInt(4) == 0;
         boolean moves = random.nextBoolean();
