@@ -184,7 +184,7 @@ class FloorsTest {
             world/World.java         | // import faultline.engine.Simulation;
             world/World.java         | /** See {@link faultline.engine.Setup}. */
             scenario/Names.java      | String s = "see faultline.app.Main // no comment";
-            engine/session/SimulationThread.java    | long t = System.nanoTime();
+            engine/session/Pacer.java    | long t = System.nanoTime();
             gui/window/MainWindow.java          | import javax.swing.JFrame;
             """)
     void allowedCodePasses(String path, String line) {

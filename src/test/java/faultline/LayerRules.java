@@ -61,8 +61,8 @@ final class LayerRules {
             "app");
 
     /** The classes of the engine and below that may read a clock: they pace a run or report its speed. */
-    private static final Set<String> CLOCK_USERS = Set.of(
-            "engine/session/SimulationThread.java", "engine/session/Pacer.java", "engine/metrics/HeadlessRun.java");
+    private static final Set<String> CLOCK_USERS =
+            Set.of("engine/session/Pacer.java", "engine/metrics/HeadlessRun.java");
 
     private static final Pattern COMMENT_OR_LITERAL = Pattern.compile(
             "\"\"\".*?\"\"\"|\"[^\"\\\\\n]*+(?:\\\\.[^\"\\\\\n]*+)*+\"|'\\\\?.'|//[^\n]*|/\\*.*?\\*/", Pattern.DOTALL);

@@ -1,5 +1,7 @@
 package faultline.engine.session;
 
+import java.util.concurrent.locks.LockSupport;
+
 /**
  * Determines how long to wait after a tick, and measures the speed of the run. It is the only class that reads a clock
  * during a run; it decides when a tick is made and never what the tick computes. Used by the thread of the run.
@@ -84,5 +86,13 @@ public final class Pacer {
             dueNanos = 0;
         }
         return wait;
+    }
+
+    /** Waits until the next tick is due or the thread is unparked. */
+    void awaitTick() {
+        long wait = nanosToWait();
+        if (wait > 0) {
+            LockSupport.parkNanos(this, wait);
+        }
     }
 }

@@ -1,29 +1,66 @@
 package faultline.engine.session;
 
+import faultline.engine.ControllerMode;
 import faultline.engine.Journal;
 import faultline.engine.RunFailedException;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.RunMeter;
+import faultline.engine.recording.Recorder;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
+import java.util.ArrayDeque;
 import java.util.List;
-import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import java.util.function.LongPredicate;
+import java.util.function.Supplier;
 
 /**
- * An interactive run. A session has a simulation thread and a controller thread; its methods may be called from any
- * thread and never block. It starts paused. A restart is a new session with the same setup; a step back is a new
- * session that replays the journal of the old one.
+ * An interactive run. A session has a simulation thread and a controller thread; its public methods may be called from
+ * any thread and never block. The simulation thread runs submitted tasks between ticks, makes ticks at the requested
+ * speed, and publishes frames and the status. A session starts paused. A restart is a new session with the same setup;
+ * a step back is a new session that replays the journal of the old one.
  */
 public final class Session implements AutoCloseable {
 
-    private final SimulationThread simulationThread;
+    private static final long NO_PAUSE_TICK = -1;
 
-    private Session(SimulationThread thread) {
-        simulationThread = thread;
+    private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
+    private final AtomicReference<SessionFrame> latestFrame = new AtomicReference<>();
+    private final AtomicReference<SessionStatus> latestStatus = new AtomicReference<>();
+    private final Thread thread = new Thread(this::run, "faultline-world");
+    private volatile boolean frameWanted;
+    private volatile boolean closed;
+
+    // Used by the simulation thread only, after the replay.
+    private final Simulation simulation;
+    private final Recorder recorder;
+    private final RunMeter meter;
+    private final JournalPlayer player;
+    private final Pacer pacer = new Pacer();
+    private boolean running;
+    private long pauseTick = NO_PAUSE_TICK;
+    private boolean frameOutdated;
+    private final Queue<Runnable> answers = new ArrayDeque<>();
+    private int refusals;
+    private Refusal lastRefusal;
+    private String failure;
+
+    private Session(Journal journal) {
+        recorder = new Recorder(journal.setup());
+        meter = new RunMeter(journal.setup());
+        player = new JournalPlayer(journal);
+        simulation = new Simulation(journal.setup(), ControllerMode.OWN_THREAD, recorder);
+        recorder.observe(simulation);
+        meter.observe(simulation);
+        thread.setDaemon(true);
     }
 
     /**
@@ -46,10 +83,10 @@ public final class Session implements AutoCloseable {
      * @param shouldContinue called after each replayed tick with that tick; false cancels the replay
      * @return the session; its first frame is available at once
      * @throws RunFailedException if the controller threw an exception or did not answer
-     * @throws java.util.concurrent.CancellationException if the replay was cancelled
+     * @throws CancellationException if the replay was cancelled
      */
     public static Session replay(Journal journal, long tick, LongPredicate shouldContinue) {
-        return new Session(SimulationThread.start(journal, tick, false, shouldContinue));
+        return start(journal, tick, false, shouldContinue);
     }
 
     /**
@@ -61,15 +98,43 @@ public final class Session implements AutoCloseable {
      * @param shouldContinue called after each replayed tick with that tick; false cancels the replay
      * @return the session; its first frame is available at once
      * @throws RunFailedException if the controller threw an exception or did not answer
-     * @throws java.util.concurrent.CancellationException if the replay was cancelled
+     * @throws CancellationException if the replay was cancelled
      */
     public static Session replayEdited(Journal journal, long tick, LongPredicate shouldContinue) {
-        return new Session(SimulationThread.start(journal, tick, true, shouldContinue));
+        return start(journal, tick, true, shouldContinue);
+    }
+
+    private static Session start(Journal journal, long tick, boolean edited, LongPredicate shouldContinue) {
+        Session made = new Session(journal);
+        try {
+            made.replayTo(tick, shouldContinue);
+            if (edited) {
+                made.player.executeCommands(made.simulation);
+                made.simulation.resample();
+            }
+        } catch (RuntimeException e) {
+            made.simulation.close();
+            throw e;
+        }
+        made.latestFrame.set(made.currentFrame());
+        made.latestStatus.set(made.currentStatus());
+        made.thread.start();
+        return made;
+    }
+
+    private void replayTo(long tick, LongPredicate shouldContinue) {
+        while (simulation.ticks() < tick) {
+            advance();
+            if (!shouldContinue.test(simulation.ticks())) {
+                throw new CancellationException("the replay was cancelled at tick " + simulation.ticks());
+            }
+        }
     }
 
     /** {@return the latest frame and requests the next one; frames are made only on request} Wait-free. */
     public SessionFrame frame() {
-        return simulationThread.frame();
+        frameWanted = true;
+        return latestFrame.get();
     }
 
     /**
@@ -83,27 +148,31 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Sends commands, which are executed in order at the start of the same tick.
+     * Sends commands, which are executed in order at the start of the same tick. Unless all are refused, the run no
+     * longer follows a replayed journal.
      *
      * @param commands the commands
      * @param resultHandler receives the result of each command, on the simulation thread, after a frame that shows its
      *     effect has been published; must return quickly
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> resultHandler) {
-        simulationThread.submit(thread -> {
-            List<CommandResult> results = commands.stream().map(thread::execute).toList();
-            thread.afterPublishing(() -> resultHandler.accept(results));
+        submit(() -> {
+            List<CommandResult> results = commands.stream().map(this::execute).toList();
+            answers.add(() -> resultHandler.accept(results));
         });
     }
 
     /** Resumes the run. */
     public void resume() {
-        simulationThread.submit(SimulationThread::resume);
+        submit(() -> {
+            running = failure == null;
+            pacer.restart();
+        });
     }
 
     /** Pauses the run. */
     public void pause() {
-        simulationThread.submit(SimulationThread::pause);
+        submit(() -> running = false);
     }
 
     /**
@@ -112,12 +181,17 @@ public final class Session implements AutoCloseable {
      * @param tick the tick
      */
     public void pauseAt(long tick) {
-        simulationThread.submit(thread -> thread.pauseAt(tick));
+        submit(() -> pauseTick = tick);
     }
 
     /** Makes one tick and pauses. */
     public void step() {
-        simulationThread.submit(SimulationThread::step);
+        submit(() -> {
+            running = false;
+            if (failure == null) {
+                tick();
+            }
+        });
     }
 
     /**
@@ -130,12 +204,12 @@ public final class Session implements AutoCloseable {
         if (!(factor > 0)) {
             throw new IllegalArgumentException("the speed must be positive: " + factor);
         }
-        simulationThread.submit(thread -> thread.setSpeed(factor));
+        submit(() -> pacer.setSpeed(factor));
     }
 
     /** {@return the current status} */
-    public Status status() {
-        return simulationThread.status();
+    public SessionStatus status() {
+        return latestStatus.get();
     }
 
     /**
@@ -143,21 +217,21 @@ public final class Session implements AutoCloseable {
      * exceptionally if the session is closed before.
      */
     public CompletableFuture<Journal> journal() {
-        return requestJournal(SimulationThread::journal);
+        return requestJournal(simulation::journal);
     }
 
     /** {@return the commands executed so far and those still to be replayed; completes as {@link #journal}} */
     public CompletableFuture<Journal> fullJournal() {
-        return requestJournal(SimulationThread::fullJournal);
+        return requestJournal(() -> player.fullJournal(simulation));
     }
 
-    private CompletableFuture<Journal> requestJournal(Function<SimulationThread, Journal> request) {
+    private CompletableFuture<Journal> requestJournal(Supplier<Journal> request) {
         CompletableFuture<Journal> journal = new CompletableFuture<>();
-        simulationThread.submit(thread -> {
-            Journal now = request.apply(thread);
-            thread.afterPublishing(() -> journal.complete(now));
+        submit(() -> {
+            Journal now = request.get();
+            answers.add(() -> journal.complete(now));
         });
-        if (simulationThread.isClosed()) {
+        if (closed) {
             journal.completeExceptionally(new IllegalStateException("the session is closed"));
         }
         return journal;
@@ -166,35 +240,119 @@ public final class Session implements AutoCloseable {
     /** Ends the session and its threads. Frames stay valid. */
     @Override
     public void close() {
-        simulationThread.close();
+        closed = true;
+        LockSupport.unpark(thread);
     }
 
-    /**
-     * The status of a session at one moment.
-     *
-     * @param running whether the run advances
-     * @param speed the requested speed, multiple of real time; positive infinity for full speed
-     * @param achievedSpeed the speed over the last half second, multiple of real time; 0 while paused
-     * @param refusals the number of refused commands so far
-     * @param lastRefusalOrNull the last refusal, null if there was none
-     * @param failureOrNull why the run failed, null if it did not
-     */
-    public record Status(
-            boolean running,
-            double speed,
-            double achievedSpeed,
-            int refusals,
-            Refusal lastRefusalOrNull,
-            String failureOrNull) {
+    /** Submits a task that runs on the simulation thread between two ticks. */
+    private void submit(Runnable task) {
+        tasks.add(task);
+        LockSupport.unpark(thread);
+    }
 
-        /** {@return the last refusal, if there was one} */
-        public Optional<Refusal> lastRefusal() {
-            return Optional.ofNullable(lastRefusalOrNull);
+    // All that follows is called by the simulation thread only.
+
+    private void run() {
+        try (simulation) {
+            while (!closed) {
+                runTasks();
+                if (running) {
+                    tick();
+                }
+                publish();
+                awaitNextTick();
+            }
+            // Requests from before the end are still answered.
+            runTasks();
+            sendAnswers();
         }
+    }
 
-        /** {@return why the run failed, if it did} */
-        public Optional<String> failure() {
-            return Optional.ofNullable(failureOrNull);
+    private void runTasks() {
+        for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
+            try {
+                task.run();
+            } catch (RuntimeException e) {
+                fail(e);
+            }
+        }
+    }
+
+    private void tick() {
+        try {
+            advance();
+            pacer.tickCompleted(simulation.setup().dt());
+            frameOutdated = true;
+            running = running && simulation.ticks() != pauseTick;
+        } catch (RuntimeException e) {
+            fail(e);
+        }
+    }
+
+    private void advance() {
+        player.tick(simulation);
+        recorder.observe(simulation);
+        meter.observe(simulation);
+    }
+
+    private CommandResult execute(Command command) {
+        CommandResult result = simulation.execute(command);
+        if (result.refusal().isPresent()) {
+            refusals++;
+            lastRefusal = result.refusal().get();
+        } else {
+            player.discardPending();
+        }
+        frameOutdated = true;
+        return result;
+    }
+
+    private void fail(RuntimeException cause) {
+        running = false;
+        failure = cause instanceof RunFailedException
+                ? cause.getMessage()
+                : "the run broke at tick " + simulation.ticks() + ": " + cause;
+    }
+
+    private void publish() {
+        if (frameOutdated && (frameWanted || !running || !answers.isEmpty())) {
+            frameWanted = false;
+            frameOutdated = false;
+            if (!running) {
+                simulation.resample();
+            }
+            latestFrame.set(currentFrame());
+        }
+        SessionStatus now = currentStatus();
+        if (!now.equals(latestStatus.get())) {
+            latestStatus.set(now);
+        }
+        sendAnswers();
+    }
+
+    /** Answers requests, in their order, now that a frame that shows their effect is published. */
+    private void sendAnswers() {
+        answers.forEach(Runnable::run);
+        answers.clear();
+    }
+
+    private SessionFrame currentFrame() {
+        return new SessionFrame(simulation.frame(), recorder.view(), meter.measures(), simulation.controllerSpec());
+    }
+
+    private SessionStatus currentStatus() {
+        return new SessionStatus(
+                running, pacer.speed(), running ? pacer.achievedSpeed() : 0, refusals, lastRefusal, failure);
+    }
+
+    /** Waits until the next tick is due or a task is submitted. */
+    private void awaitNextTick() {
+        if (tasks.isEmpty() && !closed) {
+            if (running) {
+                pacer.awaitTick();
+            } else {
+                LockSupport.park(this);
+            }
         }
     }
 }

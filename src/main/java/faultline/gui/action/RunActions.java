@@ -4,7 +4,7 @@ import static faultline.gui.action.Keystrokes.character;
 import static faultline.gui.action.Keystrokes.menuShortcut;
 import static faultline.gui.action.Keystrokes.unmodified;
 
-import faultline.engine.session.Session;
+import faultline.engine.session.SessionStatus;
 import faultline.gui.document.RunController;
 import faultline.gui.theme.Glyph;
 import java.awt.event.KeyEvent;
@@ -52,7 +52,7 @@ public final class RunActions {
     }
 
     /** Names the run action Run or Pause. */
-    public void update(Session.Status status) {
+    public void update(SessionStatus status) {
         if (status.running() != running) {
             running = status.running();
             runAction.rename(running ? "pause" : "run");

@@ -3,6 +3,7 @@ package faultline.gui.document;
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
@@ -121,7 +122,7 @@ public final class RunController implements WorkspaceListener {
     }
 
     /** Returns the status of the session; empty before the first one. */
-    public Optional<Session.Status> status() {
+    public Optional<SessionStatus> status() {
         return session().map(Session::status);
     }
 

@@ -1,8 +1,8 @@
 package faultline.gui.panel;
 
 import faultline.engine.SimulationSetup;
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
@@ -208,7 +208,7 @@ public final class ControlPanel extends JPanel {
     }
 
     /** Shows what a run has come to. */
-    public void setRun(SessionFrame frame, Session.Status status, Scenario scenario) {
+    public void setRun(SessionFrame frame, SessionStatus status, Scenario scenario) {
         controller.setSettings(frame.controller(), scenario.setup());
         run.setRun(frame, status, scenario);
     }

@@ -5,8 +5,8 @@ import faultline.control.FollowerState;
 import faultline.control.ladder.Rung;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.RunMeasures;
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionStatus;
 import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
@@ -84,7 +84,7 @@ public final class RunPanel extends JPanel {
     }
 
     /** Shows a run; numbers that change with every frame wait for the next update. */
-    void setRun(SessionFrame frame, Session.Status status, Scenario scenario) {
+    void setRun(SessionFrame frame, SessionStatus status, Scenario scenario) {
         assert EventQueue.isDispatchThread();
         boolean stopped = wasRunning && !status.running();
         if (++skippedFrames >= FRAMES_PER_UPDATE || shown == null || stopped) {
@@ -94,7 +94,7 @@ public final class RunPanel extends JPanel {
         }
     }
 
-    private void update(SessionFrame frame, Session.Status status, Scenario scenario) {
+    private void update(SessionFrame frame, SessionStatus status, Scenario scenario) {
         if (frame != shown) {
             shown = frame;
             updateNumbers(frame);

@@ -2,8 +2,8 @@ package faultline.gui.panel;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionStatus;
 import faultline.gui.text.Messages;
 import faultline.gui.text.ReadingText;
 import faultline.scenario.Scenario;
@@ -30,7 +30,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
     private static final int NONE = -1;
 
     /** Returns the verdict on a run, empty while the run goes on. */
-    public static Optional<RunVerdict> of(SessionFrame frame, Session.Status status, Scenario scenario) {
+    public static Optional<RunVerdict> of(SessionFrame frame, SessionStatus status, Scenario scenario) {
         if (status.failure().isPresent()) {
             return Optional.of(new RunVerdict(
                     false,

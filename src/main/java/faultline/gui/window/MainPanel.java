@@ -2,8 +2,8 @@ package faultline.gui.window;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.RunEvent;
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionStatus;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.canvas.SimulationCanvas;
@@ -126,7 +126,7 @@ final class MainPanel extends JPanel {
     }
 
     /** Shows a frame; the canvas is repainted only if the frame is new. */
-    void setFrame(SessionFrame frame, Session.Status now) {
+    void setFrame(SessionFrame frame, SessionStatus now) {
         assert EventQueue.isDispatchThread();
         if (!timeline.bar().isAdjusting() && shownFrame != frame) {
             shownFrame = frame;
@@ -159,7 +159,7 @@ final class MainPanel extends JPanel {
     }
 
     /** Shows the progress of the run of a scenario, whose furthest tick is given, and at its end the verdict. */
-    void setRun(SessionFrame frame, Session.Status now, Scenario scenario, long furthestTick) {
+    void setRun(SessionFrame frame, SessionStatus now, Scenario scenario, long furthestTick) {
         SimulationSetup setup = scenario.setup();
         timeline.setFrame(frame, Math.max(furthestTick, setup.ticks()), setup.ticks(), setup.dt());
         controlPanel.setRun(frame, now, scenario);

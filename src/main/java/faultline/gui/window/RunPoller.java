@@ -1,7 +1,7 @@
 package faultline.gui.window;
 
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionStatus;
 import faultline.gui.dialog.ProgressDialogs;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
@@ -19,10 +19,10 @@ final class RunPoller implements WorkspaceListener {
     private final MainPanel mainPanel;
     private final ProgressDialogs progressDialogs;
     private final ReplayNotifier replayNotifier;
-    private final List<BiConsumer<SessionFrame, Session.Status>> listeners = new ArrayList<>();
+    private final List<BiConsumer<SessionFrame, SessionStatus>> listeners = new ArrayList<>();
     private final PollTimer timer = new PollTimer(this::poll);
     /** The status at the last poll; null before the first. */
-    private Session.Status polledStatus;
+    private SessionStatus polledStatus;
 
     RunPoller(Workspace workspace, RunController runController, MainPanel mainPanel, ProgressDialogs progressDialogs) {
         this.workspace = workspace;
@@ -34,7 +34,7 @@ final class RunPoller implements WorkspaceListener {
     }
 
     /** Adds a listener that receives the newest frame and status at each poll while a scenario is open. */
-    void addListener(BiConsumer<SessionFrame, Session.Status> listener) {
+    void addListener(BiConsumer<SessionFrame, SessionStatus> listener) {
         listeners.add(listener);
     }
 
@@ -58,7 +58,7 @@ final class RunPoller implements WorkspaceListener {
         workspace.task().ifPresentOrElse(progressDialogs::update, progressDialogs::clear);
         // Status before frame: if the status says paused, the frame is the one at which the run is paused.
         runController.status().ifPresent(status -> runController.frame().ifPresent(frame -> show(frame, status)));
-        Session.Status status = runController.status().orElse(null);
+        SessionStatus status = runController.status().orElse(null);
         boolean changed = !Objects.equals(status, polledStatus) || mainPanel.shownFrame() != before;
         polledStatus = status;
         return changed
@@ -68,7 +68,7 @@ final class RunPoller implements WorkspaceListener {
                 || mainPanel.statusBar().isNoteShown() && status.failure().isEmpty();
     }
 
-    private void show(SessionFrame frame, Session.Status status) {
+    private void show(SessionFrame frame, SessionStatus status) {
         mainPanel.setFrame(frame, status);
         replayNotifier.update(frame.frame());
         workspace

@@ -2,7 +2,7 @@ package faultline.gui.window;
 
 import faultline.control.FollowerState;
 import faultline.engine.Frame;
-import faultline.engine.session.Session;
+import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.text.Messages;
@@ -68,7 +68,7 @@ final class StatusBar extends JPanel {
     }
 
     /** Shows the state of the run. */
-    void setFrame(Frame frame, Session.Status status) {
+    void setFrame(Frame frame, SessionStatus status) {
         assert EventQueue.isDispatchThread();
         Snapshot world = frame.snapshot();
         running.setStatusText(Messages.get(
@@ -95,7 +95,7 @@ final class StatusBar extends JPanel {
     }
 
     /** Shows why the run failed, permanently, or why a command was refused, for a while. */
-    private void showNote(Session.Status status) {
+    private void showNote(SessionStatus status) {
         status.failure().ifPresent(this::showNote);
         if (status.refusals() != shownRefusals) {
             shownRefusals = status.refusals();

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.engine.Journal;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionStatus;
 import faultline.gui.ComponentFinder;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
@@ -24,7 +25,7 @@ import org.junit.jupiter.api.Test;
 /** The run panel without a display, with the frames of a run with a diagnosis. */
 class RunPanelTest {
 
-    private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, null, null);
+    private static final SessionStatus PAUSED = new SessionStatus(false, 1, 0, 0, null, null);
 
     private Scenario scenario;
     private RunPanel panel;

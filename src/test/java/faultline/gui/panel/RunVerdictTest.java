@@ -10,6 +10,7 @@ import faultline.engine.metrics.Expectation;
 import faultline.engine.recording.Recording;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionStatus;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioRun;
 import faultline.scenario.xml.ScenarioException;
@@ -21,8 +22,8 @@ import org.junit.jupiter.api.Test;
 /** How runs ended, in the window's words; the scenarios are run for it. */
 class RunVerdictTest {
 
-    private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, null, null);
-    private static final Session.Status RUNNING = new Session.Status(true, 1, 1, 0, null, null);
+    private static final SessionStatus PAUSED = new SessionStatus(false, 1, 0, 0, null, null);
+    private static final SessionStatus RUNNING = new SessionStatus(true, 1, 1, 0, null, null);
 
     private static SessionFrame frameAt(SimulationSetup setup, long tick) {
         try (Session session = Session.replay(new Journal(setup, List.of(), tick), tick, reached -> true)) {
@@ -84,7 +85,7 @@ class RunVerdictTest {
     @Test
     void aFailureIsQuoted() throws ScenarioException {
         Scenario office = Scenario.loadShipped("office.xml");
-        Session.Status failed = new Session.Status(false, 1, 0, 0, null, "tick 7: the controller threw");
+        SessionStatus failed = new SessionStatus(false, 1, 0, 0, null, "tick 7: the controller threw");
         SessionFrame frame = new SessionFrame(frameAt(office.setup(), 7).frame(), Recording.EMPTY);
         RunVerdict verdict = RunVerdict.of(frame, failed, office).orElseThrow();
         assertEquals("tick 7: the controller threw", verdict.detail());

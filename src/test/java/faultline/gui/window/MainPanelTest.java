@@ -8,8 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
 import faultline.engine.recording.Recording;
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionStatus;
 import faultline.gui.ComponentFinder;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
@@ -95,8 +95,8 @@ class MainPanelTest {
     /** The number of frames that the canvas may take to paint everything on a slow machine. */
     private static final int MAX_FRAMES = 20;
 
-    private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, null, null);
-    private static final Session.Status FAST = new Session.Status(true, 100, 12345.67, 0, null, null);
+    private static final SessionStatus PAUSED = new SessionStatus(false, 1, 0, 0, null, null);
+    private static final SessionStatus FAST = new SessionStatus(true, 100, 12345.67, 0, null, null);
 
     private static final int MIN_SLIDER_WIDTH = 60;
 

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
-import faultline.engine.session.Session;
+import faultline.engine.session.SessionStatus;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -50,8 +50,8 @@ class StatusBarTest {
     @Test
     void aRefusalIsShownForSomeTime() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
-        Session.Status refused =
-                new Session.Status(true, 1, 1, 1, new Refusal(Refusal.Reason.UNKNOWN_OBSTACLE, "box"), null);
+        SessionStatus refused =
+                new SessionStatus(true, 1, 1, 1, new Refusal(Refusal.Reason.UNKNOWN_OBSTACLE, "box"), null);
         show(frame, refused);
         assertTrue(texts().contains("there is no obstacle box"));
         for (int i = 0; i < 400; i++) {
@@ -75,7 +75,7 @@ class StatusBarTest {
     void theReasonOfAFailedRunStays() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         for (int i = 0; i < 400; i++) {
-            show(frame, new Session.Status(false, 1, 0, 0, null, "the controller does not answer"));
+            show(frame, new SessionStatus(false, 1, 0, 0, null, "the controller does not answer"));
         }
         assertEquals("Failed", texts().get(0));
         assertTrue(texts().contains("the controller does not answer"));
@@ -110,11 +110,11 @@ class StatusBarTest {
         });
     }
 
-    private static Session.Status running(double achieved) {
-        return new Session.Status(true, 1, achieved, 0, null, null);
+    private static SessionStatus running(double achieved) {
+        return new SessionStatus(true, 1, achieved, 0, null, null);
     }
 
-    private void show(Frame frame, Session.Status status) {
+    private void show(Frame frame, SessionStatus status) {
         runOnEdt(() -> bar.setFrame(frame, status));
     }
 
