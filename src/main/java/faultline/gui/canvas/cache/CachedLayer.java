@@ -14,14 +14,14 @@ import java.util.Optional;
 public final class CachedLayer<C extends LayerContent<C>> {
 
     /** Drawn; null before the first update. */
-    private LayerProgress<C> front;
+    private LayerImage<C> front;
     /** Painted behind the front image; null if the front image itself is updated. */
-    private LayerProgress<C> back;
+    private LayerImage<C> back;
 
     private boolean complete;
 
     /** Updates the image for as long as the budget of the frame allows. */
-    public void update(C content, LayerBuffer.LayerView view, FrameBudget budget) {
+    public void update(C content, LayerView view, FrameBudget budget) {
         if (back == null) {
             prepare(content, view);
         }
@@ -38,12 +38,12 @@ public final class CachedLayer<C extends LayerContent<C>> {
     }
 
     /** Starts an update. A started image is completed first, or a view that keeps changing would never show. */
-    private void prepare(C content, LayerBuffer.LayerView view) {
+    private void prepare(C content, LayerView view) {
         if (front == null) {
-            front = LayerProgress.blank(content, view);
+            front = LayerImage.blank(content, view);
         } else if (!front.shows(content, view)) {
             front.adaptTo(content, view)
-                    .ifPresentOrElse(adapted -> front = adapted, () -> back = LayerProgress.blank(content, view));
+                    .ifPresentOrElse(adapted -> front = adapted, () -> back = LayerImage.blank(content, view));
         }
     }
 
@@ -60,13 +60,13 @@ public final class CachedLayer<C extends LayerContent<C>> {
 
     /** Returns the content of the image that is drawn; empty if there is none. */
     public Optional<C> shownContent() {
-        return Optional.ofNullable(front).map(LayerProgress::content);
+        return Optional.ofNullable(front).map(LayerImage::content);
     }
 
     /** Draws the image, scaled to the camera. */
     public void draw(Graphics2D graphics, Camera camera) {
         if (front != null) {
-            front.buffer().draw(graphics, camera);
+            front.draw(graphics, camera);
         }
     }
 }

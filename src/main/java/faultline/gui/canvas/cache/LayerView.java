@@ -1,0 +1,42 @@
+package faultline.gui.canvas.cache;
+
+import faultline.paint.surface.Camera;
+import faultline.paint.surface.Palette;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.util.Optional;
+
+/**
+ * Everything but the content that an image depends on.
+ *
+ * @param camera the mapping from the world to the canvas
+ * @param palette the colours
+ * @param deviceScale device pixels per pixel
+ */
+public record LayerView(Camera camera, Palette palette, double deviceScale) {
+
+    /** An offset that differs by less from whole pixels is an offset by whole pixels. */
+    private static final double ROUNDING = 1e-6;
+
+    Rectangle bounds() {
+        return camera.bounds();
+    }
+
+    /** Returns the offset, pixels, that shows the content in another view; empty if an offset is not enough. */
+    Optional<Point> offsetTo(LayerView other) {
+        Camera to = other.camera;
+        double dx = (camera.x() - to.x()) * camera.scale();
+        double dy = (to.y() - camera.y()) * camera.scale();
+        boolean whole = Math.abs(dx - Math.rint(dx)) < ROUNDING
+                && Math.abs(dy - Math.rint(dy)) < ROUNDING
+                && deviceScale == Math.rint(deviceScale);
+        boolean near = Math.abs(dx) < camera.width() && Math.abs(dy) < camera.height();
+        boolean alike = camera.scale() == to.scale()
+                && bounds().equals(other.bounds())
+                && deviceScale == other.deviceScale
+                && palette.equals(other.palette);
+        return alike && near && whole
+                ? Optional.of(new Point((int) Math.rint(dx), (int) Math.rint(dy)))
+                : Optional.empty();
+    }
+}
