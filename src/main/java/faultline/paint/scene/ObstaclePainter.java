@@ -18,8 +18,11 @@ import java.awt.geom.Rectangle2D;
 /**
  * Paints an obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour with a
  * heavier outline, a glossy one with a bright line along its edge.
+ *
+ * @param named whether obstacles are painted with their names
+ * @param font the font of the names
  */
-final class ObstaclePainter {
+public record ObstaclePainter(boolean named, Font font) {
 
     private static final Stroke STATIC_STROKE = DrawContext.solidStroke(1.4);
     private static final Stroke MOVING_STROKE = DrawContext.solidStroke(2);
@@ -43,9 +46,19 @@ final class ObstaclePainter {
 
     private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
 
-    private ObstaclePainter() {}
+    /** Paints an obstacle without its route. */
+    public void paint(DrawContext context, Obstacle obstacle) {
+        if (isDot(context.camera(), obstacle)) {
+            paintDot(context, obstacle);
+            return;
+        }
+        paintShape(context, obstacle);
+        if (named) {
+            paintName(context.withFont(font), obstacle);
+        }
+    }
 
-    static void paint(DrawContext context, Obstacle obstacle) {
+    static void paintShape(DrawContext context, Obstacle obstacle) {
         Palette palette = context.palette();
         boolean moves = obstacle.isMoving();
         Color outline = moves ? palette.movingOutline() : palette.obstacleOutline();
@@ -63,26 +76,27 @@ final class ObstaclePainter {
         }
     }
 
-    /** Returns whether an obstacle is hardly larger than a pixel, so that a dot shows as much as its outline. */
-    static boolean isDot(Camera camera, Obstacle obstacle) {
-        return !obstacle.isMoving() && obstacle.shape().boundingRadius() * camera.scale() < MAX_DOT_RADIUS;
+    /**
+     * Returns whether an obstacle is painted as a dot: it is hardly larger than a pixel, so that a dot shows as much as
+     * its outline.
+     */
+    public boolean isDot(Camera camera, Obstacle obstacle) {
+        return !named && !obstacle.isMoving() && obstacle.shape().boundingRadius() * camera.scale() < MAX_DOT_RADIUS;
     }
 
     /** Paints an obstacle as a dot, many times faster than its outline. */
-    static void paintDot(DrawContext context, Obstacle obstacle) {
+    private static void paintDot(DrawContext context, Obstacle obstacle) {
         Vector2 centre = context.camera().toScreen(obstacle.pose().position());
         context.fill(
                 new Rectangle((int) Math.rint(centre.x()) - 1, (int) Math.rint(centre.y()) - 1, 2, 2),
                 context.palette().obstacleOutline());
     }
 
-    /** Returns the bounds of the outline, pixels. */
-    static Rectangle2D outlineBounds(Camera camera, Obstacle obstacle) {
-        return paintedBounds(camera, obstacle, 0, OUTLINE_MARGIN);
-    }
-
-    /** Returns the bounds of the outline and of the name, pixels. */
-    static Rectangle2D labelledBounds(Camera camera, Obstacle obstacle, Font font) {
+    /** Returns the bounds of the outline and, if it is painted, of the name, pixels. */
+    public Rectangle2D bounds(Camera camera, Obstacle obstacle) {
+        if (!named) {
+            return paintedBounds(camera, obstacle, 0, OUTLINE_MARGIN);
+        }
         double halfName = font.getStringBounds(obstacle.id(), FONT_CONTEXT).getWidth() / 2;
         return paintedBounds(
                 camera, obstacle, halfName, NAME_HEIGHT * font.getSize2D() / DrawContext.DEFAULT_FONT.getSize2D());
@@ -98,7 +112,7 @@ final class ObstaclePainter {
     }
 
     /** Paints the name in the middle of an obstacle, or above it if it would hide the obstacle. */
-    static void paintName(DrawContext context, Obstacle obstacle) {
+    private static void paintName(DrawContext context, Obstacle obstacle) {
         Rectangle2D bounds =
                 context.toScreen(ObstacleOutlines.worldShape(obstacle)).getBounds2D();
         boolean hides = Math.max(bounds.getWidth(), bounds.getHeight()) < MIN_SIZE_FOR_NAME;

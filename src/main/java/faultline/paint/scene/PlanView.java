@@ -62,7 +62,7 @@ public final class PlanView {
 
     /** Draws an obstacle. */
     public void drawObstacle(Obstacle obstacle) {
-        ObstaclePainter.paint(context, obstacle);
+        ObstaclePainter.paintShape(context, obstacle);
     }
 
     /** Draws a robot; opacity in [0, 1]. */

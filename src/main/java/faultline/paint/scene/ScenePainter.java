@@ -1,12 +1,10 @@
 package faultline.paint.scene;
 
 import faultline.engine.Frame;
-import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
-import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -31,7 +29,7 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         Map<Boolean, List<Obstacle>> byMotion =
                 world.obstacles().stream().collect(Collectors.partitioningBy(Obstacle::isMoving));
         paintBackground(context, world);
-        byMotion.get(false).forEach(obstacle -> paintObstacle(context, obstacle));
+        byMotion.get(false).forEach(obstacle -> obstaclePainter().paint(context, obstacle));
         references.forEach(reference -> paintReference(context, reference, world));
         paintDynamic(context, frame, byMotion.get(true), 0);
         paintOverlays(context, world);
@@ -55,33 +53,9 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         BoundsPainter.paint(context, world.width(), world.height(), world.enclosed());
     }
 
-    /** Returns whether an obstacle is so small that it is painted as a dot. */
-    public boolean isDot(Camera camera, Obstacle obstacle) {
-        return !showsLabels() && ObstaclePainter.isDot(camera, obstacle);
-    }
-
-    /** Paints an obstacle without its route. */
-    public void paintObstacle(DrawContext context, Obstacle obstacle) {
-        if (isDot(context.camera(), obstacle)) {
-            ObstaclePainter.paintDot(context, obstacle);
-            return;
-        }
-        ObstaclePainter.paint(context, obstacle);
-        if (showsLabels()) {
-            ObstaclePainter.paintName(context.withFont(labels.font()), obstacle);
-        }
-    }
-
-    /** Returns the bounds of an obstacle's outline and name without its route, pixels. */
-    public Rectangle2D obstacleBounds(Camera camera, Obstacle obstacle) {
-        return showsLabels()
-                ? ObstaclePainter.labelledBounds(camera, obstacle, labels.font())
-                : ObstaclePainter.outlineBounds(camera, obstacle);
-    }
-
-    /** Returns whether obstacles are painted with their names. */
-    public boolean showsLabels() {
-        return layers.contains(Layer.LABELS);
+    /** Returns what paints the obstacles without their routes. */
+    public ObstaclePainter obstaclePainter() {
+        return new ObstaclePainter(layers.contains(Layer.LABELS), labels.font());
     }
 
     /**
@@ -123,7 +97,7 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         if (layers.contains(Layer.ROUTES) && obstacle.isMoving()) {
             RoutePainter.paint(context.withFont(labels.font()), obstacle.motion());
         }
-        paintObstacle(context, obstacle);
+        obstaclePainter().paint(context, obstacle);
     }
 
     private void paintSensors(DrawContext context, List<SensorSnapshot> sensors) {

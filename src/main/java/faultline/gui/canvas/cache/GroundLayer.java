@@ -1,5 +1,6 @@
 package faultline.gui.canvas.cache;
 
+import faultline.paint.scene.ObstaclePainter;
 import faultline.paint.scene.ScenePainter;
 import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
@@ -60,25 +61,26 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
                     * clip.height
                     / (context.camera().width() * context.camera().height()));
         }
+        ObstaclePainter obstaclePainter = painter.obstaclePainter();
         int next = Math.max(1, from);
         for (; next < pieceCount() && !budget.isSpent(); next++) {
             Obstacle obstacle = obstacles.get(next - 1);
-            if (painter.isDot(context.camera(), obstacle)) {
-                paint(context, obstacle);
+            if (obstaclePainter.isDot(context.camera(), obstacle)) {
+                paint(obstaclePainter, context, obstacle);
                 budget.spend(1 / DOTS_PER_FRAME);
                 continue;
             }
-            Rectangle2D extent = painter.obstacleBounds(context.camera(), obstacle);
+            Rectangle2D extent = obstaclePainter.bounds(context.camera(), obstacle);
             if (extent.intersects(clip)) {
-                paint(context, obstacle);
+                paint(obstaclePainter, context, obstacle);
                 budget.spend(cost(extent) / OBSTACLES_PER_FRAME);
             }
         }
         return next;
     }
 
-    private void paint(DrawContext context, Obstacle obstacle) {
-        painter.paintObstacle(context, obstacle);
+    private void paint(ObstaclePainter obstaclePainter, DrawContext context, Obstacle obstacle) {
+        obstaclePainter.paint(context, obstacle);
         if (marked.contains(obstacle.id())) {
             SelectionPainter.paintOutline(context, obstacle);
         }
@@ -87,7 +89,7 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
     private double cost(Rectangle2D extent) {
         double marks = marked.isEmpty() ? 1 : 2;
         return marks
-                + (painter.showsLabels() ? LABEL_COST : 0)
+                + (painter.obstaclePainter().named() ? LABEL_COST : 0)
                 + extent.getWidth() * extent.getHeight() / PIXELS_PER_OBSTACLE;
     }
 
@@ -137,9 +139,10 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
     }
 
     private List<Rectangle> extents(List<Obstacle> changed, Camera camera) {
+        ObstaclePainter obstaclePainter = painter.obstaclePainter();
         return changed.stream()
                 .map(obstacle ->
-                        painter.obstacleBounds(camera, obstacle).getBounds().intersection(camera.bounds()))
+                        obstaclePainter.bounds(camera, obstacle).getBounds().intersection(camera.bounds()))
                 .toList();
     }
 
