@@ -1,9 +1,6 @@
 package faultline.gui.document;
 
 import faultline.engine.SimulationSetup;
-import faultline.engine.session.Session;
-import faultline.engine.session.SessionFrame;
-import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
@@ -11,12 +8,11 @@ import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
-/** Controls the run of the workspace and returns its frames. Event dispatch thread only. */
+/** Controls the run of the workspace. Event dispatch thread only. */
 public final class RunController implements WorkspaceListener {
 
     private final Workspace workspace;
@@ -116,16 +112,6 @@ public final class RunController implements WorkspaceListener {
         });
     }
 
-    /** Returns the newest frame; empty before the first session. */
-    public Optional<SessionFrame> frame() {
-        return session().map(Session::frame);
-    }
-
-    /** Returns the status of the session; empty before the first one. */
-    public Optional<SessionStatus> status() {
-        return session().map(Session::status);
-    }
-
     /**
      * Sends commands, which are executed in order at the start of the same tick. {@code onExecuted} receives their
      * results on the event dispatch thread; it is not called without a run.
@@ -175,10 +161,6 @@ public final class RunController implements WorkspaceListener {
      */
     public void setSpeed(double factor) {
         speed = factor;
-        session().ifPresent(session -> session.setSpeed(factor));
-    }
-
-    private Optional<Session> session() {
-        return workspace.openDocument().map(OpenDocument::session);
+        workspace.session().ifPresent(session -> session.setSpeed(factor));
     }
 }

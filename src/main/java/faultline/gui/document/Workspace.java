@@ -1,6 +1,7 @@
 package faultline.gui.document;
 
 import faultline.engine.SimulationSetup;
+import faultline.engine.session.Session;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
@@ -38,6 +39,13 @@ public final class Workspace implements AutoCloseable {
     Optional<OpenDocument> openDocument() {
         assert EventQueue.isDispatchThread();
         return Optional.ofNullable(open);
+    }
+
+    /**
+     * Returns the session, for its frames and its status; empty before the first. {@link RunController} controls it.
+     */
+    public Optional<Session> session() {
+        return openDocument().map(OpenDocument::session);
     }
 
     private Optional<ScenarioDocument> document() {
@@ -166,7 +174,7 @@ public final class Workspace implements AutoCloseable {
     }
 
     private void closeSession() {
-        openDocument().ifPresent(now -> now.session().close());
+        session().ifPresent(Session::close);
         open = null;
     }
 }

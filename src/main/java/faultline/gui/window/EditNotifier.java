@@ -2,19 +2,19 @@ package faultline.gui.window;
 
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
-import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
 import faultline.gui.text.Messages;
 import java.util.function.Consumer;
 
 /** Reports the effects of an edit on the run. */
 final class EditNotifier {
 
-    private final RunController runController;
+    private final Workspace workspace;
     private final ActionRegistry actions;
     private final Consumer<String> notifier;
 
-    EditNotifier(RunController run, ActionRegistry actions, Consumer<String> notifier) {
-        this.runController = run;
+    EditNotifier(Workspace workspace, ActionRegistry actions, Consumer<String> notifier) {
+        this.workspace = workspace;
         this.actions = actions;
         this.notifier = notifier;
     }
@@ -25,9 +25,9 @@ final class EditNotifier {
 
     /** Explains that undoing an edit does not undo a collision that happened after it. */
     void editUndone(long since) {
-        runController
-                .frame()
-                .flatMap(frame -> frame.snapshot().collision())
+        workspace
+                .session()
+                .flatMap(session -> session.frame().snapshot().collision())
                 .filter(collision -> collision.tick() >= since)
                 .ifPresent(collision -> notifier.accept(
                         Messages.get("edit.crashStays", keystrokeText("stepBack"), keystrokeText("restart"))));

@@ -133,8 +133,8 @@ public final class MainWindow extends JFrame {
     }
 
     private RunPoller createRunPoller() {
-        RunPoller poller =
-                new RunPoller(workspace, runController, mainPanel, new ProgressDialogs(this, workspace::cancelTask));
+        RunPoller poller = new RunPoller(
+                workspace, runController.navigator(), mainPanel, new ProgressDialogs(this, workspace::cancelTask));
         poller.addListener((frame, status) -> {
             undoController.runAdvanced(frame.snapshot().tick());
             comparisonActions.update(frame);
@@ -152,7 +152,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void installEditNotifier() {
-        EditNotifier editNotifier = new EditNotifier(runController, actionRegistry, this::showNote);
+        EditNotifier editNotifier = new EditNotifier(workspace, actionRegistry, this::showNote);
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.setUndoListener(editNotifier::editUndone);
     }

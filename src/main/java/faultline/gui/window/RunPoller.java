@@ -1,9 +1,10 @@
 package faultline.gui.window;
 
+import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.gui.dialog.ProgressDialogs;
-import faultline.gui.document.RunController;
+import faultline.gui.document.RunNavigator;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import java.util.ArrayList;
@@ -15,7 +16,7 @@ import java.util.function.BiConsumer;
 final class RunPoller implements WorkspaceListener {
 
     private final Workspace workspace;
-    private final RunController runController;
+    private final RunNavigator navigator;
     private final MainPanel mainPanel;
     private final ProgressDialogs progressDialogs;
     private final ReplayNotifier replayNotifier;
@@ -24,12 +25,12 @@ final class RunPoller implements WorkspaceListener {
     /** The status at the last poll; null before the first. */
     private SessionStatus polledStatus;
 
-    RunPoller(Workspace workspace, RunController runController, MainPanel mainPanel, ProgressDialogs progressDialogs) {
+    RunPoller(Workspace workspace, RunNavigator navigator, MainPanel mainPanel, ProgressDialogs progressDialogs) {
         this.workspace = workspace;
-        this.runController = runController;
+        this.navigator = navigator;
         this.mainPanel = mainPanel;
         this.progressDialogs = progressDialogs;
-        replayNotifier = new ReplayNotifier(runController.navigator(), mainPanel.statusBar()::showNote);
+        replayNotifier = new ReplayNotifier(navigator, mainPanel.statusBar()::showNote);
         workspace.addListener(this);
     }
 
@@ -56,9 +57,7 @@ final class RunPoller implements WorkspaceListener {
     private boolean poll() {
         SessionFrame before = mainPanel.shownFrame();
         workspace.task().ifPresentOrElse(progressDialogs::update, progressDialogs::clear);
-        // Status before frame: if the status says paused, the frame is the one at which the run is paused.
-        runController.status().ifPresent(status -> runController.frame().ifPresent(frame -> show(frame, status)));
-        SessionStatus status = runController.status().orElse(null);
+        SessionStatus status = workspace.session().map(this::show).orElse(null);
         boolean changed = !Objects.equals(status, polledStatus) || mainPanel.shownFrame() != before;
         polledStatus = status;
         return changed
@@ -68,13 +67,15 @@ final class RunPoller implements WorkspaceListener {
                 || mainPanel.statusBar().isNoteShown() && status.failure().isEmpty();
     }
 
-    private void show(SessionFrame frame, SessionStatus status) {
+    /** Shows the newest frame of a session, and returns its status. */
+    private SessionStatus show(Session session) {
+        // Status before frame: if the status says paused, the frame is the one at which the run is paused.
+        SessionStatus status = session.status();
+        SessionFrame frame = session.frame();
         mainPanel.setFrame(frame, status);
         replayNotifier.update(frame.frame());
-        workspace
-                .scenario()
-                .ifPresent(open -> mainPanel.setRun(
-                        frame, status, open, runController.navigator().furthestTick()));
+        workspace.scenario().ifPresent(open -> mainPanel.setRun(frame, status, open, navigator.furthestTick()));
         listeners.forEach(listener -> listener.accept(frame, status));
+        return status;
     }
 }

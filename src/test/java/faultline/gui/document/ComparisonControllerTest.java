@@ -13,6 +13,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
+import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -67,11 +68,12 @@ class ComparisonControllerTest {
 
     private void open(Path file) {
         runOnEdt(() -> new DocumentStore(workspace).open(file));
-        Await.until("the scenario", () -> run.frame().isPresent());
+        Await.until(
+                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
     }
 
     private Optional<RunComparison> update() {
-        return run.frame().flatMap(controller::update);
+        return workspace.session().map(Session::frame).flatMap(controller::update);
     }
 
     private void waitFor(String what, Predicate<Optional<RunComparison>> condition) {
@@ -86,7 +88,11 @@ class ComparisonControllerTest {
     }
 
     private long tick() {
-        return run.frame().map(frame -> frame.snapshot().tick()).orElse(-1L);
+        return workspace
+                .session()
+                .map(Session::frame)
+                .map(frame -> frame.snapshot().tick())
+                .orElse(-1L);
     }
 
     private void step(int ticks) {
@@ -129,7 +135,8 @@ class ComparisonControllerTest {
         runDifferently();
         assertEquals(OptionalLong.of(CHANGED), divergence());
         ReferenceRun reference = callOnEdt(() -> update().orElseThrow().run());
-        SessionFrame frame = callOnEdt(() -> run.frame().orElseThrow());
+        SessionFrame frame =
+                callOnEdt(() -> workspace.session().map(Session::frame).orElseThrow());
         assertTrue(LongStream.range(0, CHANGED)
                 .allMatch(tick -> reference.hashTrace().hashAt(tick)
                         == frame.recording().hashTrace().hashAt(tick)));

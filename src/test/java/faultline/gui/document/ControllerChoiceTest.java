@@ -12,6 +12,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
+import faultline.engine.session.Session;
 import faultline.external.ChildSource;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
@@ -107,11 +108,19 @@ class ControllerChoiceTest {
     }
 
     private String state() {
-        return run.frame().orElseThrow().frame().telemetry().state().name();
+        return workspace
+                .session()
+                .map(Session::frame)
+                .orElseThrow()
+                .frame()
+                .telemetry()
+                .state()
+                .name();
     }
 
     private long tick() {
-        return callOnEdt(() -> run.frame().orElseThrow().snapshot().tick());
+        return callOnEdt(() ->
+                workspace.session().map(Session::frame).orElseThrow().snapshot().tick());
     }
 
     @Test
@@ -144,12 +153,18 @@ class ControllerChoiceTest {
         runOnEdt(() -> run.navigator().seek(150));
         waitFor("the third session", () -> sessionCount == 3);
         assertEquals(150, tick());
-        long hash = callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash());
+        long hash = callOnEdt(() ->
+                workspace.session().map(Session::frame).orElseThrow().frame().trajectoryHash());
         runOnEdt(() -> run.navigator().seek(100));
         waitFor("the fourth session", () -> sessionCount == 4);
         runOnEdt(() -> run.navigator().seek(150));
         waitFor("the fifth session", () -> sessionCount == 5);
-        assertEquals(hash, callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash()));
+        assertEquals(hash, callOnEdt(() -> workspace
+                .session()
+                .map(Session::frame)
+                .orElseThrow()
+                .frame()
+                .trajectoryHash()));
         Path journal = folder.resolve("journal.xml");
         runOnEdt(() -> documentStore.saveJournal(journal));
         waitFor("the journal", () -> journals.equals(List.of(journal)));

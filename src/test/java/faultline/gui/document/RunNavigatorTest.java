@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
@@ -56,7 +57,8 @@ class RunNavigatorTest {
             edits.setUndoListener(undone::add);
             documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));
         });
-        Await.until("the scenario", () -> run.frame().isPresent());
+        Await.until(
+                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
         original = pole();
         stepTo(10);
         edit(new Command.MoveObstacle("pole", FIRST));
@@ -99,7 +101,15 @@ class RunNavigatorTest {
         runOnEdt(edits::undo);
         waitForPole(FIRST);
         runOnEdt(run::restart);
-        Await.until("the restart", () -> run.frame().orElseThrow().snapshot().tick() == 0);
+        Await.until(
+                "the restart",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == 0);
         runOnEdt(edits::undo);
         waitForPole(original);
         Await.until("both reports", () -> undone.size() == 2);
@@ -115,7 +125,15 @@ class RunNavigatorTest {
         Await.until("the save", () -> !workspace.isChanged());
         assertEquals(SECOND, pole(Scenario.load(file).setup().world().obstacles()));
         runOnEdt(run::restart);
-        Await.until("the restart", () -> run.frame().orElseThrow().snapshot().tick() == 0);
+        Await.until(
+                "the restart",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == 0);
         assertEquals(SECOND, pole());
     }
 
@@ -123,7 +141,15 @@ class RunNavigatorTest {
     void allEditsCanBeUndoneAfterARestartFromAnEarlierTick() {
         seek(5);
         runOnEdt(run::restart);
-        Await.until("the restart", () -> run.frame().orElseThrow().snapshot().tick() == 0);
+        Await.until(
+                "the restart",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == 0);
         runOnEdt(edits::undo);
         waitForPole(FIRST);
         runOnEdt(edits::undo);
@@ -147,7 +173,14 @@ class RunNavigatorTest {
         runOnEdt(edits::undo);
         Await.until(
                 "the platform as it was",
-                () -> run.frame().orElseThrow().snapshot().robot().length() != 0.2);
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .robot()
+                                .length()
+                        != 0.2);
         assertEquals(Optional.empty(), callOnEdt(edits::undoName));
     }
 
@@ -162,7 +195,9 @@ class RunNavigatorTest {
             runOnEdt(edits::undo);
         }
         waitForPole(original);
-        assertTrue(callOnEdt(() -> run.frame()
+        assertTrue(callOnEdt(() -> workspace
+                .session()
+                .map(Session::frame)
                 .orElseThrow()
                 .snapshot()
                 .robot()
@@ -192,8 +227,16 @@ class RunNavigatorTest {
         });
         Await.until(
                 "the arrival and one tick",
-                () -> run.frame().orElseThrow().snapshot().tick() == 16);
-        assertFalse(callOnEdt(() -> run.frame()
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == 16);
+        assertFalse(callOnEdt(() -> workspace
+                .session()
+                .map(Session::frame)
                 .orElseThrow()
                 .snapshot()
                 .robot()
@@ -214,7 +257,14 @@ class RunNavigatorTest {
         assertEquals(30, tick());
         runOnEdt(run::step);
         Await.until(
-                "the run to go on", () -> run.frame().orElseThrow().snapshot().tick() == 31);
+                "the run to go on",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == 31);
         assertEquals(SECOND, pole());
     }
 
@@ -227,14 +277,22 @@ class RunNavigatorTest {
         });
         runOnEdt(run::step);
         Await.until(
-                "the run to go on", () -> run.frame().orElseThrow().snapshot().tick() == 31);
+                "the run to go on",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == 31);
         assertEquals(before, callOnEdt(workspace::file));
         assertEquals(SECOND, pole());
     }
 
     private void edit(Command command) {
         Optional<String> before = callOnEdt(edits::undoName);
-        SessionFrame frame = callOnEdt(() -> run.frame().orElseThrow());
+        SessionFrame frame =
+                callOnEdt(() -> workspace.session().map(Session::frame).orElseThrow());
         runOnEdt(() -> {
             edits.beginGesture();
             edits.send(command);
@@ -242,7 +300,8 @@ class RunNavigatorTest {
         });
         Await.until(
                 "the edit after " + before,
-                () -> run.frame().orElseThrow() != frame && edits.undoName().isPresent());
+                () -> workspace.session().map(Session::frame).orElseThrow() != frame
+                        && edits.undoName().isPresent());
     }
 
     private void seek(long tick) {
@@ -250,32 +309,48 @@ class RunNavigatorTest {
         Await.until(
                 "tick " + tick,
                 () -> workspace.task().isEmpty()
-                        && run.frame().orElseThrow().snapshot().tick() == tick);
+                        && workspace
+                                        .session()
+                                        .map(Session::frame)
+                                        .orElseThrow()
+                                        .snapshot()
+                                        .tick()
+                                == tick);
     }
 
     private void stepTo(long tick) {
         for (long now = tick(); now < tick; now++) {
             runOnEdt(run::step);
         }
-        Await.until("tick " + tick, () -> run.frame().orElseThrow().snapshot().tick() == tick);
+        Await.until(
+                "tick " + tick,
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == tick);
         runOnEdt(() -> edits.runAdvanced(tick));
     }
 
     private long tick() {
-        return callOnEdt(() -> run.frame().orElseThrow().snapshot().tick());
+        return callOnEdt(() ->
+                workspace.session().map(Session::frame).orElseThrow().snapshot().tick());
     }
 
     /** Waits until the results of commands have edited the scenario. */
     private void waitForEdited(Pose pose) {
         Await.until("the scenario's pole at " + pose, () -> {
-            run.frame();
+            workspace.session().map(Session::frame);
             return pole(workspace.scenario().orElseThrow().setup().world().obstacles())
                     .equals(pose);
         });
     }
 
     private Pose pole() {
-        return callOnEdt(() -> pole(run.frame().orElseThrow().snapshot().obstacles()));
+        return callOnEdt(() -> pole(
+                workspace.session().map(Session::frame).orElseThrow().snapshot().obstacles()));
     }
 
     private static Pose pole(List<Obstacle> obstacles) {
@@ -287,9 +362,13 @@ class RunNavigatorTest {
     }
 
     private void waitForPole(Pose pose) {
-        Await.until(
-                "the pole at " + pose,
-                () -> pole(run.frame().orElseThrow().snapshot().obstacles()).equals(pose));
+        Await.until("the pole at " + pose, () -> pole(workspace
+                        .session()
+                        .map(Session::frame)
+                        .orElseThrow()
+                        .snapshot()
+                        .obstacles())
+                .equals(pose));
     }
 
     /** Forwards events to the undo controller, as the window does. */

@@ -11,6 +11,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.session.Session;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -56,7 +57,8 @@ class SetupChangeTest {
             workspace.addListener(new Forwarder());
             documentStore.open(Path.of("scenarios/office.xml"));
         });
-        Await.until("the scenario", () -> run.frame().isPresent());
+        Await.until(
+                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
         original = callOnEdt(() -> workspace.scenario().orElseThrow().setup());
         stepTo(TICKS);
     }
@@ -89,11 +91,23 @@ class SetupChangeTest {
     @Test
     void aRunningRunResumes() {
         runOnEdt(run::toggleRunning);
-        Await.until("the run", () -> run.status().orElseThrow().running());
+        Await.until(
+                "the run",
+                () -> workspace.session().map(Session::status).orElseThrow().running());
         setTimeline(List.of(new TimedCommand(0.2, FAULT)));
-        Await.until("the run to go on", () -> run.status().orElseThrow().running());
+        Await.until(
+                "the run to go on",
+                () -> workspace.session().map(Session::status).orElseThrow().running());
         long tick = tick();
-        Await.until("more ticks", () -> run.frame().orElseThrow().snapshot().tick() > tick);
+        Await.until(
+                "more ticks",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        > tick);
     }
 
     @Test
@@ -139,7 +153,7 @@ class SetupChangeTest {
     }
 
     private Pose pose(String obstacle) {
-        return run.frame().orElseThrow().snapshot().obstacles().stream()
+        return workspace.session().map(Session::frame).orElseThrow().snapshot().obstacles().stream()
                 .filter(now -> now.id().equals(obstacle))
                 .findFirst()
                 .orElseThrow()
@@ -207,15 +221,25 @@ class SetupChangeTest {
         for (long now = tick(); now < tick; now++) {
             runOnEdt(run::step);
         }
-        Await.until("tick " + tick, () -> run.frame().orElseThrow().snapshot().tick() == tick);
+        Await.until(
+                "tick " + tick,
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == tick);
     }
 
     private long tick() {
-        return callOnEdt(() -> run.frame().orElseThrow().snapshot().tick());
+        return callOnEdt(() ->
+                workspace.session().map(Session::frame).orElseThrow().snapshot().tick());
     }
 
     private long hash() {
-        return callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash());
+        return callOnEdt(() ->
+                workspace.session().map(Session::frame).orElseThrow().frame().trajectoryHash());
     }
 
     private static long hashOf(SimulationSetup setup) {
@@ -232,7 +256,7 @@ class SetupChangeTest {
     }
 
     private List<Fault> faultsOfLeft() {
-        return callOnEdt(() -> run.frame().orElseThrow().snapshot().sensors().stream()
+        return callOnEdt(() -> workspace.session().map(Session::frame).orElseThrow().snapshot().sensors().stream()
                 .filter(sensor -> sensor.spec().id().equals("left"))
                 .findFirst()
                 .orElseThrow()

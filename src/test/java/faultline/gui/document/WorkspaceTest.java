@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup;
+import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
@@ -95,7 +96,8 @@ class WorkspaceTest {
     @Test
     void aFileOpensPausedAtTimeZeroAndUnchanged() {
         assertEquals(0, frame().snapshot().tick());
-        assertFalse(callOnEdt(() -> run.status().orElseThrow().running()));
+        assertFalse(callOnEdt(
+                () -> workspace.session().map(Session::status).orElseThrow().running()));
         assertFalse(callOnEdt(workspace::isChanged));
         assertEquals(Optional.of(file), callOnEdt(workspace::file));
     }
@@ -151,7 +153,15 @@ class WorkspaceTest {
             send(new Command.SwitchSensor("left", false));
             run.step();
         });
-        waitFor("the tick", () -> run.frame().orElseThrow().snapshot().tick() == 1);
+        waitFor(
+                "the tick",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == 1);
         runOnEdt(run::restart);
         waitFor("the second session", () -> sessionCount == 2);
         assertEquals(0, frame().snapshot().tick());
@@ -159,7 +169,9 @@ class WorkspaceTest {
         assertTrue(frame().snapshot().robot().sensor("left").orElseThrow().on());
         assertTrue(callOnEdt(workspace::isChanged));
         runOnEdt(run::step);
-        waitFor("the switch", () -> !run.frame()
+        waitFor("the switch", () -> !workspace
+                .session()
+                .map(Session::frame)
                 .orElseThrow()
                 .snapshot()
                 .robot()
@@ -195,16 +207,33 @@ class WorkspaceTest {
             run.setSpeed(Double.POSITIVE_INFINITY);
             run.toggleRunning();
         });
-        waitFor("some time", () -> run.frame().orElseThrow().snapshot().tick() > 50);
+        waitFor(
+                "some time",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        > 50);
         runOnEdt(() -> send(new Command.SetPlatform(0.3, 0.2, 0.5)));
         runOnEdt(run::toggleRunning);
-        waitFor("the pause", () -> !run.status().orElseThrow().running());
+        waitFor(
+                "the pause",
+                () -> !workspace.session().map(Session::status).orElseThrow().running());
         Path journal = folder.resolve("journal.xml");
         runOnEdt(() -> documentStore.saveJournal(journal));
         waitFor("the journal", () -> journals.equals(List.of(journal)));
         waitFor(
                 "the last frame",
-                () -> run.frame().orElseThrow().snapshot().robot().length() == 0.3);
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .robot()
+                                .length()
+                        == 0.3);
         String hash = Scenario.load(journal).run().trajectoryHash();
         assertEquals(String.format("%016x", frame().frame().trajectoryHash()), hash);
     }
@@ -275,7 +304,15 @@ class WorkspaceTest {
         });
         waitFor("the other file", () -> workspace.file().equals(Optional.of(other)));
         runOnEdt(run::step);
-        waitFor("a tick", () -> run.frame().orElseThrow().snapshot().tick() == 1);
+        waitFor(
+                "a tick",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == 1);
         assertFalse(obstacle(frame().snapshot().obstacles()).pose().equals(ELSEWHERE));
     }
 
@@ -288,7 +325,7 @@ class WorkspaceTest {
     }
 
     private SessionFrame frame() {
-        return callOnEdt(() -> run.frame().orElseThrow());
+        return callOnEdt(() -> workspace.session().map(Session::frame).orElseThrow());
     }
 
     private static Obstacle obstacle(List<Obstacle> obstacles) {
@@ -300,7 +337,7 @@ class WorkspaceTest {
 
     private void waitFor(String what, Callable<Boolean> condition) {
         Await.until(what, () -> {
-            run.frame();
+            workspace.session().map(Session::frame);
             return condition.call();
         });
     }

@@ -12,6 +12,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.TraceFormat;
 import faultline.engine.metrics.TraceWriter;
+import faultline.engine.session.Session;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.UiAction;
@@ -92,16 +93,33 @@ class ExportControllerTest {
             documentStore = new DocumentStore(workspace);
             documentStore.open(Path.of("scenarios/office.xml"));
         });
-        Await.until("the scenario", () -> run.frame().isPresent());
+        Await.until(
+                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
         stepTo(STEPS);
     }
 
     private void stepTo(int tick) {
-        for (long i = callOnEdt(() -> run.frame().orElseThrow().snapshot().tick()); i < tick; i++) {
+        for (long i = callOnEdt(() -> workspace
+                        .session()
+                        .map(Session::frame)
+                        .orElseThrow()
+                        .snapshot()
+                        .tick());
+                i < tick;
+                i++) {
             runOnEdt(run::step);
         }
-        Await.until("the last tick", () -> run.frame().orElseThrow().snapshot().tick() == tick);
-        runOnEdt(() -> canvas.setFrame(run.frame().orElseThrow().frame()));
+        Await.until(
+                "the last tick",
+                () -> workspace
+                                .session()
+                                .map(Session::frame)
+                                .orElseThrow()
+                                .snapshot()
+                                .tick()
+                        == tick);
+        runOnEdt(() -> canvas.setFrame(
+                workspace.session().map(Session::frame).orElseThrow().frame()));
     }
 
     @AfterEach

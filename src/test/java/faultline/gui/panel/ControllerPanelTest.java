@@ -12,6 +12,7 @@ import faultline.control.GainRule;
 import faultline.control.Threshold;
 import faultline.control.Thresholds;
 import faultline.control.WallSide;
+import faultline.engine.session.Session;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
@@ -73,12 +74,14 @@ class ControllerPanelTest {
     /** Waits for a frame whose controller meets a condition, and shows every frame on the way. */
     private void await(String what, Predicate<ControllerSpec> condition) {
         Await.until(what, () -> {
-            run.frame().ifPresent(frame -> {
+            workspace.session().map(Session::frame).ifPresent(frame -> {
                 undo.pendingEdits().setRobot(frame.snapshot().robot());
                 panel.setSettings(
                         frame.controller(), workspace.scenario().orElseThrow().setup());
             });
-            return run.frame()
+            return workspace
+                    .session()
+                    .map(Session::frame)
                     .filter(frame -> condition.test(frame.controller()))
                     .isPresent();
         });
@@ -221,11 +224,15 @@ class ControllerPanelTest {
     void aChangeOfTheDriveIsSimulatedAgainAndUndone() {
         double before = shown("Turn rate, °/s");
         type("Turn rate, °/s", before + 20);
-        Await.until("the run is simulated again", () -> run.frame()
+        Await.until("the run is simulated again", () -> workspace
+                .session()
+                .map(Session::frame)
                 .filter(frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) > before + 19)
                 .isPresent());
         runOnEdt(undo::undo);
-        Await.until("the old turn rate", () -> run.frame()
+        Await.until("the old turn rate", () -> workspace
+                .session()
+                .map(Session::frame)
                 .filter(frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) < before + 1)
                 .isPresent());
     }

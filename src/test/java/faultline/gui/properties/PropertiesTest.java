@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.FollowerState;
 import faultline.engine.metrics.Expectation;
+import faultline.engine.session.Session;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
@@ -117,7 +118,9 @@ class PropertiesTest {
                 new Expectation(List.of(new Expectation.VisitedState(FollowerState.FOLLOW))));
         runOnEdt(() -> new ScenarioEditor(run, undo).edit("edit.properties", after::applyTo, before::applyTo));
         await(workspace, after);
-        Await.until("the world has its new size", () -> run.frame()
+        Await.until("the world has its new size", () -> workspace
+                .session()
+                .map(Session::frame)
                 .filter(frame -> frame.snapshot().width() == 14)
                 .isPresent());
         runOnEdt(undo::undo);

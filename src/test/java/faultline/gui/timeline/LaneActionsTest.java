@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.session.Session;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
@@ -46,7 +47,8 @@ class LaneActionsTest {
             new DocumentStore(workspace).open(Path.of("scenarios/mirror.xml"));
             return created;
         });
-        Await.until("the scenario", () -> run.frame().isPresent());
+        Await.until(
+                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
         runOnEdt(() -> {
             editor = new TimelineEditor(workspace, run, new UndoController(run::send, () -> {}));
             view = new LaneView(editor);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
+import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
@@ -52,7 +53,8 @@ class TimeBarTest {
             slider = ComponentFinder.findAll(bar, JSlider.class).findFirst().orElseThrow();
             new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
         });
-        Await.until("the scenario", () -> run.frame().isPresent());
+        Await.until(
+                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
         for (int i = 0; i < TICKS; i++) {
             runOnEdt(run::step);
         }
@@ -72,13 +74,19 @@ class TimeBarTest {
 
     @Test
     void releasingTheThumbSeeksExactlyAndKeepsTheFuture() {
-        long hash = callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash());
+        long hash = callOnEdt(() ->
+                workspace.session().map(Session::frame).orElseThrow().frame().trajectoryHash());
         runOnEdt(() -> slider.setValue(15));
         waitForTick(15);
         assertEquals(TICKS, callOnEdt(slider::getMaximum));
         runOnEdt(() -> slider.setValue(TICKS));
         waitForTick(TICKS);
-        assertEquals(hash, callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash()));
+        assertEquals(hash, callOnEdt(() -> workspace
+                .session()
+                .map(Session::frame)
+                .orElseThrow()
+                .frame()
+                .trajectoryHash()));
     }
 
     @Test
@@ -134,7 +142,7 @@ class TimeBarTest {
     void aRunThatIsSavedShowsItsEndBeforeItsFirstTick() {
         runOnEdt(run::restart);
         waitForTick(0);
-        runOnEdt(() -> bar.setFrame(run.frame().orElseThrow(), 1200, 0.02));
+        runOnEdt(() -> bar.setFrame(workspace.session().map(Session::frame).orElseThrow(), 1200, 0.02));
         assertEquals(List.of("0.00 s", "24.00 s"), callOnEdt(() -> ComponentFinder.findAll(bar, JLabel.class)
                 .map(label -> label.getText().strip())
                 .toList()));
@@ -142,7 +150,7 @@ class TimeBarTest {
 
     private void waitForTick(long tick) {
         Await.until("tick " + tick, () -> {
-            SessionFrame frame = run.frame().orElseThrow();
+            SessionFrame frame = workspace.session().map(Session::frame).orElseThrow();
             bar.setFrame(frame, run.navigator().furthestTick(), DT);
             return frame.snapshot().tick() == tick;
         });
