@@ -1,9 +1,14 @@
 package faultline.gui.timeline;
 
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.world.Command;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Queue;
 import java.util.stream.IntStream;
 
 /**
@@ -20,7 +25,6 @@ public final class TimelineModel {
     private final List<TimedCommand> commands;
     private final List<Pair> pairs = new ArrayList<>();
     private final List<TimelineItem> items;
-
     /**
      * An item and the indices of its commands.
      *
@@ -30,11 +34,6 @@ public final class TimelineModel {
      */
     private record Pair(TimelineItem item, int first, int last) {
 
-        /** Returns whether a later command ends this interval. */
-        boolean isEndedBy(TimedCommand later) {
-            return last == NONE && item.endings().contains(later.command());
-        }
-
         Pair endedBy(TimedCommand later, int index) {
             return new Pair(item.withTimes(item.start(), later.time()), first, index);
         }
@@ -42,10 +41,11 @@ public final class TimelineModel {
 
     private TimelineModel(List<TimedCommand> commands) {
         this.commands = List.copyOf(commands);
+        Map<Command, Queue<Integer>> open = new HashMap<>();
         IntStream.range(0, commands.size())
                 .boxed()
                 .sorted(Comparator.comparingDouble(index -> commands.get(index).time()))
-                .forEachOrdered(this::add);
+                .forEachOrdered(index -> add(index, open));
         pairs.sort(Comparator.comparingDouble(pair -> pair.item().start()));
         items = pairs.stream().map(Pair::item).toList();
     }
@@ -55,19 +55,28 @@ public final class TimelineModel {
         return new TimelineModel(commands);
     }
 
-    private void add(int index) {
+    /**
+     * Adds a command; {@code open} has the oldest first of the intervals that a command would end, some ended since.
+     */
+    private void add(int index, Map<Command, Queue<Integer>> open) {
         TimedCommand timed = commands.get(index);
+        Queue<Integer> ended = open.getOrDefault(timed.command(), new ArrayDeque<>());
         boolean found = false;
         boolean endsOthers = true;
-        for (int i = 0; i < pairs.size() && endsOthers; i++) {
-            if (pairs.get(i).isEndedBy(timed)) {
-                endsOthers = !pairs.get(i).item().endings().get(0).equals(timed.command());
-                pairs.set(i, pairs.get(i).endedBy(timed, index));
+        while (endsOthers && !ended.isEmpty()) {
+            int number = ended.remove();
+            Pair pair = pairs.get(number);
+            if (pair.last() == NONE) {
+                pairs.set(number, pair.endedBy(timed, index));
+                endsOthers = !pair.item().endings().get(0).equals(timed.command());
                 found = true;
             }
         }
         if (!found) {
-            pairs.add(new Pair(TimelineItem.from(timed.command(), timed.time()), index, NONE));
+            Pair pair = new Pair(TimelineItem.from(timed.command(), timed.time()), index, NONE);
+            pair.item().endings().forEach(ending -> open.computeIfAbsent(ending, key -> new ArrayDeque<>())
+                    .add(pairs.size()));
+            pairs.add(pair);
         }
     }
 

@@ -68,6 +68,19 @@ class TimelineModelTest {
     }
 
     @Test
+    void aRemovalOfAllFaultsLeavesThoseThatHaveEndedAndARemovalAfterItIsAMark() {
+        List<TimedCommand> commands = List.of(
+                inject(1, "left", STUCK),
+                inject(2, "left", STUCK),
+                clear(3, "left", STUCK),
+                clearAll(5, "left"),
+                clear(6, "left", STUCK),
+                inject(7, "left", STUCK),
+                clear(8, "left", STUCK));
+        assertEquals(List.of("left 1.0 3.0", "left 2.0 5.0", "left 6.0 6.0", "left 7.0 8.0"), spans(commands));
+    }
+
+    @Test
     void aSensorThatIsSwitchedOffAndOnAgainIsOneItem() {
         List<TimedCommand> commands = List.of(turn(1, "left", true), turn(2, "left", false), turn(4, "left", true));
         assertEquals(List.of("left 1.0 1.0", "left 2.0 4.0"), spans(commands));
