@@ -14,16 +14,20 @@ import java.util.stream.Collectors;
 /** The cells that a trace of format 2 has of the sensors: readings, faults, and what the diagnosis thinks of them. */
 final class SensorCells implements TraceCells {
 
+    /** How many cells of a sensor follow its two distances. */
+    private static final int WORDS = 5;
+
     private final List<TraceColumn> columns = new ArrayList<>();
     private final SensorWords[] words;
 
-    /** The words of one sensor, and what they were made of. */
+    /** The words of one sensor in the row above, and what they were made of. */
     private static final class SensorWords {
+        private boolean written;
+        private boolean off;
         private List<Fault> faults = List.of();
         private String faultText = "";
+        /** Null without a diagnosis. */
         private SensorHealth health;
-        private String trust = "";
-        private String finding = "";
     }
 
     SensorCells(RobotSpec robot) {
@@ -57,37 +61,44 @@ final class SensorCells implements TraceCells {
             double reading = simulation.reportedReading(i);
             rows.append(simulation.trueReading(i));
             rows.append(reading);
-            rows.append(Reading.isOff(reading) ? "0" : "1");
-            rows.append(faultText(simulation.faults(i), words[i]));
-            if (health.isEmpty()) {
-                rows.append("");
-                rows.append("");
-                rows.append("");
-            } else {
-                append(health.get(i), words[i], rows);
-            }
+            append(
+                    Reading.isOff(reading),
+                    simulation.faults(i),
+                    health.isEmpty() ? null : health.get(i),
+                    words[i],
+                    rows);
         }
-    }
-
-    private static String faultText(List<Fault> active, SensorWords words) {
-        // The comparison of two empty lists takes as long as all other cells.
-        if (!(active.isEmpty() && words.faults.isEmpty()) && !active.equals(words.faults)) {
-            words.faults = List.copyOf(active);
-            words.faultText = text(words.faults);
-        }
-        return words.faultText;
     }
 
     @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
-    private static void append(SensorHealth health, SensorWords words, TraceRows rows) {
-        if (health != words.health) {
-            words.health = health;
-            words.trust = health.trust().name().toLowerCase(Locale.ROOT);
-            words.finding = health.finding().name().toLowerCase(Locale.ROOT);
+    private static void append(
+            boolean off, List<Fault> faults, SensorHealth health, SensorWords words, TraceRows rows) {
+        boolean sameFaults = areEqual(faults, words.faults);
+        if (words.written && off == words.off && health == words.health && sameFaults) {
+            rows.repeat(WORDS);
+            return;
         }
-        rows.append(words.trust);
-        rows.append(words.finding);
-        rows.append(health.evidence());
+        if (!sameFaults) {
+            words.faults = List.copyOf(faults);
+            words.faultText = text(words.faults);
+        }
+        words.off = off;
+        words.health = health;
+        words.written = true;
+        rows.append(off ? "0" : "1");
+        rows.append(words.faultText);
+        rows.append(health == null ? "" : health.trust().name().toLowerCase(Locale.ROOT));
+        rows.append(health == null ? "" : health.finding().name().toLowerCase(Locale.ROOT));
+        if (health == null) {
+            rows.append("");
+        } else {
+            rows.append(health.evidence());
+        }
+    }
+
+    /** Returns whether faults are the same; the comparison of two empty lists would take as long as all other cells. */
+    private static boolean areEqual(List<Fault> faults, List<Fault> others) {
+        return faults.isEmpty() && others.isEmpty() || faults.equals(others);
     }
 
     /** Returns faults as words, such as {@code stuck=0.4 noise=0.01}. */

@@ -51,9 +51,18 @@ final class TraceRows {
         size = marks;
     }
 
-    /** Returns an empty block for the rows after this one, which gets no more rows. */
+    /** Returns a new block for the rows after this one, which gets no more rows. */
     TraceRows next() {
         return new TraceRows(above, wordsAbove, maxRows);
+    }
+
+    /** Empties a block that has been written, for the rows after the last block of the same trace. */
+    void clear() {
+        Arrays.fill(values, 0);
+        words.clear();
+        rows = 0;
+        row = 0;
+        size = marks;
     }
 
     /** Appends a cell with a number. */
@@ -74,6 +83,11 @@ final class TraceRows {
             change(WORD);
         }
         column++;
+    }
+
+    /** Leaves the next cells as they are in the row above, which must exist. */
+    void repeat(int cells) {
+        column += cells;
     }
 
     private void change(long value) {

@@ -5,6 +5,8 @@ import faultline.engine.TickObserver;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -20,6 +22,11 @@ import java.util.concurrent.Executors;
  */
 public final class TraceWriter implements TickObserver, AutoCloseable {
 
+    /**
+     * Blocks are filled in turn. A block that the other processor has just read is slower to fill than an older one.
+     */
+    private static final int MAX_BLOCKS = 8;
+
     private final OutputStream out;
     private final TraceFormat format;
     private final int maxRows;
@@ -32,6 +39,9 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
     private List<TraceCells> cells = List.of();
     private TraceText text;
     private TraceRows rows;
+    /** Blocks that have been handed over, the oldest first; all but the last one have been written. */
+    private final Deque<TraceRows> handedOver = new ArrayDeque<>();
+
     private CompletableFuture<Void> writing = CompletableFuture.completedFuture(null);
 
     /**
@@ -90,8 +100,13 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
     private void handOver() {
         throwFailure();
         TraceRows full = rows;
-        // Not the block before again: to write where another processor has just read takes several times as long.
-        rows = full.next();
+        handedOver.add(full);
+        if (handedOver.size() < MAX_BLOCKS) {
+            rows = full.next();
+        } else {
+            rows = handedOver.remove();
+            rows.clear();
+        }
         writing = CompletableFuture.runAsync(() -> write(full), writer);
     }
 
