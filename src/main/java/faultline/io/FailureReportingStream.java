@@ -63,10 +63,6 @@ final class FailureReportingStream extends FilterOutputStream {
 
     /** Returns an exception whose message is one sentence. */
     MessageException problem(IOException e) {
-        String text = String.valueOf(e.getMessage());
-        WriteProblem reason = text.contains("No space left") || text.contains("quota") || text.contains("disk")
-                ? WriteProblem.DISK_FULL
-                : text.contains("Broken pipe") ? WriteProblem.BROKEN_PIPE : WriteProblem.INTERRUPTED;
-        return new MessageException(MessageText.oneLine(file.toString()), reason.with(), e);
+        return MessageException.ofWriting(file, e);
     }
 }

@@ -1,6 +1,7 @@
 package faultline.io;
 
 import java.io.IOException;
+import java.nio.file.Path;
 
 /** Reports why a file cannot be written, with a message that can be translated. */
 public final class MessageException extends IOException {
@@ -23,6 +24,21 @@ public final class MessageException extends IOException {
         super(subject.isEmpty() ? reason.toString() : subject + ": " + reason, cause);
         this.subject = subject;
         this.reason = reason;
+    }
+
+    /**
+     * Describes a failure to write in one sentence.
+     *
+     * @param file the file as the user named it
+     * @param cause the failure, as the operating system reports it
+     * @return an exception with the name of the file and the reason
+     */
+    public static MessageException ofWriting(Path file, IOException cause) {
+        String text = String.valueOf(cause.getMessage());
+        WriteProblem reason = text.contains("No space left") || text.contains("quota") || text.contains("disk")
+                ? WriteProblem.DISK_FULL
+                : text.contains("Broken pipe") ? WriteProblem.BROKEN_PIPE : WriteProblem.INTERRUPTED;
+        return new MessageException(MessageText.oneLine(file.toString()), reason.with(), cause);
     }
 
     /** {@return the name of the file; may be empty} */

@@ -132,6 +132,17 @@ class OutputFilesTest {
     }
 
     @Test
+    void aTableOfACampaignThatIsADeviceIsRefusedBeforeItIsRead() throws IOException {
+        assumeTrue(Files.exists(Path.of("/dev/full")));
+        Path out = Files.createDirectory(folder.resolve("out"));
+        Path table = Files.createSymbolicLink(out.resolve("timing.csv"), Path.of("/dev/full"));
+        assertEquals(
+                "faultline: " + table + ": this is no regular file; expected a table\n",
+                refusal("campaign", campaign(), "--out", out, "--jobs", "1"));
+        Files.delete(table);
+    }
+
+    @Test
     void hostileNamesDoNotReachTheTerminalAsTheyAre() {
         String message = refusal("run", folder.resolve("a\u001b[31m\n\u202eb\u009b.xml"));
         assertTrue(message.endsWith("a [31m  b .xml: there is no such file\n"), message);

@@ -89,12 +89,16 @@ public final class CampaignFolder {
      * Checks that the tables do not overwrite another file.
      *
      * @param inputs the files that the campaign is made from
-     * @throws IOException if a table is a folder, or is an input or another table by a link
+     * @throws IOException if a table is no regular file, or is an input or another table by a link
      */
     void checkTables(List<Path> inputs) throws IOException {
         for (Path table : tables()) {
             if (Files.isDirectory(table)) {
                 throw new IOException(table + ": this is a folder; expected a file");
+            }
+            // A table is read and cut before it is continued, and a device or a pipe may have no end.
+            if (Files.exists(table) && !Files.isRegularFile(table)) {
+                throw new IOException(table + ": this is no regular file; expected a table");
             }
         }
         Optional<Path> conflict = LinkResolver.findConflict(inputs, tables());

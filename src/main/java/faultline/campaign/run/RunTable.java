@@ -1,6 +1,7 @@
 package faultline.campaign.run;
 
 import faultline.campaign.plan.Column;
+import faultline.io.MessageException;
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -30,8 +31,8 @@ final class RunTable implements Closeable {
     private static final String TIMING_HEADER =
             Csv.row(TIMING_COLUMNS.stream().map(Column::name).toList());
 
-    private final FileChannel runs;
-    private final FileChannel timing;
+    private final Table runs;
+    private final Table timing;
     private final ByteArrayOutputStream pendingRuns = new ByteArrayOutputStream();
     private final ByteArrayOutputStream pendingTiming = new ByteArrayOutputStream();
     private long next;
@@ -48,19 +49,8 @@ final class RunTable implements Closeable {
     RunTable(CampaignFolder folder, String header, long first, long end) throws IOException {
         next = first;
         long length = recover(folder.runs(), header, end);
-        runs = open(folder.runs(), length, header);
-        timing = open(folder.timing(), recoverTiming(folder.timing(), first), TIMING_HEADER);
-    }
-
-    private static FileChannel open(Path file, long length, String header) throws IOException {
-        FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        channel.truncate(length);
-        channel.position(length);
-        if (length == 0) {
-            writeFully(channel, header.getBytes(StandardCharsets.UTF_8));
-            channel.force(true);
-        }
-        return channel;
+        runs = Table.open(folder.runs(), length, header);
+        timing = Table.open(folder.timing(), recoverTiming(folder.timing(), first), TIMING_HEADER);
     }
 
     /** Finds how many bytes of a table are good, and which run is next. */
@@ -142,8 +132,8 @@ final class RunTable implements Closeable {
 
     /** Gives all rows to the operating system: from here on they survive the end of this process. */
     void flush() throws IOException {
-        writeFully(timing, pendingTiming.toByteArray());
-        writeFully(runs, pendingRuns.toByteArray());
+        timing.write(pendingTiming.toByteArray());
+        runs.write(pendingRuns.toByteArray());
         pendingTiming.reset();
         pendingRuns.reset();
     }
@@ -152,16 +142,9 @@ final class RunTable implements Closeable {
     void force() throws IOException {
         flush();
         if (dirty) {
-            timing.force(false);
-            runs.force(false);
+            timing.force();
+            runs.force();
             dirty = false;
-        }
-    }
-
-    private static void writeFully(FileChannel channel, byte[] bytes) throws IOException {
-        ByteBuffer buffer = ByteBuffer.wrap(bytes);
-        while (buffer.hasRemaining()) {
-            channel.write(buffer);
         }
     }
 
@@ -170,6 +153,45 @@ final class RunTable implements Closeable {
         try (timing;
                 runs) {
             force();
+        }
+    }
+
+    /** One of the two files. */
+    private record Table(Path file, FileChannel channel) implements Closeable {
+
+        static Table open(Path file, long length, String header) throws IOException {
+            Table table = new Table(file, FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE));
+            table.channel.truncate(length);
+            table.channel.position(length);
+            if (length == 0) {
+                table.write(header.getBytes(StandardCharsets.UTF_8));
+                table.channel.force(true);
+            }
+            return table;
+        }
+
+        void write(byte[] bytes) throws IOException {
+            ByteBuffer buffer = ByteBuffer.wrap(bytes);
+            try {
+                while (buffer.hasRemaining()) {
+                    channel.write(buffer);
+                }
+            } catch (IOException e) {
+                throw MessageException.ofWriting(file, e);
+            }
+        }
+
+        void force() throws IOException {
+            try {
+                channel.force(false);
+            } catch (IOException e) {
+                throw MessageException.ofWriting(file, e);
+            }
+        }
+
+        @Override
+        public void close() throws IOException {
+            channel.close();
         }
     }
 }
