@@ -89,6 +89,15 @@ class CommandLineTest {
     }
 
     @Test
+    void anObstacleThatIsCalledNoneIsToldFromNoObstacle() throws IOException {
+        String text = Files.readString(Path.of(COLLIDING_SCENARIO)).replace("\"visitor\"", "\"none\"");
+        Path file = Files.writeString(folder.resolve("none.xml"), text);
+        CommandResult run = command("run", file.toString());
+        assertEquals("\"none\"", run.value("collided_with"));
+        assertEquals("none", command("run", file.toString(), "--until", "1").value("collided_with"));
+    }
+
+    @Test
     void untilAndSeedTakeThePlaceOfTheFiles() {
         CommandResult run = command("run", COLLIDING_SCENARIO, "--until", "2.5", "--seed=-7");
         assertEquals("250", run.value("ticks"));
