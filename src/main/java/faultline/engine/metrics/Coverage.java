@@ -1,12 +1,9 @@
 package faultline.engine.metrics;
 
 import faultline.geometry.Vector2;
-import java.util.HashMap;
-import java.util.HashSet;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.Set;
 
 /**
  * The followed share of the wall. The robot's offset path, that is, all places at the wanted distance from a wall and
@@ -31,13 +28,18 @@ final class Coverage {
     /** Walls are compared with the path by squares of this side first, metres. */
     private static final double AREA_SIZE = 1;
 
+    /** More than the error of a distance, metres. */
+    private static final double ROUNDING = 1e-9;
+
     private final WallReference walls;
     private final double distance;
-    private final Set<Long> visited = new HashSet<>();
-    /** The points visited since the share was last computed, and the squares that they lie in. */
-    private final Map<Long, Vector2> pending = new HashMap<>();
+    /** Which of the points visited lies in a cell, from 0. */
+    private final CellNumbers visited = new CellNumbers();
+    /** The points visited since the share was last computed, the number of those before, and the squares around. */
+    private final List<Vector2> pending = new ArrayList<>();
 
-    private final Set<Long> pendingAreas = new HashSet<>();
+    private int settled;
+    private final CellNumbers pendingAreas = new CellNumbers();
     private Vector2 last = new Vector2(Double.POSITIVE_INFINITY, 0);
     /** Made when it is first needed. */
     private PlaceMap places;
@@ -55,9 +57,10 @@ final class Coverage {
     void visit(Vector2 centre) {
         if (centre.distanceTo(last) >= MIN_STEP) {
             long cell = CellKey.of(centre, SPACING);
-            if (visited.add(cell)) {
-                pending.put(cell, centre);
-                pendingAreas.add(CellKey.of(centre, AREA_SIZE));
+            if (!visited.contains(cell)) {
+                visited.put(cell, settled + pending.size());
+                pending.add(centre);
+                pendingAreas.put(CellKey.of(centre, AREA_SIZE), 0);
             }
             last = centre;
         }
@@ -72,13 +75,25 @@ final class Coverage {
     OptionalDouble share() {
         if (!pending.isEmpty()) {
             places = places == null ? new PlaceMap(walls, distance, SPACING, JOIN_DISTANCE) : places;
-            pending.values().forEach(point -> places.sampleNear(point, TOLERANCE));
+            sampleNearPath();
             places.blocks().forEach(blocks -> blocks.forEach(this::markPassed));
+            settled += pending.size();
             pending.clear();
             pendingAreas.clear();
             share = greatestShare();
         }
         return Double.isNaN(share) ? OptionalDouble.empty() : OptionalDouble.of(share);
+    }
+
+    /** Samples the walls near the pending points; points nearer to the last one than the tolerance need no look. */
+    private void sampleNearPath() {
+        Vector2 from = null;
+        for (Vector2 point : pending) {
+            if (from == null || point.distanceTo(from) > TOLERANCE) {
+                places.sampleNear(point, 2 * TOLERANCE + ROUNDING);
+                from = point;
+            }
+        }
     }
 
     private void markPassed(PlaceBlock block) {
@@ -141,14 +156,20 @@ final class Coverage {
         long column = CellKey.index(place.x(), SPACING);
         long row = CellKey.index(place.y(), SPACING);
         int reach = (int) Math.ceil(TOLERANCE / SPACING);
-        for (int dx = -reach; dx <= reach; dx++) {
-            for (int dy = -reach; dy <= reach; dy++) {
-                Vector2 point = pending.get(CellKey.of(column + dx, row + dy));
-                if (point != null && point.distanceTo(place) <= TOLERANCE) {
+        // The nearest cells come first, because most places were passed closely or not at all.
+        for (int i = 0; i <= 2 * reach; i++) {
+            for (int j = 0; j <= 2 * reach; j++) {
+                int point = visited.get(CellKey.of(column + alternating(i), row + alternating(j)));
+                if (point >= settled && pending.get(point - settled).distanceTo(place) <= TOLERANCE) {
                     return true;
                 }
             }
         }
         return false;
+    }
+
+    /** Returns 0, 1, -1, 2, -2 and so on for 0, 1, 2, 3, 4. */
+    private static int alternating(int index) {
+        return index % 2 == 0 ? -index / 2 : (index + 1) / 2;
     }
 }

@@ -6,6 +6,8 @@ import faultline.geometry.Vector2;
 import faultline.world.CandidateBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -29,12 +31,20 @@ final class PlaceMap {
     private final double joinDistance;
     private final List<Vector2> circle;
     /** The blocks of each wall that has been sampled, by its number. */
-    private final Map<Integer, List<PlaceBlock>> sampled = new HashMap<>();
+    private final Map<Integer, List<PlaceBlock>> blocksByWall = new TreeMap<>();
+
+    private final BitSet sampledWalls = new BitSet();
 
     /** The blocks around the ends of sampled walls, by x and y of the end. */
     private final Map<Double, Map<Double, List<PlaceBlock>>> corners = new HashMap<>();
 
-    private final Map<Long, List<Place>> cells = new HashMap<>();
+    /** The free places, and for each the next one in its cell; the last one of a cell leads to the first one. */
+    private final List<Place> places = new ArrayList<>();
+
+    private int[] next = new int[1024];
+    /** The last place of each cell. */
+    private final CellNumbers cells = new CellNumbers();
+
     private final Set<PlaceBlock> surveyed = new HashSet<>();
 
     /** A free place. */
@@ -53,7 +63,8 @@ final class PlaceMap {
         CandidateBuffer near = walls.findNear(point, distance + radius);
         List<Integer> found = new ArrayList<>();
         for (int i = 0; i < near.size(); i++) {
-            if (near.shape(i).distanceTo(point.x(), point.y()) <= distance + radius) {
+            if (!sampledWalls.get(near.number(i))
+                    && near.shape(i).distanceTo(point.x(), point.y()) <= distance + radius) {
                 found.add(near.number(i));
             }
         }
@@ -61,15 +72,13 @@ final class PlaceMap {
     }
 
     private void sample(int number) {
-        if (sampled.containsKey(number)) {
-            return;
-        }
+        sampledWalls.set(number);
         ConvexShape wall = walls.walls().shape(number);
-        List<PlaceBlock> blocks = new ArrayList<>();
+        List<PlaceBlock> around = new ArrayList<>();
         for (PlaceRow row : PlaceRow.of(wall, distance, spacing, 0, circle)) {
-            blocks.addAll(row instanceof PlaceRow.Arc arc ? aroundEnd(arc, (Segment) wall) : newBlocks(wall, row));
+            around.addAll(row instanceof PlaceRow.Arc arc ? aroundEnd(arc, (Segment) wall) : newBlocks(wall, row));
         }
-        sampled.put(number, blocks);
+        blocksByWall.put(number, around);
     }
 
     /**
@@ -131,11 +140,23 @@ final class PlaceMap {
     private void addToCells(PlaceBlock block) {
         for (int i = 0; i < block.size(); i++) {
             if (block.isFree(i) && (!block.isAlone() || isNearEnd(block, i))) {
-                Place place = new Place(block, i, block.place(i));
-                cells.computeIfAbsent(CellKey.of(place.position, joinDistance), key -> new ArrayList<>(4))
-                        .add(place);
+                addToCell(new Place(block, i, block.place(i)));
             }
         }
+    }
+
+    private void addToCell(Place place) {
+        int number = places.size();
+        places.add(place);
+        next = number < next.length ? next : Arrays.copyOf(next, 2 * number);
+        long cell = CellKey.of(place.position, joinDistance);
+        int last = cells.get(cell);
+        next[number] = number;
+        if (last != CellNumbers.NONE) {
+            next[number] = next[last];
+            next[last] = number;
+        }
+        cells.put(cell, number);
     }
 
     private static boolean isNearEnd(PlaceBlock block, int index) {
@@ -155,15 +176,26 @@ final class PlaceMap {
             long row = CellKey.index(place.position.y(), joinDistance);
             for (int dx = -1; dx <= 1; dx++) {
                 for (int dy = -1; dy <= 1; dy++) {
-                    for (Place other : cells.getOrDefault(CellKey.of(column + dx, row + dy), List.of())) {
-                        if (other.block.piece(other.index) == PlaceBlock.NO_PIECE
-                                && other.position.distanceTo(place.position) <= joinDistance) {
-                            reach(other, piece, open);
-                        }
-                    }
+                    reachCell(cells.get(CellKey.of(column + dx, row + dy)), place.position, piece, open);
                 }
             }
         }
+    }
+
+    /** Numbers the places of a cell that are near to a point; the last one of the cell is given, if it has any. */
+    private void reachCell(int last, Vector2 point, int piece, Deque<Place> open) {
+        if (last == CellNumbers.NONE) {
+            return;
+        }
+        int number = last;
+        do {
+            number = next[number];
+            Place other = places.get(number);
+            if (other.block.piece(other.index) == PlaceBlock.NO_PIECE
+                    && other.position.distanceTo(point) <= joinDistance) {
+                reach(other, piece, open);
+            }
+        } while (number != last);
     }
 
     /** Numbers a place, or all places of a block alone, and adds those that have neighbours to a list. */
@@ -182,6 +214,6 @@ final class PlaceMap {
 
     /** Returns the blocks of each wall that has been sampled so far, in the order of the walls. */
     List<List<PlaceBlock>> blocks() {
-        return List.copyOf(new TreeMap<>(sampled).values());
+        return List.copyOf(blocksByWall.values());
     }
 }
