@@ -5,6 +5,7 @@ import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.Column;
 import faultline.campaign.plan.FactorKind;
 import faultline.campaign.run.Csv;
+import faultline.campaign.run.LineReader;
 import faultline.campaign.run.RowCheck;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -55,6 +56,7 @@ final class RunData {
      * @throws IOException if a row cannot be used, in one sentence
      */
     static RunData read(CampaignPlan plan, Path table) throws IOException {
+        checkLines(table);
         try (BufferedReader in = Files.newBufferedReader(table)) {
             Map<String, String> shared = new HashMap<>();
             RunData data = new RunData(plan, in.lines().map(line -> cells(line, shared))::iterator);
@@ -74,6 +76,19 @@ final class RunData {
             return data;
         } catch (UncheckedIOException e) {
             throw new IOException(table + ": the file cannot be read as UTF-8 text", e);
+        }
+    }
+
+    /** Checks that no line of a damaged file could fill the memory. */
+    private static void checkLines(Path table) throws IOException {
+        try (LineReader in = new LineReader(table)) {
+            int number = 1;
+            for (String line = in.next(); !line.isEmpty(); line = in.next()) {
+                if (in.isTooLong()) {
+                    throw new IOException(table + ":" + number + ": the row is too long; expected at most 1 MiB");
+                }
+                number++;
+            }
         }
     }
 

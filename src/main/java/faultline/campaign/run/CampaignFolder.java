@@ -110,7 +110,10 @@ public final class CampaignFolder {
 
     /** Returns the text of the manifest, empty if there is none. */
     Optional<String> readManifest() throws IOException {
-        return Files.isRegularFile(manifest()) ? Optional.of(Files.readString(manifest())) : Optional.empty();
+        // Bytes that are no text are those of another campaign.
+        return Files.isRegularFile(manifest())
+                ? Optional.of(new String(Files.readAllBytes(manifest()), StandardCharsets.UTF_8))
+                : Optional.empty();
     }
 
     /**

@@ -37,7 +37,9 @@ public final class CampaignMerge {
             if (!CampaignManifest.sameCampaign(first, manifest)) {
                 throw new IOException(folder + ": this is of another campaign than " + folders.get(0));
             }
-            parts.add(new ShardFolder(folder, CampaignManifest.shard(manifest).orElseThrow()));
+            Shard shard = CampaignManifest.shard(manifest)
+                    .orElseThrow(() -> new IOException(folder + ": campaign.json does not say which part this is"));
+            parts.add(new ShardFolder(folder, shard));
         }
         plan = folders.get(0).readPlan();
         parts.sort(Comparator.comparing(part -> part.shard.firstRun(plan.runCount())));

@@ -9,21 +9,42 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Reads a file line by line. Lines include their line feed, so that an incomplete last line is recognised. */
-final class LineReader implements Closeable {
+/**
+ * Reads a file line by line. Lines include their line feed, so that an incomplete last line is recognised. A line
+ * longer than any row of a table is returned in pieces without a line feed, so that a damaged file does not fill the
+ * memory.
+ */
+public final class LineReader implements Closeable {
+
+    /** Bytes; a row has a few hundred. */
+    static final int MAX_LENGTH = 1 << 20;
 
     private final InputStream in;
     private int length;
 
-    LineReader(Path file) throws IOException {
+    /**
+     * Opens a file.
+     *
+     * @param file the file
+     * @throws IOException if the file cannot be opened, or is a device or a pipe, which may have no end
+     */
+    public LineReader(Path file) throws IOException {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new IOException(file + ": this is no regular file; expected a table");
+        }
         in = new BufferedInputStream(Files.newInputStream(file));
     }
 
-    /** Returns the next line with its line feed, without one only at the end of the file; empty after that. */
-    String next() throws IOException {
+    /**
+     * {@return the next line with its line feed, without one at the end of the file or if it is too long; empty after
+     * that}
+     *
+     * @throws IOException if the file cannot be read
+     */
+    public String next() throws IOException {
         ByteArrayOutputStream line = new ByteArrayOutputStream(256);
         int c = in.read();
-        while (c >= 0 && c != '\n') {
+        while (c >= 0 && c != '\n' && line.size() < MAX_LENGTH) {
             line.write(c);
             c = in.read();
         }
@@ -32,6 +53,11 @@ final class LineReader implements Closeable {
         }
         length = line.size();
         return line.toString(StandardCharsets.UTF_8);
+    }
+
+    /** {@return whether the last line is only a piece of one that is too long} */
+    public boolean isTooLong() {
+        return length > MAX_LENGTH;
     }
 
     /** Returns how many bytes the last line had. */

@@ -179,6 +179,16 @@ class CampaignReportTest {
         assertEquals(table + ": the file cannot be read as UTF-8 text", refusal.getMessage());
     }
 
+    @Test
+    void aTableWithAnEndlessLineIsRefusedInOneSentence() throws Exception {
+        report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        Path table = folder.resolve("runs.csv");
+        long rows = Files.readAllLines(table).size();
+        Files.writeString(table, "x".repeat(3 << 20), StandardOpenOption.APPEND);
+        IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
+        assertEquals(table + ":" + (rows + 1) + ": the row is too long; expected at most 1 MiB", refusal.getMessage());
+    }
+
     private static List<String> headings(String html) {
         return java.util.regex.Pattern.compile("<h2>(.*?)</h2>")
                 .matcher(html)

@@ -99,6 +99,19 @@ class CampaignRunnerTest {
         }
     }
 
+    /** Such as the zeros that a file system may leave in a file after the machine has failed. */
+    @Test
+    void aTableWhoseRestIsOneLongLineIsEndedWithTheSameBytes() throws Exception {
+        runs(folder, Shard.ALL, 1, false);
+        for (String table : List.of("runs.csv", "timing.csv")) {
+            Path file = folder.resolve(table);
+            Files.write(file, Arrays.copyOf(Files.readAllBytes(file), 3 * LineReader.MAX_LENGTH));
+            assertArrayEquals(expected, runs(folder, Shard.ALL, 2, true), table);
+            assertEquals(
+                    37, Files.readString(folder.resolve("timing.csv")).lines().count(), table);
+        }
+    }
+
     @Test
     void aCancelledCampaignLeavesWholeRowsAndGoesOn() throws Exception {
         AtomicLong seen = new AtomicLong();
@@ -170,6 +183,16 @@ class CampaignRunnerTest {
         cannotMerge("run 24 comes next", one, two, two, three);
         Files.write(two.runs(), Arrays.copyOf(Files.readAllBytes(two.runs()), 900));
         cannotMerge("--shard 2/3 --resume makes the rest", one, two, three);
+    }
+
+    @Test
+    void aPartWhoseManifestIsDamagedIsRefused() throws Exception {
+        CampaignFolder one = part(1);
+        Path manifest = folder.resolve("part-1/campaign.json");
+        for (byte[] damaged : List.of(new byte[0], new byte[] {(byte) 0xff, 0, 7})) {
+            Files.write(manifest, damaged);
+            cannotMerge("campaign.json does not say which part this is", one);
+        }
     }
 
     private CampaignFolder part(int number) throws Exception {

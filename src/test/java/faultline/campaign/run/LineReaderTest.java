@@ -1,0 +1,53 @@
+package faultline.campaign.run;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class LineReaderTest {
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void linesComeWithTheirLineFeedsAndTheirLengthInBytes() throws IOException {
+        Path file = Files.writeString(folder.resolve("a.csv"), "run\n\n\u00fc\nend");
+        try (LineReader in = new LineReader(file)) {
+            assertEquals("run\n", in.next());
+            assertEquals("\n", in.next());
+            assertEquals("\u00fc\n", in.next());
+            assertEquals(3, in.length());
+            assertEquals("end", in.next());
+            assertEquals("", in.next());
+            assertFalse(in.isTooLong());
+        }
+    }
+
+    @Test
+    void aLongLineComesInPiecesWithoutALineFeed() throws IOException {
+        String line = "x".repeat(2 * LineReader.MAX_LENGTH);
+        try (LineReader in = new LineReader(Files.writeString(folder.resolve("a.csv"), "run\n" + line + "\n"))) {
+            assertEquals("run\n", in.next());
+            String piece = in.next();
+            assertTrue(in.isTooLong());
+            assertTrue(line.startsWith(piece) && piece.length() < line.length());
+            assertEquals(line + "\n", piece + in.next());
+        }
+    }
+
+    @Test
+    void whatMayHaveNoEndIsRefused() {
+        Path device = Path.of("/dev/zero");
+        assumeTrue(Files.exists(device));
+        IOException refusal = assertThrows(IOException.class, () -> new LineReader(device).close());
+        assertEquals("/dev/zero: this is no regular file; expected a table", refusal.getMessage());
+    }
+}
