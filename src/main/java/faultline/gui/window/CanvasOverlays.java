@@ -14,8 +14,9 @@ import java.util.List;
 import javax.swing.JComponent;
 
 /**
- * Places the components on top of the canvas where they do not hide the robot: the banner along the upper or the lower
- * edge, and the card of the tour in a corner, which it leaves only when the robot comes near.
+ * Places the components on top of the canvas where they do not hide the robot. The banner is along the upper edge, and
+ * a fitted world is shown below it; in a view that the user has chosen, it goes to the lower edge if the robot is at
+ * the upper one. The card of the tour is in a corner, which it leaves only when the robot comes near.
  */
 final class CanvasOverlays implements LayoutManager {
 
@@ -50,9 +51,12 @@ final class CanvasOverlays implements LayoutManager {
 
     @Override
     public void layoutContainer(Container parent) {
+        int bannerHeight = banner.isVisible() ? banner.getPreferredSize().height : 0;
+        canvas.setCovered(bannerHeight);
         List<Rectangle2D> avoided = new ArrayList<>(canvas.robotArea().stream().toList());
         if (banner.isVisible()) {
-            move(banner, new Dimension(parent.getWidth(), banner.getPreferredSize().height), bannerEdge, avoided);
+            CornerChoice edge = canvas.isFitting() ? new CornerChoice(Corner.UPPER_LEFT) : bannerEdge;
+            move(banner, new Dimension(parent.getWidth(), bannerHeight), edge, avoided);
             avoided.add(banner.getBounds());
         }
         if (card != null && card.isVisible()) {

@@ -99,8 +99,26 @@ class CanvasOverlaysTest {
     }
 
     @Test
-    void theBannerLeavesTheUpperEdgeForTheRobot() {
+    void theBannerCoversNoFloorOfAFittedWorld() {
         runOnEdt(() -> {
+            drive(3, 3.7);
+            double before = canvas.camera().scale();
+            banner.setVisible(true);
+            overlays.update();
+            assertEquals(new Rectangle(0, 0, 845, 60), banner.getBounds());
+            assertEquals(60 + 24, canvas.camera().toScreen(new Vector2(0, 4)).y(), 1e-9);
+            assertEquals(373 - 24, canvas.camera().toScreen(new Vector2(0, 0)).y(), 1e-9);
+            banner.setVisible(false);
+            overlays.layoutContainer(canvas);
+            assertEquals(before, canvas.camera().scale());
+        });
+    }
+
+    @Test
+    void inAChosenViewTheBannerLeavesTheUpperEdgeForTheRobot() {
+        runOnEdt(() -> {
+            drive(3, 1);
+            canvas.zoomIn();
             banner.setVisible(true);
             drive(3, 1);
             assertEquals(new Rectangle(0, 0, 845, 60), banner.getBounds());
