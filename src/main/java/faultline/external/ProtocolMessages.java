@@ -96,7 +96,10 @@ final class ProtocolMessages {
         }
     }
 
-    /** Writes what no controller should know: the true pose, the true readings, and whether the robot has collided. */
+    /**
+     * Writes the ground truth, which no controller should use: the true pose, the true readings, and whether the robot
+     * has collided.
+     */
     static void writeTruth(JsonWriter json, Simulation simulation) {
         Pose pose = simulation.pose();
         json.name("truth").beginObject().name("pose").beginObject();

@@ -47,7 +47,7 @@ public final class SimulationServer {
         this.out = out;
     }
 
-    /** One run and what drives it. */
+    /** One run and its controller. */
     private static final class Episode implements AutoCloseable {
         private final DriveTelemetry telemetry = new DriveTelemetry("EXTERN");
         /** The one that was last given from outside. */

@@ -1,6 +1,6 @@
 package faultline.floorplan;
 
-/** What a map says of one cell. */
+/** The occupancy of one cell in a map. */
 public enum CellState {
     /** The cell was seen free. */
     FREE,

@@ -41,7 +41,7 @@ enum Metric {
         return column;
     }
 
-    /** Returns what it measures, as shown to users. */
+    /** Returns the name of the measured quantity, as shown to users. */
     String meaning() {
         return meaning;
     }
@@ -50,7 +50,7 @@ enum Metric {
         return String.format(Locale.ROOT, format, number);
     }
 
-    /** Returns the value of a run, empty if it has none. */
+    /** Returns the value for a run, empty if it has none. */
     OptionalDouble of(ControllerRuns.ComparedRun run) {
         return value.apply(run);
     }

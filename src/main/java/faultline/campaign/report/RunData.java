@@ -107,7 +107,7 @@ final class RunData {
         return plan.worldCount();
     }
 
-    /** Returns the place of a column, -1 if there is none of the name. */
+    /** Returns the index of a column, -1 if no column has the name. */
     int index(String column) {
         return indices.getOrDefault(column, -1);
     }
@@ -163,7 +163,7 @@ final class RunData {
         return groups;
     }
 
-    /** Returns what the fault of a run is called, empty if the campaign has no faults. */
+    /** Returns the name of the fault of a run, empty if the campaign has no faults. */
     String faultName(RunRow row) {
         return factor(FactorKind.FAULTS)
                 .map(factor -> failingPart(row, factor).isEmpty()
@@ -179,7 +179,7 @@ final class RunData {
                 .orElse("");
     }
 
-    /** Returns what fails in a run. */
+    /** Returns the part that fails in a run. */
     String failingPart(RunRow row) {
         String part = factor(FactorKind.FAULTS)
                 .map(factor -> failingPart(row, factor))

@@ -20,7 +20,7 @@ public final class CampaignRunner {
     /** Runs that may be finished before the one that the table waits for, for each thread. */
     private static final int RUNS_AHEAD = 16;
 
-    /** Whether the runs are cancelled is asked at least this often, milliseconds. */
+    /** The longest interval between two checks for cancellation, milliseconds. */
     private static final long CANCEL_INTERVAL = 50;
 
     /** Rows are forced to the disk at most this often, nanoseconds. */

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 
-/** The columns of {@code runs.csv}: the run, what varies, and what the run came to. */
+/** The columns of {@code runs.csv}: the run, its factors, and its results. */
 public final class ResultColumns {
 
     private static final int FAILURE_LENGTH = 200;

@@ -37,7 +37,7 @@ public final class RowCheck {
         return Optional.empty();
     }
 
-    /** Returns what is wrong in a row with a header; empty if the row can be used. */
+    /** Returns the error in a row with a header; empty if the row is valid. */
     static Optional<String> findProblem(List<String> header, List<String> cells) {
         if (cells.size() != header.size()) {
             return Optional.of("a row has " + cells.size() + " cells; expected " + header.size());

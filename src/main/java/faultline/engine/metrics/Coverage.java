@@ -107,7 +107,7 @@ final class Coverage {
         }
     }
 
-    /** Returns the share of the piece of which most was passed; of equals the one that begins first. */
+    /** Returns the largest share of a piece that was passed; of equal pieces, that of the first. */
     private double greatestShare() {
         PieceLengths lengths = new PieceLengths(pieces);
         int wall = 0;

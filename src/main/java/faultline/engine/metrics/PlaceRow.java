@@ -35,7 +35,7 @@ sealed interface PlaceRow {
     /** Returns a distance that neighbours among some places do not exceed, metres. */
     double step(int from, int end);
 
-    /** Returns a distance from the middle one of some places that none of them exceeds, metres. */
+    /** Returns an upper bound of the distance of some places from the middle one, metres. */
     default double radius(int from, int end) {
         return step(from, end) * ((end - from) / 2);
     }

@@ -10,7 +10,7 @@ import java.util.List;
  */
 final class TraceRows {
 
-    /** Stands for a word in place of a number, whose bits are never these. */
+    /** Marks a word instead of a number; no number has these bits. */
     static final long WORD = Double.doubleToLongBits(Double.NaN) + 1;
 
     /** Differs from every cell. */

@@ -22,7 +22,7 @@ final class TraceText {
 
     private byte[] text = new byte[MIN_SIZE];
     private int length;
-    /** The end of what has been written. */
+    /** The end of the written text. */
     private int written;
 
     /** Where the cells of the row begin, from the next one on those of the row above; the last is the row's end. */

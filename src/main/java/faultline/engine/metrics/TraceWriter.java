@@ -55,7 +55,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
     }
 
     /**
-     * Creates a trace whose rows are written soon, although the run is slow.
+     * Creates a trace whose rows are written without delay even if the run is slow.
      *
      * @param out where the rows go, many at a time, on another thread
      * @param format which columns it has

@@ -63,7 +63,7 @@ public final class WindowPreferences {
         this.store = store;
     }
 
-    /** Returns the preferences of the current user; they forget everything if the system has no preference store. */
+    /** Returns the preferences of the current user; they are not stored if the system has no preference store. */
     public static WindowPreferences forCurrentUser() {
         PREFERENCES_LOG.setLevel(Level.OFF);
         try {
@@ -74,7 +74,7 @@ public final class WindowPreferences {
         }
     }
 
-    /** Returns preferences that forget everything. */
+    /** Returns preferences that are not stored. */
     public static WindowPreferences nonPersistent() {
         return new WindowPreferences(new PreferenceStore(key -> "", (key, text) -> {}));
     }
