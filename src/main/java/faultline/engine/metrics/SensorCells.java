@@ -28,6 +28,9 @@ final class SensorCells implements TraceCells {
         private String faultText = "";
         /** Null without a diagnosis. */
         private SensorHealth health;
+
+        private String trust = "";
+        private String finding = "";
     }
 
     SensorCells(RobotSpec robot) {
@@ -82,13 +85,17 @@ final class SensorCells implements TraceCells {
             words.faults = List.copyOf(faults);
             words.faultText = text(words.faults);
         }
+        if (health != words.health) {
+            words.trust = health == null ? "" : health.trust().name().toLowerCase(Locale.ROOT);
+            words.finding = health == null ? "" : health.finding().name().toLowerCase(Locale.ROOT);
+        }
         words.off = off;
         words.health = health;
         words.written = true;
         rows.append(off ? "0" : "1");
         rows.append(words.faultText);
-        rows.append(health == null ? "" : health.trust().name().toLowerCase(Locale.ROOT));
-        rows.append(health == null ? "" : health.finding().name().toLowerCase(Locale.ROOT));
+        rows.append(words.trust);
+        rows.append(words.finding);
         if (health == null) {
             rows.append("");
         } else {
