@@ -87,7 +87,7 @@ class RefusalNoteRobotTest {
         driver.robot().pressKeys(KeyEvent.VK_1);
         driver.robot().pressKeys(KeyEvent.VK_SEMICOLON);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
-        waitForNote(waypoints, "These are not points");
+        waitForNote(waypoints, "Invalid points");
         assertEquals(before, callOnEdt(waypoints::getText));
     }
 }
