@@ -19,7 +19,7 @@ public interface ControllerSource {
     /**
      * {@return a controller for a run} One that is {@link AutoCloseable} is closed with the run.
      *
-     * @param run what it is started for
+     * @param run the conditions of the run
      */
     Controller start(RunConditions run);
 

@@ -15,7 +15,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 
-/** Makes the report of a campaign: one HTML page that needs nothing but itself. */
+/** Makes the report of a campaign: one self-contained HTML page. */
 public final class CampaignReport {
 
     private static final int WORST = 20;

@@ -8,9 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 
-/**
- * Several controllers in the same scenario with the same seeds: a table, and one page that needs nothing but itself.
- */
+/** Several controllers in the same scenario with the same seeds: a table and one self-contained page. */
 public final class ControllerComparison {
 
     private final Scenario scenario;

@@ -23,7 +23,7 @@ final class Html {
         return String.format(Locale.ROOT, format, values);
     }
 
-    /** Returns a page that needs nothing but itself. */
+    /** Returns a self-contained page. */
     static String page(String title, String introduction, String content) {
         return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                 + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"

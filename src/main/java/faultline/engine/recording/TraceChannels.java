@@ -5,7 +5,7 @@ public final class TraceChannels {
 
     /** The distance that the controller holds, metres. */
     public static final int WANTED_DISTANCE = 0;
-    /** The distance that it goes by, metres. */
+    /** The distance that the controller measures, metres. */
     public static final int MEASURED_DISTANCE = 1;
     /** The PD controller's P term, radians per second. */
     public static final int PROPORTIONAL = 2;

@@ -48,7 +48,7 @@ final class ResultTable extends RowTable {
 
     private final Model model;
     private final transient TableRowSorter<Model> sorter;
-    /** The columns of what has not happened. */
+    /** The columns without a value in any run, which are not shown. */
     private final transient List<TableColumn> hidden = new ArrayList<>();
     /** Whether headings are broken into lines and the hash is cut, because the table lacks room. */
     private boolean compact;

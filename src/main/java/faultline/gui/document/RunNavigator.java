@@ -128,7 +128,7 @@ public final class RunNavigator implements WorkspaceListener {
         scenarioOpened();
     }
 
-    /** A recorded run has been further than it is at its start. */
+    /** Sets the furthest tick; all of a recorded run can be reached from its start. */
     private void runStarted(Scenario scenario) {
         furthestTick = scenario.recorded() ? scenario.setup().ticks() : 0;
         replayEnd = scenario.recorded() ? furthestTick : NONE;

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Function;
+import javax.swing.BorderFactory;
 import javax.swing.border.Border;
 import javax.swing.border.CompoundBorder;
 import javax.swing.border.EmptyBorder;
@@ -79,7 +80,11 @@ final class FlatDefaults {
         Border focused =
                 new BorderUIResource(new CompoundBorder(new LineBorder(colours.accent()), new EmptyBorder(0, 5, 0, 5)));
         table.put("List.focusCellHighlightBorder", focused);
-        table.put("List.focusSelectedCellHighlightBorder", focused);
+        // A line in the colour of the selection would not show.
+        table.put(
+                "List.focusSelectedCellHighlightBorder",
+                new BorderUIResource(new CompoundBorder(
+                        BorderFactory.createDashedBorder(colours.onAccent()), new EmptyBorder(0, 5, 0, 5))));
     }
 
     private void addMenus() {

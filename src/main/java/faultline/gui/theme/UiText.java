@@ -69,7 +69,12 @@ public final class UiText {
         if (component instanceof JScrollPane || component instanceof JTable || component instanceof JList) {
             for (String key : List.of("ctrl PAGE_UP", "ctrl PAGE_DOWN")) {
                 KeyStroke stroke = KeyStroke.getKeyStroke(key);
-                ((JComponent) component).getInputMap(JComponent.WHEN_FOCUSED).put(stroke, "none");
+                // A scroll pane with keys of its own would become a stop of the Tab key.
+                if (!(component instanceof JScrollPane)) {
+                    ((JComponent) component)
+                            .getInputMap(JComponent.WHEN_FOCUSED)
+                            .put(stroke, "none");
+                }
                 ((JComponent) component)
                         .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
                         .put(stroke, "none");

@@ -8,7 +8,7 @@ import javax.swing.Timer;
 
 /**
  * Polls about sixty times per second while something happens, and twice per second when nothing has happened for a
- * second, so that a paused window takes no processor time. Any event of the user ends the rest at once.
+ * second, so that a paused window takes no processor time. Any event of the user restores the higher rate at once.
  */
 final class PollTimer {
 

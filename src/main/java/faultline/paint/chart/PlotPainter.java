@@ -22,7 +22,7 @@ import java.util.List;
  */
 public record PlotPainter(Surface surface, Plot plot) {
 
-    /** How far beyond the end of an axis a value that is its end may lie by rounding, as a share of the axis. */
+    /** The largest rounding error of a value at the end of an axis, as a share of the axis. */
     private static final double ROUNDING = 1e-9;
 
     /** Paints a line at each tick of both axes. */

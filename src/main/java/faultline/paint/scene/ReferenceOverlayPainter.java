@@ -24,7 +24,7 @@ public final class ReferenceOverlayPainter {
     /** From a mark up to the middle of its label, pixels. */
     private static final double LABEL_GAP = 8.5;
 
-    /** The least height of the description of a collision, and by how much its text adds to it, pixels. */
+    /** The minimum height of the description of a collision, pixels. */
     private static final double BADGE_HEIGHT = 20;
 
     private static final double SAMPLE_LENGTH = 26;

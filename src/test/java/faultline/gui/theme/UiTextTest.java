@@ -1,0 +1,50 @@
+package faultline.gui.theme;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import javax.swing.InputMap;
+import javax.swing.JComponent;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.Test;
+
+/** Tabs and the keys of what they contain. */
+class UiTextTest {
+
+    private final JList<String> list = new JList<>();
+    private final JScrollPane scroll = new JScrollPane(list);
+
+    private static int keysWithFocus(JComponent component) {
+        int keys = 0;
+        for (InputMap map = component.getInputMap(JComponent.WHEN_FOCUSED); map != null; map = map.getParent()) {
+            keys += map.size();
+        }
+        return keys;
+    }
+
+    private void addTab() {
+        JPanel content = new JPanel();
+        content.add(scroll);
+        UiText.addTab(new JTabbedPane(), "panel.run", content);
+    }
+
+    @Test
+    void scrollPanesInATabHaveNoKeysOfTheirOwnSoTheTabKeyPassesThemBy() {
+        addTab();
+        assertEquals(0, keysWithFocus(scroll));
+    }
+
+    @Test
+    void listsAndScrollPanesInATabLeaveTheKeysOfTheTabsToThem() {
+        addTab();
+        KeyStroke next = KeyStroke.getKeyStroke("ctrl PAGE_DOWN");
+        assertEquals("none", list.getInputMap(JComponent.WHEN_FOCUSED).get(next));
+        assertEquals(
+                "none",
+                scroll.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                        .get(next));
+    }
+}
