@@ -7,7 +7,10 @@ import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Refusal;
 
-/** An event of a run. */
+/**
+ * An event of a run. Code that depends on the kind of event implements {@link EventVisitor}, so that a new kind does
+ * not compile until it is handled everywhere.
+ */
 public sealed interface RunEvent {
 
     /** {@return the tick at whose end the event shows} */
@@ -15,6 +18,77 @@ public sealed interface RunEvent {
 
     /** {@return the time of the event, seconds} */
     double time();
+
+    /**
+     * {@return what the method of a visitor for this kind of event returns}
+     *
+     * @param visitor the visitor
+     * @param <R> the visitor's result type
+     */
+    <R> R accept(EventVisitor<R> visitor);
+
+    /**
+     * An operation with one method for each kind of event.
+     *
+     * @param <R> the result type
+     */
+    interface EventVisitor<R> {
+        /**
+         * {@return the result for a {@link StateChanged}}
+         *
+         * @param event the event to visit
+         */
+        R visit(StateChanged event);
+
+        /**
+         * {@return the result for an {@link AlignmentTimed}}
+         *
+         * @param event the event to visit
+         */
+        R visit(AlignmentTimed event);
+
+        /**
+         * {@return the result for a {@link HealthChanged}}
+         *
+         * @param event the event to visit
+         */
+        R visit(HealthChanged event);
+
+        /**
+         * {@return the result for a {@link RungChanged}}
+         *
+         * @param event the event to visit
+         */
+        R visit(RungChanged event);
+
+        /**
+         * {@return the result for a {@link CommandExecuted}}
+         *
+         * @param event the event to visit
+         */
+        R visit(CommandExecuted event);
+
+        /**
+         * {@return the result for a {@link CommandRefused}}
+         *
+         * @param event the event to visit
+         */
+        R visit(CommandRefused event);
+
+        /**
+         * {@return the result for a {@link Collided}}
+         *
+         * @param event the event to visit
+         */
+        R visit(Collided event);
+
+        /**
+         * {@return the result for a {@link Diverged}}
+         *
+         * @param event the event to visit
+         */
+        R visit(Diverged event);
+    }
 
     /**
      * The controller changed its state.
@@ -26,7 +100,12 @@ public sealed interface RunEvent {
      * @param condition the condition of the transition
      */
     record StateChanged(long tick, double time, ControllerState from, ControllerState to, String condition)
-            implements RunEvent {}
+            implements RunEvent {
+        @Override
+        public <R> R accept(EventVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * The controller has timed the wall during an alignment turn.
@@ -37,7 +116,12 @@ public sealed interface RunEvent {
      * @param f4 the simulated time of frame F4, seconds
      * @param tP the duration of the turn back, t_p of eq. (4), seconds
      */
-    record AlignmentTimed(long tick, double time, double f3, double f4, double tP) implements RunEvent {}
+    record AlignmentTimed(long tick, double time, double f3, double f4, double tP) implements RunEvent {
+        @Override
+        public <R> R accept(EventVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * The controller's diagnosis trusts a sensor more or less than before.
@@ -47,7 +131,12 @@ public sealed interface RunEvent {
      * @param from the trust before
      * @param health the finding about the sensor now
      */
-    record HealthChanged(long tick, double time, SensorTrust from, SensorHealth health) implements RunEvent {}
+    record HealthChanged(long tick, double time, SensorTrust from, SensorHealth health) implements RunEvent {
+        @Override
+        public <R> R accept(EventVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * Another rung of the controller's ladder of strategies drives.
@@ -57,7 +146,12 @@ public sealed interface RunEvent {
      * @param from the name of the rung before
      * @param to the name of the rung that drives now
      */
-    record RungChanged(long tick, double time, String from, String to) implements RunEvent {}
+    record RungChanged(long tick, double time, String from, String to) implements RunEvent {
+        @Override
+        public <R> R accept(EventVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * A command of the timeline or from outside was executed.
@@ -66,7 +160,12 @@ public sealed interface RunEvent {
      * @param time of that tick, seconds
      * @param command the command
      */
-    record CommandExecuted(long tick, double time, Command command) implements RunEvent {}
+    record CommandExecuted(long tick, double time, Command command) implements RunEvent {
+        @Override
+        public <R> R accept(EventVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * A command was refused.
@@ -76,7 +175,12 @@ public sealed interface RunEvent {
      * @param command the command
      * @param refusal the reason
      */
-    record CommandRefused(long tick, double time, Command command, Refusal refusal) implements RunEvent {}
+    record CommandRefused(long tick, double time, Command command, Refusal refusal) implements RunEvent {
+        @Override
+        public <R> R accept(EventVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * The robot touched an obstacle for the first time.
@@ -89,6 +193,11 @@ public sealed interface RunEvent {
         public double time() {
             return collision.time();
         }
+
+        @Override
+        public <R> R accept(EventVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
     }
 
     /**
@@ -97,5 +206,10 @@ public sealed interface RunEvent {
      * @param tick the first tick in which they differ by at least a bit
      * @param time of that tick, seconds
      */
-    record Diverged(long tick, double time) implements RunEvent {}
+    record Diverged(long tick, double time) implements RunEvent {
+        @Override
+        public <R> R accept(EventVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 }

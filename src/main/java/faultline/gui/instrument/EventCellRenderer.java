@@ -4,8 +4,7 @@ import faultline.engine.recording.RunEvent;
 import faultline.gui.theme.GlyphIcon;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.ThemeColours;
-import faultline.gui.timeline.EventMark;
-import faultline.gui.timeline.EventText;
+import faultline.gui.timeline.EventKind;
 import java.awt.Color;
 import java.awt.Component;
 import java.util.function.Function;
@@ -36,8 +35,8 @@ final class EventCellRenderer extends DefaultTableCellRenderer {
     }
 
     private static Icon icon(RunEvent event, boolean selected) {
-        boolean striking = EventText.isFailure(event) || event instanceof RunEvent.CommandRefused;
-        Function<ThemeColours, Color> colour = striking ? ThemeColours::warning : ThemeColours::muted;
-        return new GlyphIcon(EventMark.of(event), TextSize.scaled(ICON_SIZE), selected ? null : colour);
+        EventKind kind = EventKind.of(event);
+        Function<ThemeColours, Color> colour = kind.isWarning() ? ThemeColours::warning : ThemeColours::muted;
+        return new GlyphIcon(kind.mark(), TextSize.scaled(ICON_SIZE), selected ? null : colour);
     }
 }

@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.gui.text.Messages;
+import faultline.gui.timeline.EventKind;
 import faultline.gui.timeline.EventText;
 import java.util.Objects;
 import javax.swing.table.AbstractTableModel;
@@ -131,6 +132,6 @@ final class EventTableModel extends AbstractTableModel {
         RunEvent event = eventAt(row);
         return column == 0
                 ? EventText.time(event)
-                : column == KIND_COLUMN ? EventText.kind(event) : EventText.sentence(event);
+                : column == KIND_COLUMN ? EventKind.of(event).text() : EventText.sentence(event);
     }
 }

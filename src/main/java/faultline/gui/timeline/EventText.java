@@ -7,85 +7,73 @@ import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
 import java.util.Locale;
 
-/** Describes the events of a run. */
-public final class EventText {
+/** Describes the events of a run in the user's language. */
+public final class EventText implements RunEvent.EventVisitor<String> {
+
+    private static final EventText INSTANCE = new EventText();
 
     private EventText() {}
 
-    /** Returns the kind of an event. */
-    public static String kind(RunEvent event) {
-        if (event instanceof RunEvent.CommandExecuted done) {
-            return Messages.get(CommandRole.isFaultChange(done.command()) ? "event.fault" : "event.command");
-        }
-        if (event instanceof RunEvent.Diverged) {
-            return Messages.get("event.ghost");
-        }
-        if (event instanceof RunEvent.AlignmentTimed) {
-            return Messages.get("event.timing");
-        }
-        if (event instanceof RunEvent.HealthChanged) {
-            return Messages.get("event.health");
-        }
-        if (event instanceof RunEvent.RungChanged) {
-            return Messages.get("event.rung");
-        }
-        return Messages.get(
-                event instanceof RunEvent.StateChanged
-                        ? "event.transition"
-                        : event instanceof RunEvent.CommandRefused ? "event.refused" : "event.collision");
-    }
-
-    /** Returns whether an event is a sensor fault, a sensor that is not trusted any more, or a collision. */
-    public static boolean isFailure(RunEvent event) {
-        return event instanceof RunEvent.Collided
-                || event instanceof RunEvent.HealthChanged change
-                        && !change.health().isTrusted()
-                || event instanceof RunEvent.CommandExecuted done
-                        && CommandRole.of(done.command()).isFaultStart();
-    }
-
+    /** Returns the time of an event, seconds. */
     public static String time(RunEvent event) {
-        return format("%.3f", event.time());
+        return threeDecimals(event.time());
     }
 
     /** Describes an event. */
     public static String sentence(RunEvent event) {
-        if (event instanceof RunEvent.StateChanged move) {
-            return StateText.transition(move.from(), move.to(), move.condition());
-        }
-        if (event instanceof RunEvent.CommandExecuted done) {
-            return CommandText.format(done.command());
-        }
-        if (event instanceof RunEvent.CommandRefused refused) {
-            return Messages.get(
-                    "event.why", CommandText.format(refused.command()), RefusalText.format(refused.refusal()));
-        }
-        if (event instanceof RunEvent.AlignmentTimed timing) {
-            return Messages.get(
-                    "event.timed",
-                    format("%.3f", timing.f3()),
-                    format("%.3f", timing.f4()),
-                    format("%.3f", timing.f4() - timing.f3()),
-                    format("%.3f", timing.tP()));
-        }
-        if (event instanceof RunEvent.HealthChanged change) {
-            return HealthText.change(change.from(), change.health());
-        }
-        if (event instanceof RunEvent.RungChanged change) {
-            return Messages.get("event.rung.changed", HealthText.rung(change.from()), HealthText.rung(change.to()));
-        }
-        return event instanceof RunEvent.Collided collided ? collision(collided) : Messages.get("event.diverged");
+        return event.accept(INSTANCE);
     }
 
-    private static String collision(RunEvent.Collided event) {
+    @Override
+    public String visit(RunEvent.StateChanged event) {
+        return StateText.transition(event.from(), event.to(), event.condition());
+    }
+
+    @Override
+    public String visit(RunEvent.AlignmentTimed event) {
+        return Messages.get(
+                "event.timed",
+                threeDecimals(event.f3()),
+                threeDecimals(event.f4()),
+                threeDecimals(event.f4() - event.f3()),
+                threeDecimals(event.tP()));
+    }
+
+    @Override
+    public String visit(RunEvent.HealthChanged event) {
+        return HealthText.change(event.from(), event.health());
+    }
+
+    @Override
+    public String visit(RunEvent.RungChanged event) {
+        return Messages.get("event.rung.changed", HealthText.rung(event.from()), HealthText.rung(event.to()));
+    }
+
+    @Override
+    public String visit(RunEvent.CommandExecuted event) {
+        return CommandText.format(event.command());
+    }
+
+    @Override
+    public String visit(RunEvent.CommandRefused event) {
+        return Messages.get("event.why", CommandText.format(event.command()), RefusalText.format(event.refusal()));
+    }
+
+    @Override
+    public String visit(RunEvent.Collided event) {
         return Messages.get(
                 "event.collided",
                 event.collision().obstacle(),
-                format("%.3f", event.collision().point().x()),
-                format("%.3f", event.collision().point().y()));
+                threeDecimals(event.collision().point().x()),
+                threeDecimals(event.collision().point().y()));
     }
 
-    private static String format(String format, double value) {
-        return String.format(Locale.ROOT, format, value);
+    @Override
+    public String visit(RunEvent.Diverged event) {
+        return Messages.get("event.diverged");
+    }
+
+    private static String threeDecimals(double value) {
+        return String.format(Locale.ROOT, "%.3f", value);
     }
 }

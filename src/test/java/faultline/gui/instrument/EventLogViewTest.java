@@ -9,6 +9,7 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.timeline.EventKind;
 import faultline.gui.timeline.EventText;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
@@ -139,6 +140,6 @@ class EventLogViewTest {
         RunEvent event = new RunEvent.Collided(322, collision);
         assertEquals(
                 "3.217 Collision first contact with desk at 1.500, 2.000",
-                EventText.time(event) + " " + EventText.kind(event) + " " + EventText.sentence(event));
+                EventText.time(event) + " " + EventKind.of(event).text() + " " + EventText.sentence(event));
     }
 }

@@ -1,0 +1,110 @@
+package faultline.gui.timeline;
+
+import faultline.engine.recording.RunEvent;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Glyph;
+
+/** The kinds of events that the event log tells apart, without reading and without colour by their marks. */
+public enum EventKind {
+    /** The controller changed its state. */
+    TRANSITION("event.transition", Glyph.TRANSITION, false),
+    /** The controller timed the wall. */
+    TIMING("event.timing", Glyph.CLOCK, false),
+    /** The diagnosis trusts a sensor again. */
+    TRUST("event.health", Glyph.PULSE, false),
+    /** The diagnosis does not trust a sensor. */
+    DISTRUST("event.health", Glyph.PULSE, true),
+    /** Another rung of the ladder drives. */
+    RUNG("event.rung", Glyph.STAIRS, false),
+    /** A command added a fault. */
+    FAULT("event.fault", Glyph.FAULT, true),
+    /** A command removed faults. */
+    REPAIR("event.fault", Glyph.CHECK, false),
+    /** Another command was executed. */
+    COMMAND("event.command", Glyph.PENCIL, false),
+    /** A command was refused. */
+    REFUSAL("event.refused", Glyph.REMOVE, true),
+    /** The robot touched an obstacle. */
+    COLLISION("event.collision", Glyph.COLLISION, true),
+    /** The run differs from the reference run. */
+    DIVERGENCE("event.ghost", Glyph.FORK, false);
+
+    private static final RunEvent.EventVisitor<EventKind> FINDER = new KindFinder();
+
+    private final String key;
+    private final Glyph mark;
+    private final boolean warning;
+
+    EventKind(String key, Glyph mark, boolean warning) {
+        this.key = key;
+        this.mark = mark;
+        this.warning = warning;
+    }
+
+    /** Returns the kind of an event. */
+    public static EventKind of(RunEvent event) {
+        return event.accept(FINDER);
+    }
+
+    /** Returns the name of the kind in the user's language. */
+    public String text() {
+        return Messages.get(key);
+    }
+
+    /** Returns the shape beside the name. */
+    public Glyph mark() {
+        return mark;
+    }
+
+    /** Returns whether the mark has the colour of warnings. */
+    public boolean isWarning() {
+        return warning;
+    }
+
+    private static final class KindFinder implements RunEvent.EventVisitor<EventKind> {
+
+        @Override
+        public EventKind visit(RunEvent.StateChanged event) {
+            return TRANSITION;
+        }
+
+        @Override
+        public EventKind visit(RunEvent.AlignmentTimed event) {
+            return TIMING;
+        }
+
+        @Override
+        public EventKind visit(RunEvent.HealthChanged event) {
+            return event.health().isTrusted() ? TRUST : DISTRUST;
+        }
+
+        @Override
+        public EventKind visit(RunEvent.RungChanged event) {
+            return RUNG;
+        }
+
+        @Override
+        public EventKind visit(RunEvent.CommandExecuted event) {
+            CommandRole role = CommandRole.of(event.command());
+            if (role.effect() != CommandRole.Effect.FAULT) {
+                return COMMAND;
+            }
+            return role.isFaultStart() ? FAULT : REPAIR;
+        }
+
+        @Override
+        public EventKind visit(RunEvent.CommandRefused event) {
+            return REFUSAL;
+        }
+
+        @Override
+        public EventKind visit(RunEvent.Collided event) {
+            return COLLISION;
+        }
+
+        @Override
+        public EventKind visit(RunEvent.Diverged event) {
+            return DIVERGENCE;
+        }
+    }
+}
