@@ -19,8 +19,6 @@ import java.util.concurrent.atomic.AtomicBoolean;
 /** {@code campaign} and {@code merge}: makes the runs of a plan, and puts the parts of a divided campaign together. */
 final class CampaignCommand {
 
-    private static final int MAX_JOBS = 1024;
-
     /** How long the end of the process waits for the last rows, seconds. */
     private static final int STOP_SECONDS = 30;
 
@@ -36,8 +34,8 @@ final class CampaignCommand {
         Arguments sorted = new Arguments(valued, List.of("--out", "--jobs", "--shard"));
         Path file = sorted.singleFile("campaign", "plan");
         Path folder = folder(sorted);
-        int jobs =
-                sorted.positive("--jobs", MAX_JOBS).orElse(Runtime.getRuntime().availableProcessors());
+        int jobs = sorted.positive("--jobs", CampaignRunner.MAX_JOBS)
+                .orElse(Runtime.getRuntime().availableProcessors());
         Shard shard = shard(sorted);
         CampaignPlan plan = PlanFiles.read(file);
         CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(folder), shard, jobs);

@@ -7,6 +7,7 @@ import faultline.geometry.Pose;
 import faultline.io.DecimalText;
 import faultline.io.LinkResolver;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.FormatLimits;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -19,7 +20,7 @@ final class ImportCommand {
 
     private static final List<String> OPTION_NAMES =
             List.of("--out", "--resolution", "--unknown", "--min-cells", "--smooth", "--start");
-    private static final BigDecimal MAX_COORDINATE = new BigDecimal(100_000);
+    private static final BigDecimal MAX_COORDINATE = new BigDecimal(FormatLimits.MAX_COORDINATE);
 
     private final CommandOutput output;
 

@@ -1,8 +1,8 @@
 package faultline.sensor;
 
 /**
- * The limits of sensor settings. {@link SensorSpec} checks them; the scenario format and the controls of the window use
- * them.
+ * The limits of sensor settings. {@link SensorSpec} checks them, and the scenario format uses them. The controls of the
+ * window stay within them.
  */
 public final class SensorLimits {
 

@@ -18,6 +18,9 @@ import java.util.Set;
  */
 public final class CampaignPlan {
 
+    /** The greatest absolute value of a seed, and the greatest number of a generated room. */
+    public static final long MAX_SEED = 1_000_000_000_000L;
+
     /** The columns before those of the factors. */
     public static final List<Column> RUN_COLUMNS = List.of(
             new Column("run", "", "number of the run in the plan, from 0"),

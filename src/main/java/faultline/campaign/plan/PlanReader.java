@@ -104,7 +104,7 @@ final class PlanReader {
     private Seeds readSeeds(XmlElement node) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
-        Seeds seeds = new Seeds(fields.integer("first", -1_000_000_000_000L, 1_000_000_000_000L, 1), (int)
+        Seeds seeds = new Seeds(fields.integer("first", -CampaignPlan.MAX_SEED, CampaignPlan.MAX_SEED, 1), (int)
                 fields.integer("count", 1, MAX_RUNS, 1));
         fields.reportUnknownAndMissing();
         return seeds;

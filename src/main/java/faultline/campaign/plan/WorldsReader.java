@@ -57,7 +57,7 @@ final class WorldsReader {
     private WorldSource readRooms(XmlElement node) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
-        long first = fields.integer("first", 0, 1_000_000_000_000L, 1);
+        long first = fields.integer("first", 0, CampaignPlan.MAX_SEED, 1);
         int count = (int) fields.integer("count", 1, PlanReader.MAX_RUNS, 1);
         int minCorner = (int)
                 fields.integer("minCorner", RoomRules.MIN_CORNER, RoomRules.MAX_CORNER, RoomRules.DEFAULT.minCorner());

@@ -17,6 +17,9 @@ import java.util.function.BooleanSupplier;
 /** Makes a part of a campaign: runs on several threads, rows written in order by the calling thread. */
 public final class CampaignRunner {
 
+    /** The greatest number of threads that a user may ask for. */
+    public static final int MAX_JOBS = 1024;
+
     /** Runs that may be finished before the one that the table waits for, for each thread. */
     private static final int RUNS_AHEAD = 16;
 

@@ -1,5 +1,7 @@
 package faultline.gui.batch;
 
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.run.CampaignRunner;
 import faultline.control.ControllerSpec;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NamedChoice;
@@ -32,21 +34,19 @@ import javax.swing.JTextField;
 final class BatchForm extends JPanel {
 
     private static final int COLUMNS = 9;
-    private static final int MAX_JOBS = 1024;
-    /** The greatest seed of a plan. */
-    private static final double MAX_SEED = 1e12;
 
     private static final double EARLIEST_SHARE = 0.1;
     private static final double LATEST_SHARE = 0.5;
 
     private final Scenario scenario;
     private final NumberSpinner seeds = number("0", 1, 1_000_000, 1, "batch.seeds");
-    private final NumberSpinner firstSeed = number("0", -MAX_SEED, MAX_SEED, 1, "batch.firstSeed");
+    private final NumberSpinner firstSeed =
+            number("0", -CampaignPlan.MAX_SEED, CampaignPlan.MAX_SEED, 1, "batch.firstSeed");
     private final NumberSpinner duration = number("0.0##", 0.001, 1e6, 10, "batch.duration");
     private final JCheckBox untilVerdict = UiText.text(new JCheckBox(), "batch.untilVerdict");
     private final NamedChoice<DiagnosisChoice> diagnosis = new NamedChoice<>(
             DiagnosisChoice.values(), value -> Messages.get("batch.diagnosis." + value), ignored -> updateCount());
-    private final NumberSpinner jobs = number("0", 1, MAX_JOBS, 1, "batch.jobs");
+    private final NumberSpinner jobs = number("0", 1, CampaignRunner.MAX_JOBS, 1, "batch.jobs");
     private final JTextField onset = new JTextField(COLUMNS);
     private final JCheckBox healthy = UiText.text(new JCheckBox("", true), "batch.healthy");
     private final List<JCheckBox> sensors;
@@ -93,7 +93,7 @@ final class BatchForm extends JPanel {
         double seconds = scenario.setup().duration();
         seeds.setWorldValue(10);
         long seed = scenario.setup().seed();
-        firstSeed.setWorldValue(Math.abs(seed) <= MAX_SEED ? seed : 1);
+        firstSeed.setWorldValue(Math.abs(seed) <= CampaignPlan.MAX_SEED ? seed : 1);
         duration.setWorldValue(seconds);
         jobs.setWorldValue(Runtime.getRuntime().availableProcessors());
         double earliest = Math.rint(EARLIEST_SHARE * seconds);

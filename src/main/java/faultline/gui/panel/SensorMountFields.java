@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.EditLimits;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
@@ -19,7 +20,6 @@ import javax.swing.JPanel;
 /** The fields for a sensor's mounting and noise. */
 final class SensorMountFields {
 
-    private static final double MAX_BEARING = 360;
     private static final double BEARING_STEP = 5;
     private static final double MAX_OFFSET = 10;
     private static final double OFFSET_STEP = 0.01;
@@ -30,8 +30,8 @@ final class SensorMountFields {
     private final UndoController editor;
     private final NumberSpinner bearing = new NumberSpinner(
             "0.##",
-            -MAX_BEARING,
-            MAX_BEARING,
+            -EditLimits.MAX_ANGLE,
+            EditLimits.MAX_ANGLE,
             BEARING_STEP,
             degrees -> configureSensor(spec -> spec.withBearing(Degrees.toRadians(degrees))));
     private final NumberSpinner noise = new NumberSpinner(

@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
+import faultline.gui.edit.EditLimits;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
@@ -21,8 +22,6 @@ import javax.swing.JPanel;
 /** The controls of one sensor: its switch, range and cone, and its readings. */
 final class SensorRow {
 
-    private static final double MAX_RANGE = 100;
-    private static final double MIN_RANGE = 0.01;
     private static final double MIN_CONE = 0.1;
     private static final double MAX_CONE = 179.9;
     private static final int NAME_WIDTH = 92;
@@ -42,7 +41,11 @@ final class SensorRow {
         this.editor = editor;
         badge = new SensorBadge(index);
         range = new NumberSpinner(
-                "0.00##", MIN_RANGE, MAX_RANGE, 0.05, metres -> configureSensor(spec().withRange(metres)));
+                "0.00##",
+                EditLimits.MIN_SENSOR_RANGE,
+                EditLimits.MAX_SENSOR_RANGE,
+                0.05,
+                metres -> configureSensor(spec().withRange(metres)));
         cone = new NumberSpinner(
                 "0.##", MIN_CONE, MAX_CONE, 1, degrees -> configureSensor(spec().withCone(Degrees.toRadians(degrees))));
         actualReading = new ReadingBar(index, id, ReadingBar.ReadingKind.ACTUAL);

@@ -3,11 +3,13 @@ package faultline.gui.properties;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.EditLimits;
 import faultline.gui.edit.UndoController;
 import faultline.gui.panel.CachedDegrees;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.theme.UiText;
+import faultline.scenario.xml.FormatLimits;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WaypointPath;
@@ -23,8 +25,6 @@ import javax.swing.JPanel;
 /** Every attribute of one obstacle. Fields that do not apply to its shape are disabled. */
 final class ObstacleForm extends JPanel {
 
-    private static final double MAX_COORDINATE = 100_000;
-    private static final double MAX_TURN = 360;
     private static final double MAX_SPEED = 10;
     private static final double RIGHT_ANGLE = 90;
     private static final double USUAL_SPECULAR_ANGLE = 20;
@@ -34,7 +34,11 @@ final class ObstacleForm extends JPanel {
     private final NumberSpinner x = coordinate(value -> new Pose(value, pose().y(), pose().heading()));
     private final NumberSpinner y = coordinate(value -> new Pose(pose().x(), value, pose().heading()));
     private final NumberSpinner heading = new NumberSpinner(
-            "0.##", -MAX_TURN, MAX_TURN, 5, value -> move(new Pose(pose().x(), pose().y(), Degrees.toRadians(value))));
+            "0.##",
+            -EditLimits.MAX_ANGLE,
+            EditLimits.MAX_ANGLE,
+            5,
+            value -> move(new Pose(pose().x(), pose().y(), Degrees.toRadians(value))));
     private final SizeFields size = new SizeFields(shape -> change(old -> old.withShape(shape)));
     private final JCheckBox glossy = UiText.text(new JCheckBox(), "obstacle.glossy");
     private final NumberSpinner specularAngle = new NumberSpinner(
@@ -72,7 +76,12 @@ final class ObstacleForm extends JPanel {
     }
 
     private NumberSpinner coordinate(DoubleFunction<Pose> moved) {
-        return new NumberSpinner("0.00##", -MAX_COORDINATE, MAX_COORDINATE, 0.05, value -> move(moved.apply(value)));
+        return new NumberSpinner(
+                "0.00##",
+                -FormatLimits.MAX_COORDINATE,
+                FormatLimits.MAX_COORDINATE,
+                0.05,
+                value -> move(moved.apply(value)));
     }
 
     private Pose pose() {

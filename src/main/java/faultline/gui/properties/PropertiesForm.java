@@ -2,11 +2,13 @@ package faultline.gui.properties;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
+import faultline.gui.edit.EditLimits;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.TitledSection;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.FormatLimits;
 import faultline.world.Clearance;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
@@ -23,7 +25,6 @@ final class PropertiesForm extends JPanel {
     private static final int TEXT_COLUMNS = 30;
     private static final double MIN_SIZE = 0.5;
     private static final double MAX_SIZE = 1000;
-    private static final double MAX_DURATION = 10_000_000;
 
     private final JTextField name = new JTextField(TEXT_COLUMNS);
     private final JTextField description = new JTextField(TEXT_COLUMNS);
@@ -32,9 +33,11 @@ final class PropertiesForm extends JPanel {
     private final JCheckBox enclosed = new JCheckBox(Messages.get("properties.enclosed"));
     private final NumberSpinner startX = new NumberSpinner("0.00##", -MAX_SIZE, MAX_SIZE, 0.1, value -> {});
     private final NumberSpinner startY = new NumberSpinner("0.00##", -MAX_SIZE, MAX_SIZE, 0.1, value -> {});
-    private final NumberSpinner startHeading = new NumberSpinner("0.##", -360, 360, 5, value -> {});
-    private final NumberSpinner duration = new NumberSpinner("0.##", 0, MAX_DURATION, 10, value -> {});
-    private final NumberSpinner tick = new NumberSpinner("0.000##", 0.00001, 1, 0.001, value -> {});
+    private final NumberSpinner startHeading =
+            new NumberSpinner("0.##", -EditLimits.MAX_ANGLE, EditLimits.MAX_ANGLE, 5, value -> {});
+    private final NumberSpinner duration = new NumberSpinner("0.##", 0, FormatLimits.MAX_DURATION, 10, value -> {});
+    private final NumberSpinner tick =
+            new NumberSpinner("0.000##", FormatLimits.MIN_TICK, FormatLimits.MAX_TICK, 0.001, value -> {});
     private final JTextField seed = new JTextField(TEXT_COLUMNS / 2);
     private final ExpectationForm expectation = new ExpectationForm();
 

@@ -18,8 +18,9 @@ import java.math.BigDecimal;
  */
 record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean maxInclusive, Allowed unit) {
 
-    static final NumberRange SIZE = closed("0.000001", "100000", Allowed.METRES);
-    static final NumberRange COORDINATE = closed("-100000", "100000", Allowed.METRES);
+    static final NumberRange SIZE = closed(1e-6, FormatLimits.MAX_COORDINATE, Allowed.METRES);
+    static final NumberRange COORDINATE =
+            closed(-FormatLimits.MAX_COORDINATE, FormatLimits.MAX_COORDINATE, Allowed.METRES);
     static final NumberRange SENSOR_RANGE = closed(SensorLimits.MIN_RANGE, SensorLimits.MAX_RANGE, Allowed.METRES);
     static final NumberRange NOISE = closed(0, SensorLimits.MAX_NOISE, Allowed.METRES);
     static final NumberRange ANGLE = closed("-1000000", "1000000", Allowed.DEGREES);
@@ -30,8 +31,8 @@ record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean
     static final NumberRange TURN_RATE = closed("0.001", "36000", Allowed.TURN_RATE);
     static final NumberRange SPEED = closed("0", "1000", Allowed.SPEED);
     static final NumberRange POSITIVE_SPEED = positive("1000", Allowed.SPEED);
-    static final NumberRange TIME = closed("0", "10000000", Allowed.SECONDS);
-    static final NumberRange TICK = closed("0.00001", "1", Allowed.SECONDS);
+    static final NumberRange TIME = closed(0, FormatLimits.MAX_DURATION, Allowed.SECONDS);
+    static final NumberRange TICK = closed(FormatLimits.MIN_TICK, FormatLimits.MAX_TICK, Allowed.SECONDS);
     static final NumberRange TIME_CONSTANT = closed("0", "1000", Allowed.SECONDS);
     static final NumberRange VOLTAGE = closed("-10000", "10000", Allowed.VOLTS);
     static final NumberRange POSITIVE_VOLTAGE = positive("10000", Allowed.VOLTS);

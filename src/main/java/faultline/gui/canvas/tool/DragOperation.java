@@ -3,6 +3,7 @@ package faultline.gui.canvas.tool;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.EditLimits;
 import faultline.gui.edit.Rounding;
 import faultline.gui.edit.ShapeHandles;
 import faultline.gui.edit.SnapSettings;
@@ -142,13 +143,11 @@ public sealed interface DragOperation {
      */
     record ChangeRange(SensorSpec spec, Supplier<SensorSnapshot> current) implements DragOperation {
 
-        private static final double MIN_RANGE = 0.01;
-        private static final double MAX_RANGE = 100;
-
         @Override
         public DragPreview preview(Vector2 mouse, SnapSettings snap) {
             double free = mouse.distanceTo(current.get().sector().apex());
-            double range = Math.max(MIN_RANGE, Math.min(MAX_RANGE, Math.rint(snap.length(free) * 1000) / 1000));
+            double rounded = Math.rint(snap.length(free) * 1000) / 1000;
+            double range = Math.max(EditLimits.MIN_SENSOR_RANGE, Math.min(EditLimits.MAX_SENSOR_RANGE, rounded));
             return new DragPreview(
                     List.of(new Command.ConfigureSensor(spec.withRange(range))),
                     List.of(),
@@ -169,7 +168,9 @@ public sealed interface DragOperation {
      */
     record ChangeCone(SensorSpec spec, Supplier<SensorSnapshot> current) implements DragOperation {
 
+        /** In a narrower cone the mouse could hardly tell the two edges apart; a field of the panel can set one. */
         private static final double MIN_DEGREES = 1;
+
         private static final double MAX_DEGREES = 179;
         private static final double STEPS_PER_DEGREE = 10;
 

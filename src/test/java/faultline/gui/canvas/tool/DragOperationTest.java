@@ -7,6 +7,7 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.EditLimits;
 import faultline.gui.edit.SnapSettings;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
@@ -123,5 +124,19 @@ class DragOperationTest {
                 .preview(apex.plus(new Vector2(0.5, 0.5)), SnapSettings.NONE);
         assertEquals(List.of(new Command.ConfigureSensor(spec.withCone(Degrees.toRadians(90)))), edge.commands());
         assertEquals("cone 90.0\u00b0", edge.valueText());
+    }
+
+    @Test
+    void aDraggedArcStaysWithinTheLimitsOfTheFieldForTheRange() {
+        SensorSpec spec = RobotSpec.DEFAULT.sensors().get(0);
+        SensorSnapshot sensor = SampleFrames.sensor(spec, new Pose(1, 1, 0), SampleFrames.NOTHING);
+        Vector2 apex = sensor.sector().apex();
+        DragOperation arc = new DragOperation.ChangeRange(spec, () -> sensor);
+        assertEquals(
+                List.of(new Command.ConfigureSensor(spec.withRange(EditLimits.MIN_SENSOR_RANGE))),
+                arc.preview(apex.plus(new Vector2(0.001, 0)), SnapSettings.NONE).commands());
+        assertEquals(
+                List.of(new Command.ConfigureSensor(spec.withRange(EditLimits.MAX_SENSOR_RANGE))),
+                arc.preview(apex.plus(new Vector2(0, 500)), SnapSettings.NONE).commands());
     }
 }
