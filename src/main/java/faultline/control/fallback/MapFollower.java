@@ -42,8 +42,20 @@ public final class MapFollower {
     /** After this distance without a wall the robot searches, metres. */
     private static final double LOST = 1.2;
 
+    /** The length of the path that must be known to drive on, metres. */
+    private static final double NEEDED = 0.06;
+
     /** The length of the path that must be known after a scan, metres. */
     private static final double WORTHWHILE = 0.18;
+
+    /** A sensor whose axis is farther than this from the direction of motion faces sideways, radians. */
+    private static final double SIDEWAYS = StrictMath.toRadians(60);
+
+    /**
+     * A scan by a sensor that faces sideways also shows the path in a direction that is this far clockwise, radians:
+     * when the robot has turned back, the wall is seen again and the direction changes a little.
+     */
+    private static final double SCAN_MARGIN = StrictMath.toRadians(20);
 
     /** A square that contains a lap around a pole at the wanted distance is wider than the lap by this, metres. */
     private static final double LAP_MARGIN = 0.4;
@@ -93,6 +105,7 @@ public final class MapFollower {
     private boolean scanning;
     private double scanTo;
     private double scanned;
+    private double scanMargin;
     private int scans;
     private double scanX;
     private double scanY;
@@ -160,7 +173,11 @@ public final class MapFollower {
     }
 
     private double knownAhead() {
-        return heading.known(at(), direction, 0.6, robot.length() / 2, robot.width() / 2);
+        return known(direction);
+    }
+
+    private double known(double towards) {
+        return heading.known(at(), towards, 0.6, robot.length() / 2, robot.width() / 2);
     }
 
     /**
@@ -246,11 +263,11 @@ public final class MapFollower {
 
     private void checkKnown() {
         double known = knownAhead();
-        double needed = scanning ? WORTHWHILE : 0.06;
-        if (known < needed && !scanning) {
+        if (!scanning && known < NEEDED) {
             startScan();
-        } else if (known >= needed) {
-            scans = scanning ? scans : 0;
+        } else if (!scanning) {
+            scans = 0;
+        } else if (known >= WORTHWHILE && (scanMargin == 0 || known(direction - scanMargin) >= NEEDED)) {
             scanning = false;
         }
     }
@@ -263,6 +280,7 @@ public final class MapFollower {
                 double turn = turnFor(diagnosis.cone(i), heading.unknownX(), heading.unknownY());
                 if (Double.isNaN(best) || Math.abs(turn) < Math.abs(best)) {
                     best = turn;
+                    scanMargin = isSideways(diagnosis.cone(i)) ? SCAN_MARGIN : 0;
                 }
             }
         }
@@ -272,6 +290,10 @@ public final class MapFollower {
         scanX = heading.unknownX();
         scanY = heading.unknownY();
         scanTo = Double.isNaN(best) ? 0 : best + Math.copySign(OVERSHOOT, best);
+    }
+
+    private boolean isSideways(MountedCone cone) {
+        return Math.abs(Angles.difference(gear.leading(0), cone.bearing())) > SIDEWAYS;
     }
 
     /** Returns the angle to turn until a cone's axis points at a place. */
@@ -310,7 +332,7 @@ public final class MapFollower {
     private void endScan() {
         scanning = false;
         double known = knownAhead();
-        if (known >= 0.06) {
+        if (known >= NEEDED) {
             return;
         }
         double dx = heading.unknownX() - scanX;
