@@ -86,7 +86,7 @@ class ResultsTextTest {
         List<String> tables =
                 EquationFour.sweeps().stream().map(ParameterSweep::name).toList();
         assertSaid(
-                "%d trials; theory and trial differ by no more than the band and 0.3 degrees, but for noise",
+                "%d trials; theory and trial differ by no more than the band and 0.3 degrees, except with noise",
                 tables.stream()
                         .mapToInt(name -> ResultsTable.of(name).rows().size())
                         .sum());

@@ -52,7 +52,7 @@ final class SurvivalTables {
         out.append("\nWith diagnosis, ").append(runs).append(" runs in each cell:\n\n");
         out.append(matrix("on"));
         out.append("\nWithout diagnosis, the same rooms and faults:\n\n").append(matrix("off"));
-        out.append("\nBy the rung that drove at the end, with diagnosis, one sensor failing:\n\n")
+        out.append("\nWith diagnosis and one failing sensor, by the rung that controlled the robot at the end:\n\n")
                 .append(rungs());
         out.append("\nOther cases, all with diagnosis unless they say otherwise:\n\n")
                 .append(cases());
