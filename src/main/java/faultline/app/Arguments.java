@@ -35,7 +35,7 @@ final class Arguments {
     /**
      * Sorts the arguments of a command that also takes options without a value.
      *
-     * @param arguments in their order
+     * @param arguments the arguments, in their order
      * @param known the options that take a value
      * @param knownFlags the options that take none
      * @throws UsageException if an option is unknown, given twice, or without its value

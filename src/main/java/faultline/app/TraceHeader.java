@@ -17,9 +17,9 @@ final class TraceHeader {
     /**
      * Returns the text of the file.
      *
-     * @param name of the scenario
-     * @param options of the run
-     * @param scenarioHash of the scenario file
+     * @param name the name of the scenario
+     * @param options the options of the run
+     * @param scenarioHash the hash of the scenario file
      * @param simulation at its end
      */
     static String text(String name, RunOptions options, String scenarioHash, Simulation simulation) {

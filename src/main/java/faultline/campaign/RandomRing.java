@@ -14,15 +14,18 @@ final class RandomRing {
 
     private static final Vector2 MIDDLE = new Vector2(6, 6);
 
-    /** The bluntest inner corner, radians. */
+    /** The most obtuse inner corner, radians. */
     private static final double MAX_INNER = StrictMath.toRadians(150);
 
-    /** The least and the greatest turn of the wall at an outer corner, radians. */
+    /** The minimum and the maximum turn of the wall at an outer corner, radians. */
     private static final double MIN_OUTER = StrictMath.toRadians(30);
 
     private static final double MAX_OUTER = StrictMath.toRadians(120);
 
-    /** The shortest wall, and what an inner corner takes off its straight path, metres. */
+    /**
+     * The length of the shortest wall, and the length by which an inner corner shortens the straight path along it,
+     * metres.
+     */
     private static final double MIN_STRAIGHT = 0.5;
 
     private static final double OFFSET = 0.35;
@@ -98,7 +101,7 @@ final class RandomRing {
                 : turn <= -MIN_OUTER && turn >= -MAX_OUTER;
     }
 
-    /** Returns how the wall turns at a corner, radians, positive at an inner corner. */
+    /** Returns the turn of the wall at a corner, radians, positive at an inner corner. */
     private static double turn(List<Vector2> ring, int i) {
         Vector2 in = at(ring, i).minus(at(ring, i - 1));
         return Angles.difference(in.angle(), at(ring, i + 1).minus(at(ring, i)).angle());
@@ -112,7 +115,7 @@ final class RandomRing {
         return Math.max(0, OFFSET * StrictMath.tan(turn / 2));
     }
 
-    /** Returns the least distance between an outer corner and a wall that does not end there. */
+    /** Returns the minimum distance between an outer corner and a wall that does not end there. */
     private static double narrowest(List<Vector2> ring) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < ring.size(); i++) {

@@ -15,8 +15,8 @@ import java.util.SplittableRandom;
  * visitors. No passage is narrower than {@link #PASSAGE}; obstacles at a wall touch it. The same seed gives the same
  * room, and the same room with other visitors.
  *
- * @param world the walls and everything that stands in them
- * @param start where the robot starts, at least {@link #START_CLEARANCE} from everything
+ * @param world the walls and all obstacles
+ * @param start the initial pose of the robot, at least {@link #START_CLEARANCE} from everything
  */
 public record RandomRoom(WorldSpec world, Pose start) {
 
@@ -34,7 +34,7 @@ public record RandomRoom(WorldSpec world, Pose start) {
     /**
      * {@return a room with inner corners of 60 degrees and more, without visitors}
      *
-     * @param seed of all random numbers
+     * @param seed the seed of all random numbers
      */
     public static RandomRoom ofSeed(long seed) {
         return ofSeed(seed, RoomRules.DEFAULT);
@@ -43,8 +43,8 @@ public record RandomRoom(WorldSpec world, Pose start) {
     /**
      * {@return a room}
      *
-     * @param seed of all random numbers
-     * @param rules for its corners and visitors
+     * @param seed the seed of all random numbers
+     * @param rules the rules for its corners and visitors
      */
     public static RandomRoom ofSeed(long seed, RoomRules rules) {
         SplittableRandom random = new SplittableRandom(seed);
@@ -76,7 +76,7 @@ public record RandomRoom(WorldSpec world, Pose start) {
         }
     }
 
-    /** Furniture stands free, or with its back flush to a wall. */
+    /** Adds furniture, free-standing or with its back flush with a wall. */
     private static RoomPlan.Item furniture(RoomPlan plan, String id, SplittableRandom random) {
         double width = random.nextDouble(0.3, 1.2);
         double depth = random.nextDouble(0.3, 0.8);
@@ -113,7 +113,7 @@ public record RandomRoom(WorldSpec world, Pose start) {
         return corners;
     }
 
-    /** A pole stands free, or touches a wall. */
+    /** Adds a pole, free-standing or touching a wall. */
     private static RoomPlan.Item pole(RoomPlan plan, String id, SplittableRandom random) {
         double radius = random.nextDouble(0.01, 0.06);
         boolean free = random.nextInt(3) > 0;

@@ -19,7 +19,7 @@ final class RandomVisitors {
     private static final int MAX_TRIES = 3000;
     private static final double SPACING = 0.05;
 
-    /** How far a visitor moves, metres. */
+    /** The length of a visitor's path, metres. */
     private static final double MIN_LENGTH = 0.3;
 
     private static final double MAX_LENGTH = 4;
@@ -33,9 +33,9 @@ final class RandomVisitors {
     /**
      * Creates a generator.
      *
-     * @param plan of the furnished room
-     * @param start of the robot
-     * @param seed of the room; visitors draw numbers of their own, so that they change nothing else in it
+     * @param plan the plan of the furnished room
+     * @param start the initial pose of the robot
+     * @param seed the seed of the room; visitors have separate random numbers, so that they change nothing else in it
      */
     RandomVisitors(RoomPlan plan, Vector2 start, long seed) {
         this.plan = plan;
@@ -43,7 +43,7 @@ final class RandomVisitors {
         this.random = new SplittableRandom(~seed);
     }
 
-    /** Returns up to some visitors, fewer if the room has no space for more. */
+    /** Returns at most a number of visitors, fewer if the room has no space for more. */
     List<Obstacle> make(int count) {
         for (int i = 0; i < MAX_TRIES && visitors.size() < count; i++) {
             double radius = random.nextDouble(0.1, 0.2);

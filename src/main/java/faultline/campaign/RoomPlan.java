@@ -10,19 +10,19 @@ import java.util.List;
 /** A room that is being furnished: the positions of its obstacles and the distances between them. */
 final class RoomPlan {
 
-    /** Outlines are compared at points this far apart, metres. */
+    /** The distance between the points at which outlines are compared, metres. */
     private static final double SPACING = 0.05;
 
     private final List<Vector2> ring;
     private final List<Item> items = new ArrayList<>();
 
     /**
-     * Something to stand in a room.
+     * An item in a room.
      *
-     * @param obstacle it
+     * @param obstacle the obstacle
      * @param outline the corners of its outline, or its centre
-     * @param radius about these, metres
-     * @param wall the wall that it touches, -1 if it stands free
+     * @param radius the radius about these points, metres
+     * @param wall the wall that it touches, -1 if it touches none
      */
     record Item(Obstacle obstacle, List<Vector2> outline, double radius, int wall) {
 
@@ -76,7 +76,7 @@ final class RoomPlan {
         return true;
     }
 
-    /** Returns the distance from a point to the nearest wall but one. */
+    /** Returns the distance from a point to the nearest wall other than a given one. */
     private double wallDistance(Vector2 point, int except) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < ring.size(); i++) {
@@ -97,7 +97,7 @@ final class RoomPlan {
         return least;
     }
 
-    /** Returns the distance from a point to anything. */
+    /** Returns the distance from a point to the nearest wall or item. */
     double distance(Vector2 point) {
         return Math.min(wallDistance(point, -1), itemDistance(point));
     }
@@ -108,7 +108,7 @@ final class RoomPlan {
         return point.distanceTo(a.plus(side.times(share)));
     }
 
-    /** Returns whether a point is inside the ring and in no item. */
+    /** Returns whether a point is inside the ring and outside all items. */
     boolean surrounds(Vector2 point) {
         return isInside(point, ring)
                 && items.stream().noneMatch(item -> item.outline().size() > 1 && isInside(point, item.outline()));

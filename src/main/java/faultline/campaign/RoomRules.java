@@ -3,20 +3,20 @@ package faultline.campaign;
 import faultline.world.WorldSpec;
 
 /**
- * What a random room may hold.
+ * The rules for a random room.
  *
  * @param minCorner the sharpest inner corner, degrees, from {@link #MIN_CORNER} to {@link #MAX_CORNER}
- * @param visitors how many moving obstacles; a room without enough space has fewer
+ * @param visitors the number of moving obstacles; a room without enough space has fewer
  */
 public record RoomRules(int minCorner, int visitors) {
 
-    /** The least that {@link #minCorner} may be, degrees. */
+    /** The minimum of {@link #minCorner}, degrees. */
     public static final int MIN_CORNER = 45;
 
-    /** The greatest that {@link #minCorner} may be, degrees. */
+    /** The maximum of {@link #minCorner}, degrees. */
     public static final int MAX_CORNER = 90;
 
-    /** The most visitors. */
+    /** The maximum number of visitors. */
     public static final int MAX_VISITORS = WorldSpec.DEFAULT_MAX_MOVING;
 
     /** Inner corners of 60 degrees and more, no visitors. */
@@ -26,7 +26,7 @@ public record RoomRules(int minCorner, int visitors) {
      * Creates the rules.
      *
      * @param minCorner the sharpest inner corner, degrees, from {@link #MIN_CORNER} to {@link #MAX_CORNER}
-     * @param visitors how many moving obstacles; a room without enough space has fewer
+     * @param visitors the number of moving obstacles; a room without enough space has fewer
      * @throws IllegalArgumentException if a value is outside its limits
      */
     public RoomRules {

@@ -1,4 +1,5 @@
 /**
- * Random rooms by seed, in which studies of many runs are made. Immutable values; nothing here reads a clock or a file.
+ * Random rooms, each determined by a seed, for studies of many runs. Immutable values; nothing here reads a clock or a
+ * file.
  */
 package faultline.campaign;

@@ -8,7 +8,7 @@ public interface ControllerSource {
     /**
      * A run that is about to begin.
      *
-     * @param seed of all random numbers
+     * @param seed the seed of all random numbers
      * @param dt the length of a tick, seconds
      * @param periodTicks how many ticks a decision holds
      * @param duration how long the run lasts, seconds

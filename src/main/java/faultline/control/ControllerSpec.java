@@ -27,8 +27,8 @@ public sealed interface ControllerSpec {
     /**
      * Constant voltages: file type {@code drive}.
      *
-     * @param leftVolts on the left motors, finite
-     * @param rightVolts on the right motors, finite
+     * @param leftVolts the voltage on the left motors, finite
+     * @param rightVolts the voltage on the right motors, finite
      */
     record Drive(double leftVolts, double rightVolts) implements BuiltIn {}
 
@@ -240,7 +240,7 @@ public sealed interface ControllerSpec {
      *
      * @param wanted the distance from the wall that was wanted, metres
      * @param ticks how many ticks were decided on
-     * @param decisions in the order of their ticks
+     * @param decisions the decisions, in the order of their ticks
      */
     record Recorded(double wanted, long ticks, List<RecordedDecision> decisions) implements ControllerSpec {
         /**
@@ -248,7 +248,7 @@ public sealed interface ControllerSpec {
          *
          * @param wanted the distance from the wall that was wanted, metres
          * @param ticks how many ticks were decided on
-         * @param decisions in the order of their ticks
+         * @param decisions the decisions, in the order of their ticks
          */
         public Recorded {
             decisions = List.copyOf(decisions);

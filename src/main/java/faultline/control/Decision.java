@@ -8,8 +8,8 @@ import faultline.robot.WheelSpeeds;
 /**
  * The voltages that a controller applies until its next decision, with its telemetry.
  *
- * @param leftVolts on the left motors; the supply limits it
- * @param rightVolts on the right motors; the supply limits it
+ * @param leftVolts the voltage on the left motors; the supply limits it
+ * @param rightVolts the voltage on the right motors; the supply limits it
  * @param telemetry what the controller shows of its working
  */
 public record Decision(double leftVolts, double rightVolts, Telemetry telemetry) {
@@ -17,8 +17,8 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
     /**
      * Creates a decision.
      *
-     * @param leftVolts on the left motors; the supply limits it
-     * @param rightVolts on the right motors; the supply limits it
+     * @param leftVolts the voltage on the left motors; the supply limits it
+     * @param rightVolts the voltage on the right motors; the supply limits it
      * @param telemetry what the controller shows of its working
      * @throws IllegalArgumentException if a voltage is not finite
      */

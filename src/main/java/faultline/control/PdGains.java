@@ -64,7 +64,7 @@ public record PdGains(double proportional, double derivative, double maxError) {
     /**
      * {@return the D term, radians per second}
      *
-     * @param rate of the error, metres per second
+     * @param rate the rate of the error, metres per second
      */
     public double derivativeTerm(double rate) {
         return derivative * rate;

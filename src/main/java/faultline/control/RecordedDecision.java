@@ -6,8 +6,8 @@ import faultline.io.XmlText;
  * A decision of an earlier run. It holds until the next one of the record.
  *
  * @param tick the tick of the observation that was decided on
- * @param leftVolts on the left motors
- * @param rightVolts on the right motors
+ * @param leftVolts the voltage on the left motors
+ * @param rightVolts the voltage on the right motors
  * @param state the name of the controller's state; on one line
  * @param condition the condition that brought it there, empty if it gave none; on one line
  */
@@ -17,8 +17,8 @@ public record RecordedDecision(long tick, double leftVolts, double rightVolts, S
      * Creates a record, with the state and the condition on one line each.
      *
      * @param tick the tick of the observation that was decided on
-     * @param leftVolts on the left motors
-     * @param rightVolts on the right motors
+     * @param leftVolts the voltage on the left motors
+     * @param rightVolts the voltage on the right motors
      * @param state the name of the controller's state; on one line
      * @param condition the condition that brought it there, empty if it gave none; on one line
      */

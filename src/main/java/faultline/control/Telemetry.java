@@ -75,7 +75,7 @@ public record Telemetry(
      * The result of a sensor diagnosis.
      *
      * @param rung the name of the strategy that drives, empty without a diagnosis
-     * @param health of each sensor, in the robot's order; empty without a diagnosis
+     * @param health the health of each sensor, in the robot's order; empty without a diagnosis
      */
     public record Diagnosis(String rung, List<SensorHealth> health) {
 
@@ -86,7 +86,7 @@ public record Telemetry(
          * Creates a diagnosis from a copy of the health.
          *
          * @param rung the name of the strategy that drives, empty without a diagnosis
-         * @param health of each sensor, in the robot's order; empty without a diagnosis
+         * @param health the health of each sensor, in the robot's order; empty without a diagnosis
          */
         public Diagnosis {
             health = List.copyOf(health);

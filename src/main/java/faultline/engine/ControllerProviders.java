@@ -37,7 +37,7 @@ public final class ControllerProviders {
     /**
      * Makes a controller.
      *
-     * @param name of its provider
+     * @param name the name of its provider
      * @param settings for it
      * @throws RunFailedException if there is no such provider, or it fails
      */

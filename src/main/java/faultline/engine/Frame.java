@@ -8,10 +8,10 @@ import faultline.world.Snapshot;
  *
  * @param snapshot the world
  * @param telemetry what the controller showed with the decision that acted in this tick
- * @param leftVolts on the left motors in this tick
- * @param rightVolts on the right motors in this tick
+ * @param leftVolts the voltage on the left motors in this tick
+ * @param rightVolts the voltage on the right motors in this tick
  * @param path the robot's path so far
- * @param trajectoryHash of all ticks so far
+ * @param trajectoryHash the trajectory hash of all ticks so far
  */
 public record Frame(
         Snapshot snapshot,

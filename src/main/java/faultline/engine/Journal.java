@@ -9,8 +9,8 @@ import java.util.List;
  * The commands of a run from outside, in addition to its setup's timeline. With the setup they are enough to replay the
  * run to the bit.
  *
- * @param setup of the run
- * @param entries in the order in which they were executed
+ * @param setup the setup of the run
+ * @param entries the entries, in the order in which they were executed
  * @param ticks the number of ticks made
  * @param decisions those of a controller that is not part of the program; empty for others
  */
@@ -19,8 +19,8 @@ public record Journal(SimulationSetup setup, List<Entry> entries, long ticks, Li
     /**
      * Creates a journal from copies of the lists.
      *
-     * @param setup of the run
-     * @param entries in the order in which they were executed
+     * @param setup the setup of the run
+     * @param entries the entries, in the order in which they were executed
      * @param ticks the number of ticks made
      * @param decisions those of a controller that is not part of the program; empty for others
      */

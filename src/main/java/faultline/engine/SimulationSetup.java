@@ -18,7 +18,7 @@ import java.util.Objects;
  * @param controller drives the robot
  * @param timeline the timed commands, in the order of the file
  * @param dt the length of a tick, seconds, positive
- * @param seed of all random numbers
+ * @param seed the seed of all random numbers
  * @param duration the length of a run, seconds, not negative
  */
 public record SimulationSetup(
@@ -49,7 +49,7 @@ public record SimulationSetup(
      * @param controller drives the robot
      * @param timeline the timed commands, in the order of the file
      * @param dt the length of a tick, seconds, positive
-     * @param seed of all random numbers
+     * @param seed the seed of all random numbers
      * @param duration the length of a run, seconds, not negative
      * @throws IllegalArgumentException if the tick is not positive and finite, or the duration is negative or not
      *     finite

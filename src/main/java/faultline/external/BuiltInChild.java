@@ -16,8 +16,8 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A built-in controller as the child of another simulator: the other side of {@link ExternalController}. It shows that
- * nothing is lost on the way, because its trajectories are those of the controller called directly.
+ * A built-in controller that runs as the child of another simulator: the counterpart of {@link ExternalController}. Its
+ * trajectories equal those of the controller called directly, which shows that the protocol loses no information.
  */
 public final class BuiltInChild {
 
@@ -27,8 +27,8 @@ public final class BuiltInChild {
     /**
      * Creates a child.
      *
-     * @param in where messages come from
-     * @param out where answers go
+     * @param in the stream of messages
+     * @param out the stream for answers
      */
     public BuiltInChild(InputStream in, OutputStream out) {
         this.in = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
@@ -39,7 +39,7 @@ public final class BuiltInChild {
      * Answers until the end of the run or of the input.
      *
      * @param spec the controller
-     * @throws IOException if a message cannot be read or written, in one sentence
+     * @throws IOException if a message cannot be read or written
      */
     public void run(ControllerSpec spec) throws IOException {
         try {

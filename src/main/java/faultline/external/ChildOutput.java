@@ -8,20 +8,20 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * The standard output of a child, in lines. One thread polls it and never blocks in a read. The number of available
- * bytes does not show the end of the stream, so after a while without output another thread reads one byte, which
- * blocks until a byte or the end comes. Until then the polling thread does not touch the stream, whose lock the read
- * holds.
+ * bytes does not show the end of the stream, so after some time without output another thread reads one byte, which
+ * blocks until a byte or the end arrives. Until then the polling thread does not use the stream, because the read holds
+ * its lock.
  */
 final class ChildOutput {
 
-    /** How often, and every how many nanoseconds, the end of a child's output is looked for. */
+    /** The number of checks for the end of a child's output, and the nanoseconds between two checks. */
     private static final int LOOKS = 50;
 
     private static final long LOOK_PERIOD = 10_000_000;
 
     private final InputStream in;
     private final LineBuffer lines = new LineBuffer();
-    /** The read that is under way, or null. */
+    /** The read in progress, or null. */
     private FutureTask<Integer> read;
 
     private boolean ended;
@@ -30,12 +30,12 @@ final class ChildOutput {
         this.in = in;
     }
 
-    /** Returns the next whole line without its break, or null if it is not there yet. */
+    /** Returns the next complete line without its line break, or null if it has not arrived yet. */
     String next() throws ProtocolException {
         return lines.next();
     }
 
-    /** Takes over what has come. Returns false if nothing has. */
+    /** Reads the bytes that have arrived. Returns false if there are none. */
     boolean fill() throws IOException {
         if (read != null) {
             if (!read.isDone()) {
@@ -62,7 +62,7 @@ final class ChildOutput {
         }
     }
 
-    /** Starts the read that finds the end, unless it is under way or has found it. */
+    /** Starts the read that finds the end, unless it is in progress or has found the end. */
     void lookForEnd() {
         if (read == null && !ended) {
             read = new FutureTask<>(in::read);
@@ -70,19 +70,19 @@ final class ChildOutput {
         }
     }
 
-    /** Returns whether the child has closed its output, and everything before that was taken over. */
+    /** Returns whether the child has closed its output and everything before the end was read. */
     boolean hasEnded() {
         return ended;
     }
 
-    /** Returns whether part of a line has come. */
+    /** Returns whether a part of a line has arrived. */
     boolean hasPart() {
         return lines.hasPart();
     }
 
     /**
-     * Returns whether there is something to take over from a child that runs no more. A read that is under way finds a
-     * byte or the end soon, unless a descendant of the child keeps the pipe open.
+     * Returns whether there is output to read from a child that has ended. A read in progress soon finds a byte or the
+     * end, unless a descendant of the child keeps the pipe open.
      */
     boolean isLeft() throws IOException {
         if (read == null) {

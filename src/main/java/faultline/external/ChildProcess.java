@@ -13,21 +13,24 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 
 /**
- * A child process that is spoken to in lines. The calling thread polls the child's output and never blocks in a read,
- * so a silent child, or a descendant that keeps the pipe open, cannot hold it up. A daemon thread drains the child's
- * standard error; another ends a child that reads nothing, which would block a write; a third finds out whether a
+ * A child process with which lines are exchanged. The calling thread polls the child's output and never blocks in a
+ * read, so a silent child, or a descendant that keeps the pipe open, cannot block it. A daemon thread drains the
+ * child's standard error; another ends a child that does not read, which would block a write; a third detects whether a
  * silent child has closed its output.
  */
 final class ChildProcess implements AutoCloseable {
 
-    /** A child that answers within this time is waited for without sleeping, nanoseconds. */
+    /** The time for which an answer is awaited without sleeping, nanoseconds. */
     private static final long SPIN = 300_000;
 
     private static final long LONGEST_SLEEP = 1_000_000;
-    /** What a look at the child counts at most: if the next is later, the machine was busy, nanoseconds. */
+    /**
+     * The maximum time that is counted between two checks of the child, nanoseconds; if the next check is later, the
+     * machine was busy.
+     */
     private static final long LONGEST_WAIT = 10_000_000;
 
-    /** After a wait of this length the end of the child's output is looked for, nanoseconds. */
+    /** The time after which the end of the child's output is looked for, nanoseconds. */
     private static final long SILENCE = 1_000_000_000;
 
     private static final long WRITE_CHECK_PERIOD = 200_000_000;
@@ -45,7 +48,7 @@ final class ChildProcess implements AutoCloseable {
     private final Thread writeGuard;
     private final Thread exitHook;
     private final Consumer<String> errors;
-    /** When the write that is under way began, or the greatest number if there is none. */
+    /** The time at which the write in progress began, or the maximum value if there is none. */
     private volatile long writeStart = Long.MAX_VALUE;
 
     private volatile boolean endedByGuard;
@@ -54,8 +57,8 @@ final class ChildProcess implements AutoCloseable {
      * Starts a child.
      *
      * @param command the program and its arguments
-     * @param writeSeconds how long a write may block before the child is ended
-     * @param errors receives each line of the child's standard error, on a thread of its own
+     * @param writeSeconds the time for which a write may block before the child is ended
+     * @param errors the consumer of each line of the child's standard error, called on a separate thread
      * @throws IOException if it cannot be started
      */
     ChildProcess(List<String> command, double writeSeconds, Consumer<String> errors) throws IOException {
@@ -71,7 +74,7 @@ final class ChildProcess implements AutoCloseable {
         writeGuard = startDaemon("faultline-child-guard", () -> guardWrites(writeSeconds));
     }
 
-    /** Starts a thread that does not keep the program alive. */
+    /** Starts a daemon thread. */
     static Thread startDaemon(String name, Runnable work) {
         Thread thread = new Thread(work, name);
         thread.setDaemon(true);
@@ -109,7 +112,9 @@ final class ChildProcess implements AutoCloseable {
         errors.accept(line);
     }
 
-    /** Each check counts the same, however late it is, so that time in which the program is kept waiting does not. */
+    /**
+     * Each check counts the same, however late it is, so that time in which the program does not run is not counted.
+     */
     private void guardWrites(double seconds) {
         long seen = Long.MAX_VALUE;
         ResponseTimeout timeout = new ResponseTimeout(process.toHandle(), seconds);
@@ -144,7 +149,7 @@ final class ChildProcess implements AutoCloseable {
     /**
      * Sends a line; the line break is added.
      *
-     * @throws ProtocolException if the child does not take it
+     * @throws ProtocolException if the child does not read it
      */
     void send(String line) throws ProtocolException {
         writeStart = System.nanoTime();
@@ -165,7 +170,7 @@ final class ChildProcess implements AutoCloseable {
         return endOrClosed("standard input", "");
     }
 
-    /** A stream closes shortly before the child that ends. */
+    /** The streams of a child are closed shortly before it ends. */
     private ProtocolException endOrClosed(String stream, String details) {
         return waitFor(1)
                 ? new ProtocolException("ended with exit code " + process.exitValue(), details)
@@ -173,11 +178,11 @@ final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Waits for a line. Time in which other programs keep this one or the child from running does not count.
+     * Waits for a line. Time in which other programs prevent this one or the child from running does not count.
      *
-     * @param seconds how long to wait; infinity waits without end
-     * @return the line without its break
-     * @throws ProtocolException if none came in time, it is too long, or the child has ended
+     * @param seconds the time limit; infinity for no limit
+     * @return the line without its line break
+     * @throws ProtocolException if no line arrives in time, it is too long, or the child has ended
      */
     String receive(double seconds) throws IOException, ProtocolException {
         ResponseTimeout timeout = new ResponseTimeout(process.toHandle(), seconds);
@@ -212,7 +217,7 @@ final class ChildProcess implements AutoCloseable {
         LockSupport.parkNanos(Math.min(LONGEST_SLEEP, (long) waited / 8));
     }
 
-    /** Closes the child's input, waits, and ends it and its descendants if they do not end by themselves. */
+    /** Closes the child's input, waits, and then ends the child and its descendants if they are still alive. */
     @Override
     public void close() {
         List<ProcessHandle> descendants = process.descendants().toList();
@@ -231,7 +236,7 @@ final class ChildProcess implements AutoCloseable {
         try {
             Runtime.getRuntime().removeShutdownHook(exitHook);
         } catch (IllegalStateException shuttingDown) {
-            // The hook runs already.
+            // The shutdown hook is already running.
         }
     }
 
@@ -240,7 +245,7 @@ final class ChildProcess implements AutoCloseable {
             try {
                 input.close();
             } catch (IOException alreadyClosed) {
-                // The child has closed its end.
+                // The child has closed its end of the pipe.
             }
         });
         joinBriefly(closer);

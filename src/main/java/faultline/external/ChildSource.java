@@ -17,13 +17,13 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
     private boolean keepsOpen;
 
     /**
-     * What all children of a command have in common.
+     * The properties that all children of a command have in common.
      *
      * @param program the name and version of the simulator
      * @param scenario the name of the scenario
-     * @param timeouts how long a child is waited for
+     * @param timeouts the time limits for a child
      * @param givesTruth whether observations carry the ground truth; this source must then observe the run
-     * @param errors receives each line of a child's standard error, on a thread of its own
+     * @param errors the consumer of each line of a child's standard error, called on a separate thread
      */
     public record Terms(
             String program,
@@ -36,7 +36,7 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
      * Creates a source that starts a command.
      *
      * @param command the command, as in a shell
-     * @param terms what all of its children have in common
+     * @param terms the properties of all of its children
      */
     public ChildSource(String command, Terms terms) {
         this.command = command;
@@ -44,8 +44,7 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
     }
 
     /**
-     * {@return this source, which leaves a child open at the end of its run until it is closed, so that the child can
-     * be sent a result}
+     * {@return this source, which then keeps a child open at the end of its run, so that a result can be sent to it}
      */
     public ChildSource keepOpen() {
         keepsOpen = true;
@@ -55,7 +54,7 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
     /**
      * Starts a child and waits until it is ready.
      *
-     * @throws RunFailedException if it cannot be started or does not become ready, in one sentence
+     * @throws RunFailedException if it cannot be started or does not become ready
      */
     @Override
     public Controller start(RunConditions run) {
@@ -77,16 +76,16 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
     }
 
     /**
-     * Sends the newest child the result of its run.
+     * Sends the result of its run to the latest child.
      *
-     * @param trajectoryHash of the whole run
+     * @param trajectoryHash the trajectory hash of the whole run
      * @param summary the lines of the run's summary
      */
     public void finish(String trajectoryHash, Map<String, String> summary) {
         newest.finish("duration", trajectoryHash, summary);
     }
 
-    /** Ends the newest child if it was kept open. */
+    /** Ends the latest child if it was kept open. */
     @Override
     public void close() {
         if (newest != null) {
@@ -94,7 +93,7 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
         }
     }
 
-    /** Gives the newest child the truth with the coming observation, if it is wanted. */
+    /** Sends the truth to the latest child with the next observation, if this is enabled. */
     @Override
     public void observe(Simulation simulation) {
         newest.observe(simulation);

@@ -3,7 +3,10 @@ package faultline.external;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Splits a command into words as a shell does: blanks part words, and quotes and backslashes keep blanks. */
+/**
+ * Splits a command into words as a shell does: words are separated by blanks, and quotes and backslashes preserve
+ * blanks.
+ */
 public final class CommandWords {
 
     private CommandWords() {}
@@ -11,8 +14,8 @@ public final class CommandWords {
     /**
      * {@return the words of a command; empty if there is none}
      *
-     * @param command such as {@code python3 "my follower.py"}; a backslash outside quotes is kept as it is before
-     *     anything but a blank, a quote or a backslash, so that Windows paths need no quotes
+     * @param command such as {@code python3 "my follower.py"}; a backslash outside quotes is an ordinary character
+     *     unless a blank, a quote or a backslash follows, so that Windows paths need no quotes
      * @throws IllegalArgumentException if a quote is not closed
      */
     public static List<String> split(String command) {
@@ -50,7 +53,7 @@ public final class CommandWords {
         return words;
     }
 
-    /** Returns whether a backslash takes the special meaning from the next character. */
+    /** Returns whether a backslash escapes the next character. */
     private static boolean isEscape(String command, int index, char quote) {
         String special = quote == 0 ? " \"'\\" : quote == '"' ? "\"\\" : "";
         return command.charAt(index) == '\\'

@@ -16,17 +16,17 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/** What a user may choose as a controller: a built-in one, the name of one in Java, or a command. */
+/** The choice of a controller by a user: a built-in one, the name of a controller in Java, or a command. */
 public final class ControllerChoice {
 
-    /** The name of the built-in wall follower; one that the scenario describes keeps its settings. */
+    /** The name of the built-in wall follower, which uses the settings of the scenario if it has any. */
     public static final String WALL_FOLLOWER = "wall-follower";
 
     private static final String NONE = "none";
 
     private ControllerChoice() {}
 
-    /** {@return the names that are no commands: those of the program and of the class path} */
+    /** {@return the names that are not commands: those of the program and of the class path} */
     public static List<String> names() {
         List<String> names = new ArrayList<>(List.of(WALL_FOLLOWER, NONE));
         names.addAll(ControllerProviders.names());
@@ -46,8 +46,8 @@ public final class ControllerChoice {
      * {@return a setup with a chosen controller}
      *
      * @param choice a name or a command
-     * @param setup names another controller
-     * @param commands starts a command
+     * @param setup the setup with another controller
+     * @param commands the function that makes the source for a command
      */
     public static SimulationSetup apply(String choice, SimulationSetup setup, ControllerSource commands) {
         ControllerSpec original = setup.controller();
@@ -70,7 +70,10 @@ public final class ControllerChoice {
         return setup.withController(new ControllerSpec.Chosen(original, new ProviderSource(provider.get(), settings)));
     }
 
-    /** Returns a hint for a command of one word that no program has, such as a wrong name; empty for a path. */
+    /**
+     * Returns a hint for a command of one word that is not the name of a program, such as a misspelt name; empty for a
+     * path.
+     */
     static String hint(String command) {
         List<String> names = names();
         return command.contains(" ") || command.contains("/") || command.contains("\\")
@@ -81,7 +84,7 @@ public final class ControllerChoice {
     /**
      * Adds a jar with controllers to those that the calling thread, and threads that it starts, can find.
      *
-     * @param jar a file
+     * @param jar the jar file
      */
     public static void addJar(Path jar) {
         Thread.currentThread().setContextClassLoader(loader(List.of(jar)));
@@ -101,11 +104,11 @@ public final class ControllerChoice {
     }
 
     /**
-     * {@return what a call returns that can find the controllers of some jars, as the files are now}
+     * {@return the result of an action that is called with the current controllers of some jars available}
      *
      * @param <T> the type of the result
-     * @param jars files
-     * @param action what to call, on the calling thread
+     * @param jars the jar files
+     * @param action the action, which is called on the calling thread
      */
     public static <T> T withJars(List<Path> jars, Supplier<T> action) {
         Thread thread = Thread.currentThread();

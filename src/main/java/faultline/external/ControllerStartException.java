@@ -2,7 +2,7 @@ package faultline.external;
 
 import faultline.engine.RunFailedException;
 
-/** A controller that does not exist or cannot be started. The message is one sentence for a user. */
+/** Thrown if a controller does not exist or cannot be started. The message is one sentence for a user. */
 public final class ControllerStartException extends RunFailedException {
 
     private static final long serialVersionUID = 1L;

@@ -3,12 +3,12 @@ package faultline.external;
 import faultline.robot.RobotSpec;
 
 /**
- * A {@code drive} message: what the motors are to do, and what the controller says of itself.
+ * A {@code drive} message: the voltages of the motors, and the state that the controller reports.
  *
- * @param leftVolts on the left motors
- * @param rightVolts on the right motors
- * @param state the name of the controller's state, empty if it gives none
- * @param why the reason for that state, empty if it gives none
+ * @param leftVolts the voltage on the left motors
+ * @param rightVolts the voltage on the right motors
+ * @param state the name of the controller's state, empty if none is given
+ * @param why the reason for that state, empty if none is given
  */
 record DriveMessage(double leftVolts, double rightVolts, String state, String why) {
 
@@ -16,7 +16,7 @@ record DriveMessage(double leftVolts, double rightVolts, String state, String wh
 
     /**
      * Reads a message, which has either {@code left_v} and {@code right_v} or {@code v_m_s} and {@code omega_rad_s};
-     * velocities become volts by the robot's track and motors.
+     * velocities are converted to voltages by the robot's track and motors.
      */
     static DriveMessage read(MessageReader message, RobotSpec robot) throws ProtocolException {
         String state = limit(message.string("state", ""));

@@ -5,14 +5,14 @@ import faultline.control.Decision;
 import faultline.control.Telemetry;
 import faultline.io.XmlText;
 
-/** Follows the states that an outside controller gives, so that they are shown like those of the built-in one. */
+/** Tracks the states that an external controller reports, so that they are shown like those of the built-in one. */
 final class DriveTelemetry {
 
     private Telemetry telemetry;
-    /** As the controller wrote it; empty before it has named one. */
+    /** The state as the controller wrote it; empty before the first one. */
     private String lastState = "";
 
-    /** Begins in a state of a given name. */
+    /** Begins in a state with a given name. */
     DriveTelemetry(String initialState) {
         telemetry = Telemetry.ofState(ControllerState.of(initialState));
     }

@@ -14,16 +14,16 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * A controller in a child process, asked in lock-step. Called directly by the simulation's thread. A child that breaks
- * the protocol or a time-out ends the run with a {@link RunFailedException}; no decision is ever put in its place.
+ * A controller in a child process, called in lock-step by the simulation thread. If the child violates the protocol or
+ * a time-out, the run ends with a {@link RunFailedException}; its decision is never replaced by another.
  */
 public final class ExternalController implements Controller, TickObserver, AutoCloseable {
 
     /**
-     * How long a child is waited for. A time-out ends a run, it never changes one.
+     * The time limits for a child. A time-out ends a run; it never changes its results.
      *
-     * @param ready until it has begun, seconds; infinity for no limit
-     * @param answer until each answer, seconds; infinity for no limit
+     * @param ready the limit until it is ready, seconds; infinity for no limit
+     * @param answer the limit for each answer, seconds; infinity for no limit
      */
     public record Timeouts(double ready, double answer) {
 
@@ -31,7 +31,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         public static final Timeouts DEFAULT = new Timeouts(30, 10);
 
         /**
-         * {@return these limits with another one for answers; a child may take as long to begin, too}
+         * {@return these limits with another limit for answers, which is also the minimum of the limit for the start}
          *
          * @param seconds the limit for each answer, in seconds; infinity for no limit
          */
@@ -53,10 +53,10 @@ public final class ExternalController implements Controller, TickObserver, AutoC
      *
      * @param command the command line
      * @param run the description that the child receives first
-     * @param timeouts how long the child is waited for
+     * @param timeouts the time limits for the child
      * @param givesTruth whether observations carry the ground truth
-     * @param errors receives each line of the child's standard error, on a thread of its own
-     * @throws RunFailedException if the child cannot be started or does not become ready, in one sentence
+     * @param errors the consumer of each line of the child's standard error, called on a separate thread
+     * @throws RunFailedException if the child cannot be started or does not become ready
      */
     public ExternalController(
             String command, RunDescription run, Timeouts timeouts, boolean givesTruth, Consumer<String> errors) {
@@ -127,7 +127,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         }
     }
 
-    /** Keeps the simulation, whose truth is sent with the coming observation if it is wanted. */
+    /** Stores the simulation, whose truth is sent with the next observation if this is enabled. */
     @Override
     public void observe(Simulation observed) {
         simulation = observed;
@@ -144,17 +144,17 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     }
 
     /**
-     * Tells the child that the run is over; what the child does then no longer matters.
+     * Informs the child that the run has ended; the child's behaviour after that has no effect.
      *
-     * @param reason why it is over, such as {@code duration}
-     * @param trajectoryHash of the whole run
+     * @param reason the reason for the end, such as {@code duration}
+     * @param trajectoryHash the trajectory hash of the whole run
      * @param summary the lines of the run's summary
      */
     public void finish(String reason, String trajectoryHash, Map<String, String> summary) {
         try {
             child.send(ProtocolMessages.end(reason, trajectoryHash, summary).finish());
         } catch (ProtocolException gone) {
-            // A child that has ended already needs no end.
+            // A child that has already ended needs no message.
         }
     }
 

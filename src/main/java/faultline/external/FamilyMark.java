@@ -7,10 +7,10 @@ import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * An environment variable that a child passes on to the processes that it starts. By it those are found on Linux that
- * are no longer below the child, because the process that started them has ended.
+ * An environment variable that a child passes on to the processes that it starts. On Linux it identifies descendants
+ * that are no longer below the child because the process that started them has ended.
  *
- * @param value of the variable, different for each child
+ * @param value the value of the variable, different for each child
  */
 record FamilyMark(String value) {
 

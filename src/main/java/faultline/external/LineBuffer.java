@@ -14,7 +14,7 @@ final class LineBuffer {
     private byte[] bytes = new byte[8192];
     private int begin;
     private int end;
-    /** Up to here no line break was found. */
+    /** The index up to which no line break was found. */
     private int searched;
 
     /** Reads the available bytes, at least one. Returns false at the end of the stream. */
@@ -43,7 +43,7 @@ final class LineBuffer {
     }
 
     /**
-     * Returns the next whole line without its break, or null if it is not there yet.
+     * Returns the next complete line without its line break, or null if it has not arrived yet.
      *
      * @throws ProtocolException if the line is too long
      */
@@ -72,14 +72,14 @@ final class LineBuffer {
         return line;
     }
 
-    /** Returns the last line at the end of a stream, if it has no break; null if there is none. */
+    /** Returns the last line at the end of a stream, if it has no line break; null if there is none. */
     String rest() {
         String line = hasPart() ? new String(bytes, begin, end - begin, StandardCharsets.UTF_8) : null;
         begin = end;
         return line;
     }
 
-    /** Returns whether part of a line has come. */
+    /** Returns whether a part of a line has arrived. */
     boolean hasPart() {
         return end > begin;
     }

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** The members of one received message, checked as they are asked for. Unknown members are ignored. */
+/** The members of a received message, checked when they are read. Unknown members are ignored. */
 final class MessageReader {
 
     private static final double MAX_WHOLE = 1L << 53;
@@ -22,7 +22,7 @@ final class MessageReader {
      * {@return the members of a line with one JSON object}
      *
      * @param line one JSON object
-     * @throws ProtocolException if the line is no JSON object
+     * @throws ProtocolException if the line is not a JSON object
      */
     static MessageReader of(String line) throws ProtocolException {
         Object value;
@@ -109,7 +109,7 @@ final class MessageReader {
         return objects;
     }
 
-    /** Returns an array of numbers in which {@code null} stands for a value of its own. */
+    /** Returns an array of numbers in which {@code null} represents a given value. */
     double[] numbers(String name, double nullValue) throws ProtocolException {
         if (!(members.get(name) instanceof List<?> list)) {
             throw wrong(name, "an array of numbers");

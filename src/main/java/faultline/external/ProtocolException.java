@@ -1,6 +1,6 @@
 package faultline.external;
 
-/** The other side broke the protocol. */
+/** Thrown if the other side violates the protocol. */
 final class ProtocolException extends Exception {
 
     private static final long serialVersionUID = 1L;
@@ -9,8 +9,8 @@ final class ProtocolException extends Exception {
     private final String details;
 
     /**
-     * Creates an exception from what the other side did, such as "wrote no JSON", and the rest of the sentence with its
-     * punctuation.
+     * Creates an exception from the action of the other side, such as "wrote no JSON", and the rest of the sentence
+     * with its punctuation.
      */
     ProtocolException(String action, String details) {
         super(action + details);
@@ -18,7 +18,7 @@ final class ProtocolException extends Exception {
         this.details = details;
     }
 
-    /** Returns the sentence about the other side at a moment such as "at tick 17". */
+    /** Returns the sentence about the other side, with a time such as "at tick 17". */
     String sentence(String who, String when) {
         return who + " " + action + " " + when + details;
     }

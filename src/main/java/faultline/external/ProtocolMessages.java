@@ -64,7 +64,7 @@ final class ProtocolMessages {
         json.endArray().endObject();
     }
 
-    /** Returns an observation; the robot is written only if it was changed, the truth only if it is given. */
+    /** Returns an observation. The robot is written only if it was changed, and the truth only if it is given. */
     static JsonWriter observe(Observation observation, boolean robotChanged) {
         JsonWriter json = new JsonWriter().member("type", "observe");
         writeReadings(json, observation);

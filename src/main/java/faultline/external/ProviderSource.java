@@ -9,8 +9,8 @@ import java.util.Map;
 /**
  * Makes controllers in Java.
  *
- * @param provider makes them
- * @param settings for the provider
+ * @param provider the provider
+ * @param settings the settings for the provider
  */
 record ProviderSource(ControllerProvider provider, Map<String, String> settings) implements ControllerSource {
 

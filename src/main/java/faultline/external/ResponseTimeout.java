@@ -10,18 +10,18 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * The time spent waiting for a child, with a limit. Time in which the child was ready to run while other programs had
+ * The time spent waiting for a child, with a limit. Time in which the child was ready to run while other programs used
  * the processors does not count. Linux measures this time for each thread; elsewhere all time counts.
  */
 final class ResponseTimeout {
 
     private static final double NANOS_PER_SECOND = 1e9;
 
-    /** The share of the limit that counts in full, so that looking at the child costs a quick answer nothing. */
+    /** The share of the limit that counts in full, so that measuring the child does not delay quick answers. */
     private static final double COUNTED_IN_FULL = 0.1;
 
     private final ProcessHandle child;
-    /** Nanoseconds, as the following two. */
+    /** In nanoseconds, like the following two. */
     private final double limit;
 
     private double waited;
@@ -33,15 +33,15 @@ final class ResponseTimeout {
     /**
      * Begins a wait.
      *
-     * @param child is waited for, with its descendants
-     * @param seconds how long; infinity for no limit
+     * @param child the child that must answer; its descendants are included
+     * @param seconds the limit; infinity for no limit
      */
     ResponseTimeout(ProcessHandle child, double seconds) {
         this.child = child;
         this.limit = seconds * NANOS_PER_SECOND;
     }
 
-    /** Counts some of the time waited, nanoseconds. */
+    /** Counts a part of the time waited, nanoseconds. */
     void count(long nanos) {
         waited += nanos;
         if (delaysAtMark == null && waited > COUNTED_IN_FULL * limit) {
@@ -87,7 +87,7 @@ final class ResponseTimeout {
     }
 
     /**
-     * Adds the run-queue delay of each thread that still runs.
+     * Adds the run-queue delay of each thread that is still alive.
      *
      * @param threads the folder of a process with one folder for each of its threads
      */
@@ -97,7 +97,7 @@ final class ResponseTimeout {
                 addDelay(thread, delays);
             }
         } catch (IOException | DirectoryIteratorException ended) {
-            // A process that has ended, or a system that does not measure this, delays nothing.
+            // The process has ended, or the system does not measure the delay: there is no delay.
         }
     }
 
@@ -107,7 +107,7 @@ final class ResponseTimeout {
             String[] fields = Files.readString(thread.resolve("schedstat")).split(" ");
             delays.put(thread, Long.parseLong(fields[1]));
         } catch (IOException ended) {
-            // A thread that has ended since the folder was listed delays nothing; the others still count.
+            // A thread that has ended since the folder was listed has no delay; the others still count.
         }
     }
 }

@@ -16,8 +16,8 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * A simulation that is stepped from outside: {@code reset} begins a run, {@code drive} makes some ticks of it, and each
- * is answered by one {@code observe}, or by one {@code end} that also carries the last readings.
+ * A simulation that another program steps: {@code reset} begins a run, {@code drive} executes some ticks, and each is
+ * answered by one {@code observe}, or by one {@code end} that also carries the last readings.
  */
 public final class SimulationServer {
 
@@ -36,8 +36,8 @@ public final class SimulationServer {
      * @param program the name and version of the simulator
      * @param scenario the name of the scenario
      * @param givesTruth whether observations carry the ground truth
-     * @param in where requests come from
-     * @param out where answers go
+     * @param in the stream of requests
+     * @param out the stream for answers
      */
     public SimulationServer(String program, String scenario, boolean givesTruth, InputStream in, OutputStream out) {
         this.program = program;
@@ -50,7 +50,7 @@ public final class SimulationServer {
     /** One run and its controller. */
     private static final class Episode implements AutoCloseable {
         private final DriveTelemetry telemetry = new DriveTelemetry("EXTERN");
-        /** The one that was last given from outside. */
+        /** The decision that was last received. */
         private Decision decision = telemetry.decide(new DriveMessage(0, 0, "", ""), 0);
 
         private final Simulation simulation;
@@ -89,7 +89,7 @@ public final class SimulationServer {
      *
      * @param setup the run that each reset begins
      * @throws IOException if the streams cannot be read or written
-     * @throws RunFailedException if a request breaks the protocol, in one sentence
+     * @throws RunFailedException if a request violates the protocol
      */
     public void run(SimulationSetup setup) throws IOException {
         send(ProtocolMessages.hello(RunDescription.of(program, scenario, setup, 1)));

@@ -6,6 +6,6 @@ public enum CellState {
     FREE,
     /** The cell was seen occupied. */
     OCCUPIED,
-    /** The map does not tell. */
+    /** The map does not say whether the cell is occupied. */
     UNKNOWN
 }

@@ -9,7 +9,7 @@ import java.util.Locale;
 /**
  * A map that has been read and traced.
  *
- * @param description what the map file says
+ * @param description the contents of the map file
  * @param grid the classified cells
  * @param solid the cells that obstruct the robot
  * @param rings the outlines of the solid cells, solid by the even-odd rule, in cells
@@ -19,7 +19,7 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
     /**
      * Creates a floor plan from a copy of the rings.
      *
-     * @param description what the map file says
+     * @param description the contents of the map file
      * @param grid the classified cells
      * @param solid the cells that obstruct the robot
      * @param rings the outlines of the solid cells, solid by the even-odd rule, in cells
@@ -32,7 +32,7 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
      * How a map is traced.
      *
      * @param unknownIsSolid whether unknown cells count as solid
-     * @param minCells groups of fewer solid cells are dropped
+     * @param minCells the minimum size of a group of solid cells; smaller groups are dropped
      * @param smoothing the bound for simplified outlines, in cells; 0 keeps the exact staircase
      */
     public record Options(boolean unknownIsSolid, int minCells, double smoothing) {
@@ -44,7 +44,7 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
          * Creates the options.
          *
          * @param unknownIsSolid whether unknown cells count as solid
-         * @param minCells groups of fewer solid cells are dropped
+         * @param minCells the minimum size of a group of solid cells; smaller groups are dropped
          * @param smoothing the bound for simplified outlines, in cells; 0 keeps the exact staircase
          * @throws IllegalArgumentException if the number of cells is negative, or the smoothing is negative or not
          *     finite
@@ -73,8 +73,8 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
      * {@return the plan in a map_server YAML file and its image}
      *
      * @param yaml the YAML file
-     * @param options how to trace
-     * @throws IOException with one sentence if the files cannot be read
+     * @param options the options of the tracing
+     * @throws IOException if the files cannot be read
      */
     public static FloorPlan readYaml(Path yaml, Options options) throws IOException {
         return read(MapYamlReader.read(yaml), options);
@@ -85,8 +85,8 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
      *
      * @param image a PGM, PNG, BMP, GIF or TIFF file
      * @param resolution the side of a pixel, metres, positive
-     * @param options how to trace
-     * @throws IOException with one sentence if the file cannot be read
+     * @param options the options of the tracing
+     * @throws IOException if the file cannot be read
      */
     public static FloorPlan readImage(Path image, BigDecimal resolution, Options options) throws IOException {
         return read(MapDescription.of(image, resolution), options);

@@ -2,7 +2,10 @@ package faultline.floorplan;
 
 import java.io.IOException;
 
-/** A map that cannot be read; the message is one sentence with the file, the place, the value and what is allowed. */
+/**
+ * Thrown if a map cannot be read. The message is one sentence with the file, the location, the value and the allowed
+ * values.
+ */
 public final class FloorPlanException extends IOException {
 
     /**

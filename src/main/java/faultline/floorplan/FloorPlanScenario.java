@@ -16,8 +16,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Makes a scenario of a floor plan: an enclosed world of the map's size, with the plan as one solid obstacle. A map
- * that is rotated by the {@code yaw} of its origin gets the world that its bounding box needs.
+ * Makes a scenario from a floor plan: an enclosed world of the map's size, with the plan as one solid obstacle. If a
+ * map is rotated by the {@code yaw} of its origin, the world has the size of its bounding box.
  */
 public final class FloorPlanScenario {
 
@@ -31,7 +31,7 @@ public final class FloorPlanScenario {
      *
      * @param name the scenario's name
      * @param plan the floor plan
-     * @throws FloorPlanException if the robot has room nowhere
+     * @throws FloorPlanException if there is no room for the robot
      */
     public static Scenario create(String name, FloorPlan plan) throws FloorPlanException {
         FreeDisc disc = FreeDisc.largest(plan.grid(), plan.solid());

@@ -1,25 +1,28 @@
 package faultline.floorplan;
 
 /**
- * The largest disc of free cells in a map, the natural place to start from.
+ * The largest disc of free cells in a map, which is a good place to start from.
  *
- * @param column of its middle cell
- * @param row of its middle cell, from the bottom
- * @param clearance from the middle of that cell to the middle of the nearest cell that is not free, in cells; cells
- *     beyond the map are not free
+ * @param column the column of its middle cell
+ * @param row the row of its middle cell, from the bottom
+ * @param clearance the distance from the middle of that cell to the middle of the nearest cell that is not free, in
+ *     cells; cells beyond the map are not free
  */
 public record FreeDisc(int column, int row, double clearance) {
 
-    /** Beyond every squared distance in a map, and small enough that sums with squared distances are exact. */
+    /**
+     * A value greater than every squared distance in a map, and small enough that sums with squared distances are
+     * exact.
+     */
     private static final double FAR = 1e12;
 
     /**
      * Finds the largest free disc with an exact Euclidean distance transform (Felzenszwalb and Huttenlocher, 2012), in
      * time linear in the number of cells.
      *
-     * @param grid the map; cells of which it does not tell are not free
+     * @param grid the map; unknown cells are not free
      * @param solid the cells that obstruct the robot
-     * @return of equally large discs the lowest and then leftmost; a clearance of 0 if no cell is free
+     * @return the largest disc; the lowest and then leftmost of several. Its clearance is 0 if no cell is free
      */
     public static FreeDisc largest(OccupancyGrid grid, SolidCells solid) {
         int width = grid.width() + 2;
@@ -45,7 +48,7 @@ public record FreeDisc(int column, int row, double clearance) {
         return new FreeDisc(Math.max(0, best % width - 1), Math.max(0, best / width - 1), Math.sqrt(squared[best]));
     }
 
-    /** The one-dimensional transform: the lower envelope of one parabola a sample. */
+    /** The one-dimensional transform: the lower envelope of one parabola per sample. */
     private static final class DistanceTransform {
         private final int[] vertices;
         private final double[] borders;

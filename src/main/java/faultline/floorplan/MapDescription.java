@@ -4,12 +4,12 @@ import java.math.BigDecimal;
 import java.nio.file.Path;
 
 /**
- * What a map_server YAML file says of a map.
+ * The contents of a map_server YAML file.
  *
  * @param image the image file
  * @param resolution the side of a cell, metres, positive
  * @param yaw the direction of the image's rows in the world, radians, counter-clockwise
- * @param mode how pixel values are meant
+ * @param mode the meaning of pixel values
  * @param negate whether white is occupied
  * @param occupiedThreshold a cell of at least this occupancy is occupied, in [0, 1]
  * @param freeThreshold a cell of at most this occupancy is free, in [0, 1]
@@ -32,7 +32,7 @@ public record MapDescription(
      * @param image the image file
      * @param resolution the side of a cell, metres, positive
      * @param yaw the direction of the image's rows in the world, radians, counter-clockwise
-     * @param mode how pixel values are meant
+     * @param mode the meaning of pixel values
      * @param negate whether white is occupied
      * @param occupiedThreshold a cell of at least this occupancy is occupied, in [0, 1]
      * @param freeThreshold a cell of at most this occupancy is free, in [0, 1]

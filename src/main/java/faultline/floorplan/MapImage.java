@@ -3,7 +3,10 @@ package faultline.floorplan;
 /** The brightness of the pixels of a map, row 0 at the top, as in image files. */
 final class MapImage {
 
-    /** More pixels than any map of a building; keeps a damaged or hostile header from taking all memory. */
+    /**
+     * The maximum number of pixels, more than any map of a building has. It prevents a damaged or hostile header from
+     * allocating all memory.
+     */
     static final long MAX_PIXELS = 64_000_000;
 
     private final int width;

@@ -14,7 +14,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 
-/** Reads map images: PGM (P2 and P5) itself, and PNG, BMP, GIF or TIFF with the JDK. */
+/** Reads map images: PGM (P2 and P5) with its own code, and PNG, BMP, GIF or TIFF with the JDK. */
 final class MapImageReader {
 
     private static final long MAX_BYTES = 512L << 20;
@@ -25,7 +25,7 @@ final class MapImageReader {
      * {@return the pixels of an image}
      *
      * @param file the image file
-     * @throws FloorPlanException if the file is missing, no image, or too large
+     * @throws FloorPlanException if the file is missing, is not an image, or is too large
      */
     static MapImage read(Path file) throws FloorPlanException {
         try {
@@ -91,7 +91,7 @@ final class MapImageReader {
     private static MapImage toMapImage(BufferedImage image) {
         MapImage map = new MapImage(image.getWidth(), image.getHeight());
         ColorModel colors = image.getColorModel();
-        // getRGB would convert grey values from a linear colour space; the file's own numbers are wanted.
+        // getRGB would convert grey values from a linear colour space; the raw values of the file are required.
         boolean grey = !(colors instanceof IndexColorModel) && colors.getNumColorComponents() == 1;
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {

@@ -2,7 +2,7 @@ package faultline.floorplan;
 
 import java.util.Locale;
 
-/** How the values of a map image are meant, as in the {@code mode} of ROS map_server files. */
+/** The meaning of the values of a map image, as in the {@code mode} of ROS map_server files. */
 public enum MapMode {
     /** Three values: free, occupied, unknown; cells between the thresholds are unknown. */
     TRINARY,

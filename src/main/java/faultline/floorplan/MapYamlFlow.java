@@ -3,7 +3,7 @@ package faultline.floorplan;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Splits the parts of YAML that brackets and braces enclose, which may continue over several lines. */
+/** Splits YAML text in brackets and braces, which may continue over several lines. */
 final class MapYamlFlow {
 
     private MapYamlFlow() {}
@@ -11,12 +11,12 @@ final class MapYamlFlow {
     /**
      * An entry of a mapping in braces.
      *
-     * @param text the entry without blanks around it
-     * @param index of its first character in the mapping
+     * @param text the entry without surrounding blanks
+     * @param index the index of its first character in the mapping
      */
     record FlowEntry(String text, int index) {}
 
-    /** Returns whether a line begins a mapping in braces, or a list in brackets behind its key. */
+    /** Returns whether a line begins a mapping in braces, or a list in brackets after its key. */
     static boolean begins(String line) {
         String content = line.strip();
         String value = content.substring(content.indexOf(':') + 1).strip();

@@ -29,7 +29,7 @@ final class MapYamlReader {
     private static final List<String> KEYS =
             List.of("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode");
 
-    /** A value and the place that it was read from. */
+    /** A value and its location. */
     private record YamlEntry(int line, int column, List<String> values) {
         String text() {
             return String.join(", ", values);
@@ -153,7 +153,7 @@ final class MapYamlReader {
         return values;
     }
 
-    /** Drops a comment: a number sign at the beginning or behind a blank, outside of quotes. */
+    /** Removes a comment: a number sign at the beginning or after a blank, outside of quotes. */
     private static String stripComment(String line) {
         for (int i = 0; i < line.length(); i = MapYamlFlow.next(line, i)) {
             if (line.charAt(i) == '#' && (i == 0 || Character.isWhitespace(line.charAt(i - 1)))) {
@@ -266,7 +266,7 @@ final class MapYamlReader {
         return entries.get(key).values().get(0);
     }
 
-    /** Names an unknown key that may be a misspelt one. */
+    /** Returns an unknown key that may be a misspelt one. */
     private String nearMiss(String key) {
         return entries.keySet().stream()
                 .filter(given -> !KEYS.contains(given))

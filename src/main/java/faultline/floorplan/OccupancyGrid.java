@@ -55,8 +55,8 @@ public final class OccupancyGrid {
     /**
      * {@return the state of a cell}
      *
-     * @param column in [0, width)
-     * @param row in [0, height), from the bottom
+     * @param column the column, in [0, width)
+     * @param row the row, in [0, height), from the bottom
      */
     public CellState state(int column, int row) {
         return STATES[cells[row * width + column]];

@@ -5,8 +5,8 @@ import java.util.BitSet;
 import java.util.Deque;
 
 /**
- * Replaces the staircase of a slanted wall by straight lines (Douglas and Peucker, 1973): every corner that is left out
- * is within a bound of the line that replaces it.
+ * Replaces the staircase of a slanted wall by straight lines (Douglas and Peucker, 1973): every removed corner is
+ * within a bound of the line that replaces it.
  */
 public final class OutlineSimplifier {
 

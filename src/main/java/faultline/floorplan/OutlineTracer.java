@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Traces the outlines of solid cells exactly. Each side of a solid cell that no solid neighbour shares belongs to one
- * ring, with the solid on its left. Where two cells touch at a corner only, the ring turns left, so each stays with its
- * own cell. Filling all rings by the even-odd rule gives the cells back.
+ * Traces the outlines of solid cells exactly. Each side of a solid cell that is not shared with a solid neighbour
+ * belongs to one ring, with the solid on its left. If two cells touch only at a corner, the ring turns left, so each
+ * cell has a separate outline. Filling all rings by the even-odd rule restores the cells.
  */
 public final class OutlineTracer {
 

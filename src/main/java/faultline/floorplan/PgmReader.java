@@ -2,7 +2,7 @@ package faultline.floorplan;
 
 import java.nio.file.Path;
 
-/** Reads portable grey maps, plain (P2) and raw (P5), with up to 16 bits a pixel. */
+/** Reads portable grey maps, plain (P2) and raw (P5), with up to 16 bits per pixel. */
 final class PgmReader {
 
     private final Path file;

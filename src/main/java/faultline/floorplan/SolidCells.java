@@ -3,7 +3,7 @@ package faultline.floorplan;
 import java.util.Arrays;
 
 /**
- * The solid cells of a map. Column 0 is at the left and row 0 at the bottom; beyond the map nothing is solid.
+ * The solid cells of a map. Column 0 is at the left and row 0 at the bottom; cells beyond the map are not solid.
  * Immutable.
  */
 public final class SolidCells {
@@ -51,7 +51,7 @@ public final class SolidCells {
     /**
      * {@return these cells without small specks} Cells that share a side belong together.
      *
-     * @param minCells groups of fewer cells are dropped
+     * @param minCells the minimum size of a group; smaller groups are dropped
      */
     public SolidCells withoutSpecks(int minCells) {
         if (minCells <= 1) {

@@ -30,8 +30,8 @@ public record OrientedBox(RigidMotion frame, double halfLength, double halfWidth
      * Creates a rectangle about a pose.
      *
      * @param pose its centre and heading
-     * @param length of the side along the heading, metres, positive
-     * @param width of the side across the heading, metres, positive
+     * @param length the length of the side along the heading, metres, positive
+     * @param width the width of the side across the heading, metres, positive
      */
     public OrientedBox(Pose pose, double length, double width) {
         this(RigidMotion.of(pose), length / 2, width / 2);

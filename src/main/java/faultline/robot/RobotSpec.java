@@ -13,14 +13,14 @@ import java.util.Set;
  * The construction and settings of the four-wheel differential-drive robot. Its body is a rectangle about its centre,
  * which is also its centre of rotation; its frame has x ahead and y to the left.
  *
- * @param length of the platform, along x, metres, positive
- * @param width of the platform, along y, metres, positive
+ * @param length the length of the platform, along x, metres, positive
+ * @param width the width of the platform, along y, metres, positive
  * @param track the distance between the left and the right wheels, metres, positive
  * @param speed the linear velocity that the controller drives at, metres per second, positive
  * @param turnRate the angular velocity that the controller turns on the spot at, radians per second, positive
  * @param motor the motor of either side, as the controller believes it to be
  * @param driveScale how the true wheels and track differ from what the controller believes
- * @param sensors in the order of the trace's columns; ids are unique
+ * @param sensors the sensors, in the order of the trace's columns; ids are unique
  */
 public record RobotSpec(
         double length,
@@ -46,14 +46,14 @@ public record RobotSpec(
     /**
      * Creates a robot.
      *
-     * @param length of the platform, along x, metres, positive
-     * @param width of the platform, along y, metres, positive
+     * @param length the length of the platform, along x, metres, positive
+     * @param width the width of the platform, along y, metres, positive
      * @param track the distance between the left and the right wheels, metres, positive
      * @param speed the linear velocity that the controller drives at, metres per second, positive
      * @param turnRate the angular velocity that the controller turns on the spot at, radians per second, positive
      * @param motor the motor of either side, as the controller believes it to be
      * @param driveScale how the true wheels and track differ from what the controller believes
-     * @param sensors in the order of the trace's columns; ids are unique
+     * @param sensors the sensors, in the order of the trace's columns; ids are unique
      * @throws IllegalArgumentException if a length or speed is not positive and finite, or two sensors have the same id
      */
     public RobotSpec {
@@ -81,8 +81,8 @@ public record RobotSpec(
      * {@return the eight standard sensors, symmetric about the robot's axis, at the corners and the middles of the
      * sides: front, front-left, left, rear-left, rear, rear-right, right, front-right}
      *
-     * @param length of the platform, metres
-     * @param width of the platform, metres
+     * @param length the length of the platform, metres
+     * @param width the width of the platform, metres
      */
     public static List<SensorSpec> standardSensors(double length, double width) {
         double x = length / 2;

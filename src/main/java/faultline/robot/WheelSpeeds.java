@@ -27,7 +27,7 @@ public record WheelSpeeds(double left, double right) {
     /**
      * {@return the wheel speeds for a velocity of the robot: the inverse of {@link #toVelocity}}
      *
-     * @param velocity of the robot
+     * @param velocity the velocity of the robot
      * @param track the distance between the left and the right wheels, metres
      */
     public static WheelSpeeds of(Velocity velocity, double track) {

@@ -39,7 +39,7 @@ public final class ScenarioRun {
     /**
      * {@return the robot's pose at a time; its heading is not normalised}
      *
-     * @param seconds in [0, duration], rounded up to the next tick
+     * @param seconds the time, in [0, duration], rounded up to the next tick
      */
     public Pose poseAt(double seconds) {
         return log.pose(tickAt(seconds));
@@ -48,7 +48,7 @@ public final class ScenarioRun {
     /**
      * {@return the name of the controller's state at a time, such as FOLLOW}
      *
-     * @param seconds in [0, duration], rounded up to the next tick
+     * @param seconds the time, in [0, duration], rounded up to the next tick
      */
     public String stateAt(double seconds) {
         return log.state(tickAt(seconds));
@@ -58,7 +58,7 @@ public final class ScenarioRun {
      * {@return a sensor's reading without noise and faults at a time}
      *
      * @param sensor the id
-     * @param seconds in [0, duration], rounded up to the next tick
+     * @param seconds the time, in [0, duration], rounded up to the next tick
      */
     public Reading trueReading(String sensor, double seconds) {
         return log.trueReading(tickAt(seconds), sensor);
@@ -68,7 +68,7 @@ public final class ScenarioRun {
      * {@return a sensor's reported reading, with noise and faults, at a time}
      *
      * @param sensor the id
-     * @param seconds in [0, duration], rounded up to the next tick
+     * @param seconds the time, in [0, duration], rounded up to the next tick
      */
     public Reading reading(String sensor, double seconds) {
         return log.reportedReading(tickAt(seconds), sensor);

@@ -16,7 +16,7 @@ final class TickLog implements TickObserver {
     /**
      * A tick.
      *
-     * @param pose of the robot
+     * @param pose the pose of the robot
      * @param state the name of the controller's state
      * @param readings the true and the reported reading of each sensor in turn, encoded as in {@link Reading}
      */

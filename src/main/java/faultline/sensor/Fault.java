@@ -28,7 +28,7 @@ public sealed interface Fault
      * Returns the reading to report; the reading itself if the fault changes what the sensor sees.
      *
      * @param reading the encoded reading before this fault, see {@link Reading}
-     * @param context of this fault at this tick
+     * @param context the context of this fault at this tick
      * @return the encoded reading after this fault: a distance in [0, range], nothing, or off
      */
     default double apply(double reading, FaultContext context) {

@@ -36,7 +36,7 @@ public final class FaultContext {
      * Advances to a tick and returns this context.
      *
      * @param newTick the tick
-     * @param newRange of the sensor, metres
+     * @param newRange the new range of the sensor, metres
      * @param newNeighbourReading what the next sensor would read without faults
      * @param draws the sensor's random numbers for this tick
      * @return this context

@@ -19,7 +19,7 @@ import java.util.stream.IntStream;
 
 /**
  * The distribution of the heading error with noisy sensors: 400 seeds for each rule, spin rate, control period and
- * noise. An error of more than 5 degrees is gross: another edge was timed.
+ * noise. An error of more than 5 degrees is gross: the time of another edge was measured.
  */
 final class AlignmentErrors implements Figure {
 

@@ -15,12 +15,12 @@ import java.util.List;
  * The heading error of eq. (4) in theory. The left sensor sees the wall between two headings, the edges; for an endless
  * wall they lie at plus and minus the phi0 that solves R cos(max(0, phi0 - b)) + a cos(phi0) = D, with the range R,
  * half the cone b, the mounting offset a and the distance D from the centre to the wall. Turning back for half of the
- * time ends in their middle, which is parallel if the edges are symmetric. The paper's rule falls short of it by the
- * motors' lag and half a period.
+ * time ends in their middle, which is parallel if the edges are symmetric. With the paper's rule the robot stops short
+ * of the middle by the motors' lag and half a period.
  *
  * @param trial the trial
  * @param walls the geometry of its walls
- * @param position of the robot's centre
+ * @param position the position of the robot's centre
  */
 record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 position) {
 
@@ -35,7 +35,7 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
         return new AlignmentTheory(trial, walls, at);
     }
 
-    /** Returns the mean heading error at the hand-over, radians. */
+    /** Returns the mean heading error at the first tick of FOLLOW, radians. */
     double headingError() {
         double late =
                 trial.timing() == TimingRule.RANGE ? trial.robot().motor().timeConstant() + trial.period() / 2 : 0;
@@ -57,8 +57,8 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
     }
 
     /**
-     * Returns the reading at the edges: the range, or a little more than the nearest reading, unless the readings turn
-     * before.
+     * Returns the reading at the edges: the range, or a little more than the nearest reading, unless the readings have
+     * a maximum before.
      */
     double edgeReading() {
         if (trial.timing() == TimingRule.RANGE) {

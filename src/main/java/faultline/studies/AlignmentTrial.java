@@ -16,9 +16,9 @@ import faultline.robot.RobotSpec;
 import java.util.Optional;
 
 /**
- * A trial of eq. (4) in the whole simulator: the robot drives to a wall, spins, times the wall, turns back, and hands
- * over to FOLLOW. The wall lies on y = {@link #WALL_Y}; heading 0 is parallel to it with the wall on the left. A
- * control period has five ticks, so that the robot moves smoothly between two samples.
+ * A trial of eq. (4) in the whole simulator: the robot drives to a wall, spins, measures t_D, turns back, and enters
+ * FOLLOW. The wall lies on y = {@link #WALL_Y}; heading 0 is parallel to it with the wall on the left. A control period
+ * has five ticks, so that the robot moves smoothly between two samples.
  *
  * @param setup the setup
  * @param handOver the number of the alignment that counts, from 1
@@ -35,8 +35,8 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
     /**
      * The result of a trial.
      *
-     * @param headingError from parallel at the first FOLLOW tick, radians, positive towards the wall
-     * @param position at that tick
+     * @param headingError the deviation from parallel at the first FOLLOW tick, radians, positive towards the wall
+     * @param position the position at that tick
      * @param tD the time between F3 and F4, seconds
      * @param distance the true reading of the left sensor at that tick, metres
      */
@@ -110,7 +110,7 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
         return controllerSpec(setup).timingRule();
     }
 
-    /** Runs the trial; empty if the robot never hands over. */
+    /** Runs the trial; returns empty if the robot never enters FOLLOW. */
     Optional<TrialResult> run() {
         try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
             int handOvers = 0;

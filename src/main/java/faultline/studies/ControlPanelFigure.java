@@ -22,8 +22,8 @@ import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 
 /**
- * Fig. 1: the control panel during a run, painted without a display. Its text is large rather than the picture scaled,
- * because letters are wider in a scaled picture than in the layout.
+ * Fig. 1: the control panel during a run, painted without a display. It uses a large font instead of scaling the
+ * picture, because letters are wider in a scaled picture than in the layout.
  */
 final class ControlPanelFigure implements Figure {
 

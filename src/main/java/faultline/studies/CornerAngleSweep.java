@@ -21,7 +21,8 @@ final class CornerAngleSweep implements Figure {
     private static final double ANGLE_STEP = 10;
     static final int STARTS = 31;
     /**
-     * The styles of the selections: two sensors stand out, and four are drawn on top of those with the same results.
+     * The styles of the selections: two sensors are emphasised, and four are drawn on top of those with the same
+     * results.
      */
     private static final List<Integer> STYLES = List.of(2, 1, 3, 0);
 

@@ -18,8 +18,8 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * Fig. 6: corners of three angles, each with two sensors and with either third one, to one scale, with the median
- * distance over many starts. The forward cones are shown where the robot stops for the second wall.
+ * Fig. 6: corners of three angles, each with two sensors and with either of the third sensors, at the same scale, with
+ * the median distance over many starts. The forward cones are shown where the robot stops for the second wall.
  */
 final class CornerPlans implements Figure {
 
@@ -85,13 +85,13 @@ final class CornerPlans implements Figure {
                 y + ROW_HEIGHT - 18);
     }
 
-    /** Returns the median distance error over many starts, millimetres; the path is that of one of them. */
+    /** Returns the median distance error over many starts, millimetres; the path is that of one start. */
     private static double median(double degrees, CornerRun.SensorSelection sensors) {
         return CornerRun.distanceErrors(degrees, sensors, CornerAngleSweep.STARTS)
                 .median();
     }
 
-    /** Returns a plan of the size of the most obtuse corner, so that all have one scale. */
+    /** Returns a plan of the size of the most obtuse corner, so that all have the same scale. */
     private static PlanView plan(FigureCanvas canvas, double degrees, double x, double y) {
         double width = SECOND_WALL + FIRST_WALL / StrictMath.sqrt(2);
         double left = CORNER.x() + (Math.min(0, firstWall(degrees).x()) + SECOND_WALL - width) / 2;
@@ -104,7 +104,7 @@ final class CornerPlans implements Figure {
         return Vector2.direction(-Degrees.toRadians(degrees)).times(FIRST_WALL);
     }
 
-    /** Returns the near half of a cone: the whole would cover its neighbours. */
+    /** Returns the near half of a cone, because the whole cone would cover its neighbours. */
     private static Sector nearCone(Pose at, SensorSpec sensor) {
         return Sector.of(
                 at.toParent(sensor.mountPosition()),
@@ -113,7 +113,7 @@ final class CornerPlans implements Figure {
                 sensor.range() / 2);
     }
 
-    /** Returns the tick at which the second wall is met: the spin that ends in the second hand-over begins. */
+    /** Returns the tick at which the robot reaches the second wall, when the spin before the second FOLLOW begins. */
     private static int secondWallTick(RunTrace trace) {
         return trace.states().subList(0, trace.handOvers().get(1)).lastIndexOf(FollowerState.FOLLOW) + 1;
     }

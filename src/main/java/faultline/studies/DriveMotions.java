@@ -89,8 +89,8 @@ final class DriveMotions implements Figure {
     }
 
     /**
-     * Draws an arrow beside the wheels, as long as they roll in half a second; farther out than a corner of the body
-     * can turn.
+     * Draws an arrow beside the wheels, of the length that they roll in half a second. It is outside the circle of the
+     * body's corners.
      */
     private static void drawWheelSpeed(PlanView plan, DriveMotion move, double speed, double side) {
         Pose start = move.poseAfter(0);

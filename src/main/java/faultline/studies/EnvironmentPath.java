@@ -14,10 +14,10 @@ import java.io.IOException;
 /**
  * Fig. 5: the path of the robot in an environment.
  *
- * @param name of the file
- * @param title what the figure shows
- * @param scenario to run
- * @param bounds the part that is shown, metres
+ * @param name the name of the file
+ * @param title the title of the figure
+ * @param scenario the scenario
+ * @param bounds the part of the world that is shown, metres
  */
 record EnvironmentPath(String name, String title, String scenario, Rectangle2D bounds) implements Figure {
 

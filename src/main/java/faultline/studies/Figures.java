@@ -19,17 +19,20 @@ public final class Figures {
 
     private Figures() {}
 
-    /** Listens to the progress. */
+    /** Receives the progress. */
     @FunctionalInterface
     public interface FigureListener {
 
-        /** Called on the caller's thread when a figure is written, with the number written so far and that of all. */
+        /**
+         * Called on the caller's thread when a figure is written, with the number of figures written so far and the
+         * total number.
+         */
         void figureWritten(int done, int all);
     }
 
     static List<Figure> allFigures() {
         List<Figure> figures = new ArrayList<>();
-        // The longest first, so that no core is idle at the end.
+        // The slowest figures are first, so that no core is idle at the end.
         figures.add(new AlignmentErrors());
         figures.add(new CornerAngleSweep());
         figures.add(new NoiseInRandomRooms());
@@ -71,8 +74,8 @@ public final class Figures {
      * Writes all figures.
      *
      * @param path the folder; created if necessary
-     * @param appearance of the pictures
-     * @param progress called for each figure
+     * @param appearance the appearance of the pictures
+     * @param progress the listener, called for each figure
      * @throws IOException if a file cannot be written
      */
     public static void writeAll(Path path, SvgTheme appearance, FigureListener progress) throws IOException {

@@ -24,12 +24,12 @@ final class GainsMap implements Figure {
 
     private static final Axis KP = new Axis("k_p (rad/s per m)", 2, 2000, true);
     private static final Axis KD = new Axis("k_d (rad/s per m/s)", 1, 100, true);
-    /** A hard start: at the wanted distance, but heading for the wall. */
+    /** A difficult start: at the wanted distance, but heading towards the wall. */
     private static final double START_HEADING = Degrees.toRadians(45);
 
     private static final int COLUMNS = 48;
     private static final int ROWS = 36;
-    /** From a decision to the middle of the tick in which it acts. */
+    /** The time from a decision to the middle of the tick in which it takes effect. */
     private static final double DELAY = 1.5 * PdLoop.TICK;
 
     private static final List<String> RESPONSE_NAMES =

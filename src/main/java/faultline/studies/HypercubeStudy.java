@@ -18,8 +18,8 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 
 /**
- * Eq. (4) with all quantities varied at once: a Latin hypercube, in which each quantity takes one value from each of as
- * many equal intervals as there are trials.
+ * Eq. (4) with all quantities varied at once: a Latin hypercube, in which the range of each quantity is divided into as
+ * many equal intervals as there are trials, with one value in each interval.
  */
 final class HypercubeStudy implements Figure {
 

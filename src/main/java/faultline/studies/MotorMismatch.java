@@ -24,8 +24,8 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 /**
- * Eq. (4) when the controller's model of the motors is wrong: its alignment clock is the commanded angle, by its own
- * model, in units of the constant rate. The paper's rule with a real clock is compared.
+ * Eq. (4) when the controller's model of the motors is wrong: it measures time by the commanded angle according to its
+ * model, divided by the constant rate. The paper's rule with a real clock is compared.
  */
 final class MotorMismatch implements Figure {
 
@@ -83,7 +83,7 @@ final class MotorMismatch implements Figure {
                 errors.max());
     }
 
-    /** Returns the heading error at the first hand-over, degrees; empty if there is none. */
+    /** Returns the heading error at the first tick of FOLLOW, degrees; empty if there is none. */
     private static OptionalDouble headingError(Variant variant, int start, Mismatch mismatch) {
         SimulationSetup setup = AlignmentTrial.standard(variant.rule, start).setup();
         MotorSpec motor = setup.robot().motor();

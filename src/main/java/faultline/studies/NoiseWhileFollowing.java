@@ -17,7 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
-/** Following with noisy sensors in the room of a shipped scenario. */
+/** The noise study: following with noisy sensors in the room of a shipped scenario. */
 final class NoiseWhileFollowing implements Figure {
 
     private static final String SCENARIO = "noisy-sensors.xml";

@@ -18,7 +18,7 @@ import java.util.OptionalDouble;
 
 /**
  * The paper's claim that t_D does not depend on other sensors: every other sensor fails in every way, once from the
- * beginning of the spin, and once from the start of the run, when the robot may stop elsewhere.
+ * beginning of the spin, and once from the start of the run, where the robot may stop at another place.
  */
 final class OtherSensorFaults implements Figure {
 
@@ -76,7 +76,7 @@ final class OtherSensorFaults implements Figure {
         return trace.states().indexOf(FollowerState.TURN) * setup.dt();
     }
 
-    /** Returns the time between F3 and F4 when ALIGN hands over; empty if it never does. */
+    /** Returns the time between F3 and F4 at the end of ALIGN; empty if it never ends. */
     private static OptionalDouble measureTD(SimulationSetup setup) {
         try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
             while (simulation.time() < setup.duration()

@@ -17,15 +17,15 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 
 /**
- * The heading error of eq. (4) against one quantity, all others at their defaults: every trial as a point, theory as a
- * line, for both rules.
+ * The heading error of eq. (4) over one quantity, with all others at their defaults. Every trial is a point and the
+ * theory is a line, for both rules.
  *
- * @param name of the files
- * @param title of the chart
- * @param label of the quantity, with its unit
- * @param values of the quantity as in the chart, ascending
+ * @param name the name of the files
+ * @param title the title of the chart
+ * @param label the label of the quantity, with its unit
+ * @param values the values of the quantity as in the chart, ascending
  * @param variants the number of trials at each value
- * @param trialFactory creates a trial
+ * @param trialFactory the factory of trials
  */
 record ParameterSweep(
         String name, String title, String label, List<Double> values, int variants, TrialFactory trialFactory)
@@ -41,7 +41,7 @@ record ParameterSweep(
             Lines: the closed form; shaded: half of what the robot turns in a control period T, since the exact rule \
             sees each edge up to T late.""";
 
-    /** Creates the trial at a value of the quantity from one with all quantities at their defaults. */
+    /** Creates the trial at a value of the quantity from a trial with all quantities at their defaults. */
     interface TrialFactory {
         AlignmentTrial create(double value, AlignmentTrial standard, int variant);
     }

@@ -12,9 +12,9 @@ import java.util.List;
  * The PD law and the motors beside a long straight wall: distance and heading are known, and a decision acts at the
  * next tick. The P term is clamped.
  *
- * @param gains of the law
- * @param distanceError at the start, metres, positive if too far
- * @param heading at the start, radians towards the wall
+ * @param gains the gains of the law
+ * @param distanceError the initial distance error, metres, positive if too far
+ * @param heading the initial heading, radians towards the wall
  */
 record PdLoop(PdGains gains, double distanceError, double heading) {
 

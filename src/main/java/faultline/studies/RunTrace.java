@@ -17,10 +17,10 @@ import java.util.stream.IntStream;
  * A run with its poses.
  *
  * @param setup the setup
- * @param poses at each tick, from tick 0
- * @param states at each tick
- * @param distances the true reading of the left sensor at each tick, metres; infinite for nothing
- * @param result of the run
+ * @param poses the poses at each tick, from tick 0
+ * @param states the states at each tick
+ * @param distances the true reading of the left sensor at each tick, metres; infinite for no reading
+ * @param result the result of the run
  */
 record RunTrace(
         SimulationSetup setup,
@@ -46,7 +46,7 @@ record RunTrace(
         return poses.stream().map(Pose::position).toList();
     }
 
-    /** Returns the ticks at which ALIGN has handed over to FOLLOW. */
+    /** Returns the ticks of the transitions from ALIGN to FOLLOW. */
     List<Integer> handOvers() {
         return IntStream.range(1, states.size())
                 .filter(tick -> states.get(tick) == FollowerState.FOLLOW && states.get(tick - 1) == FollowerState.ALIGN)

@@ -17,7 +17,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Specular reflection: the slants and surfaces at which the robot finds a glossy wall in time. */
+/** Specular reflection: the slants and surfaces at which the robot detects a glossy wall in time. */
 final class SpecularMap implements Figure {
 
     private static final int COLUMNS = 32;
@@ -65,7 +65,8 @@ final class SpecularMap implements Figure {
     }
 
     /**
-     * Returns the boundary within which a sensor of a bearing sees the wall: its cone reaches the angle of the normal.
+     * Returns the boundary within which a sensor of a bearing sees the wall, that is, its cone contains an allowed
+     * angle to the normal.
      */
     private static Series visibleBoundary(String name, double bearing, int style) {
         double half = StrictMath.toDegrees(SensorSpec.DEFAULT_CONE) / 2;

@@ -18,7 +18,7 @@ import java.awt.geom.RoundRectangle2D;
 import java.io.IOException;
 import java.util.List;
 
-/** Fig. 8: the state diagram of the follower's own transition table, laid out as in the window. */
+/** Fig. 8: the state diagram of the follower's transition table, with the layout of the window. */
 final class StateDiagramFigure implements Figure {
 
     private static final LineStyle BOX_STYLE = LineStyle.solid(FigureCanvas.FOREGROUND, 1.6);

@@ -22,7 +22,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The decay of a distance error: the PD law alone with several lengths, and the whole follower when its wall is moved.
+ * The decay of a distance error: the PD law alone with several lengths, and the whole follower after its wall is moved.
  */
 final class StepResponse implements Figure {
 

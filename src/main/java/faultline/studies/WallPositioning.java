@@ -27,7 +27,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Fig. 4: the positioning beside a wall, in frames at their measured times. The paper names F3, the first sample that
+ * Fig. 4: the positioning beside a wall, in frames at their measured times. The paper defines F3, the first sample that
  * sees the wall, and F4, the first sample that no longer sees it; F1 is taken as the moment when the front sensor first
  * sees the wall, F2 as the beginning of the spin.
  */
@@ -94,7 +94,7 @@ final class WallPositioning implements Figure {
                 pose.heading() + sensor.bearing(),
                 sensor.cone(),
                 sensor.range());
-        // Robot and cone are centred, so that neither reaches into the neighbouring frame.
+        // Robot and cone are centred together, so that neither overlaps the neighbouring frame.
         double left =
                 (pose.x() + cone.apex().plus(cone.axis().times(cone.range())).x() - SHOWN_LENGTH) / 2;
         PlanView plan = canvas.addPlan(

@@ -16,7 +16,7 @@ final class WallScenes {
 
     private WallScenes() {}
 
-    /** Returns the file's wall, whose ends no cone sees. */
+    /** Returns the file's wall, whose ends are out of range of all cones. */
     static SimulationSetup endless(SimulationSetup base, double distance, int variant) {
         double away = distance + 0.25 + 0.0137 * variant;
         double slant = Degrees.toRadians(2.0 * variant + 1);
@@ -33,8 +33,8 @@ final class WallScenes {
     }
 
     /**
-     * Returns an inner corner: the robot meets one wall, follows it, and is then aligned with the other, which lies on
-     * y = {@link AlignmentTrial#WALL_Y}.
+     * Returns an inner corner: the robot reaches one wall, follows it, and is then aligned with the other, which lies
+     * on y = {@link AlignmentTrial#WALL_Y}.
      */
     static SimulationSetup corner(SimulationSetup base, double angle, double distance, int variant) {
         Vector2 corner = new Vector2(WALL_Y, WALL_Y);

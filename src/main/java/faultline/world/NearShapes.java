@@ -56,7 +56,7 @@ final class NearShapes {
      * Adds a shape.
      *
      * @param shape the shape
-     * @param tangent of the greatest angle of incidence at which it is sensed; positive infinity for all
+     * @param tangent the tangent of the greatest angle of incidence at which it is sensed; positive infinity for all
      * @param lowerBound its distance is at least this, metres
      */
     void add(ConvexShape shape, double tangent, double lowerBound) {

@@ -7,8 +7,8 @@ import java.util.Objects;
  * An obstacle at one moment.
  *
  * @param id unique in its world
- * @param shape in its own frame
- * @param pose of that frame in the world
+ * @param shape the shape in its own frame
+ * @param pose the pose of that frame in the world
  * @param motion its path, {@link WaypointPath#NONE} for a static obstacle
  * @param specularAngle the greatest angle of incidence at which its surface reflects light back to a sensor, radians
  *     from the normal, in (0, pi / 2]; {@link #MATT} for all angles
@@ -22,8 +22,8 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, WaypointPath m
      * Creates an obstacle.
      *
      * @param id unique in its world
-     * @param shape in its own frame
-     * @param pose of that frame in the world
+     * @param shape the shape in its own frame
+     * @param pose the pose of that frame in the world
      * @param motion its path, {@link WaypointPath#NONE} for a static obstacle
      * @param specularAngle the greatest angle of incidence at which its surface reflects light back to a sensor,
      *     radians from the normal, in (0, pi / 2]; {@link #MATT} for all angles

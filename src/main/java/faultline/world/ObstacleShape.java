@@ -203,13 +203,13 @@ public sealed interface ObstacleShape {
     /**
      * A closed polygon, convex or not; a point is inside by the even-odd rule.
      *
-     * @param points at least three, in order; the last is connected to the first
+     * @param points the points, at least three, in order; the last is connected to the first
      */
     record PolygonShape(List<Vector2> points) implements ObstacleShape {
         /**
          * Creates a polygon.
          *
-         * @param points at least three, in order; the last is connected to the first
+         * @param points the points, at least three, in order; the last is connected to the first
          * @throws IllegalArgumentException if there are fewer than three points, or one is not finite
          */
         public PolygonShape {
@@ -235,13 +235,13 @@ public sealed interface ObstacleShape {
     /**
      * An open polyline without thickness.
      *
-     * @param points at least two, in order
+     * @param points the points, at least two, in order
      */
     record WallShape(List<Vector2> points) implements ObstacleShape {
         /**
          * Creates a wall.
          *
-         * @param points at least two, in order
+         * @param points the points, at least two, in order
          * @throws IllegalArgumentException if there are fewer than two points, or one is not finite
          */
         public WallShape {
@@ -268,14 +268,15 @@ public sealed interface ObstacleShape {
      * A floor plan: closed rings, such as the outlines of walls and of the rooms between them; a point is inside by the
      * even-odd rule over all rings.
      *
-     * @param rings at least one; each has at least three points, in order, and its last point is connected to the first
+     * @param rings the rings, at least one; each has at least three points, in order, and its last point is connected
+     *     to the first
      */
     record PlanShape(List<List<Vector2>> rings) implements ObstacleShape {
         /**
          * Creates a floor plan.
          *
-         * @param rings at least one; each has at least three points, in order, and its last point is connected to the
-         *     first
+         * @param rings the rings, at least one; each has at least three points, in order, and its last point is
+         *     connected to the first
          * @throws IllegalArgumentException if there is no ring, a ring has fewer than three points, or a point is not
          *     finite
          */

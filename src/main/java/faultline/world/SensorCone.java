@@ -120,10 +120,10 @@ final class SensorCone {
      * Collects the candidates that this sensor may see, up to the horizon, while the robot stays near a pose.
      *
      * @param candidates all shapes within the search radius, and perhaps others
-     * @param robotX of the pose, metres
-     * @param robotY of the pose, metres
-     * @param cos of its heading
-     * @param sin of its heading
+     * @param robotX the x coordinate of the pose, metres
+     * @param robotY the y coordinate of the pose, metres
+     * @param cos the cosine of its heading
+     * @param sin the sine of its heading
      */
     void collect(CandidateBuffer candidates, double robotX, double robotY, double cos, double sin) {
         near.clear();

@@ -21,8 +21,8 @@ import java.util.Optional;
  * @param pose the robot's
  * @param wheelSpeeds the robot's
  * @param motorFaults the faults of its motors
- * @param sensors in the robot's order
- * @param obstacles in drawing order
+ * @param sensors the sensors, in the robot's order
+ * @param obstacles the obstacles, in drawing order
  * @param contacts the points where the robot touches obstacles, metres; empty before a collision
  * @param collisions the robot's first contact; empty before it, and never more than one
  */
@@ -53,8 +53,8 @@ public record Snapshot(
      * @param pose the robot's
      * @param wheelSpeeds the robot's
      * @param motorFaults the faults of its motors
-     * @param sensors in the robot's order
-     * @param obstacles in drawing order
+     * @param sensors the sensors, in the robot's order
+     * @param obstacles the obstacles, in drawing order
      * @param contacts the points where the robot touches obstacles, metres; empty before a collision
      * @param collisions the robot's first contact; empty before it, and never more than one
      */

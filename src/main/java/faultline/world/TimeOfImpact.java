@@ -38,9 +38,9 @@ final class TimeOfImpact {
     /**
      * Creates a test of a body at constant velocity.
      *
-     * @param length of the body, metres
-     * @param width of the body, metres
-     * @param velocity of the body
+     * @param length the length of the body, metres
+     * @param width the width of the body, metres
+     * @param velocity the velocity of the body
      */
     TimeOfImpact(double length, double width, Velocity velocity) {
         this.length = length;
@@ -53,7 +53,7 @@ final class TimeOfImpact {
      *
      * @param start the body's pose at time 0
      * @param shape the shape at time 0, clear of the body or touching it
-     * @param shapeVelocity of the shape, metres per second
+     * @param shapeVelocity the velocity of the shape, metres per second
      * @param time how long both move, seconds
      * @return seconds in [0, time], or positive infinity if they do not meet
      * @throws World.UnresolvedContactException if the steps are too many

@@ -45,7 +45,7 @@ public final class World {
      * @param robot the robot
      * @param start the robot's pose
      * @param dt the length of a tick, seconds
-     * @param seed of all random numbers
+     * @param seed the seed of all random numbers
      */
     public World(WorldSpec spec, RobotSpec robot, Pose start, double dt, long seed) {
         this.spec = spec;
@@ -79,8 +79,8 @@ public final class World {
     /**
      * Moves obstacles and robot by one tick and stops the robot at its first contact: steps 3 to 5.
      *
-     * @param leftVolts on the left motors
-     * @param rightVolts on the right motors
+     * @param leftVolts the voltage on the left motors
+     * @param rightVolts the voltage on the right motors
      */
     public void move(double leftVolts, double rightVolts) {
         if (collisions.isEmpty()) {

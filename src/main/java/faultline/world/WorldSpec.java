@@ -11,7 +11,7 @@ import java.util.Set;
  * @param height along y, metres, positive
  * @param enclosed whether a wall without thickness encloses it, from (0, 0) to (width, height)
  * @param maxMoving the maximum number of moving obstacles, not negative
- * @param obstacles in drawing order; ids are unique
+ * @param obstacles the obstacles, in drawing order; ids are unique
  */
 public record WorldSpec(double width, double height, boolean enclosed, int maxMoving, List<Obstacle> obstacles) {
 
@@ -28,7 +28,7 @@ public record WorldSpec(double width, double height, boolean enclosed, int maxMo
      * @param height along y, metres, positive
      * @param enclosed whether a wall without thickness encloses it, from (0, 0) to (width, height)
      * @param maxMoving the maximum number of moving obstacles, not negative
-     * @param obstacles in drawing order; ids are unique
+     * @param obstacles the obstacles, in drawing order; ids are unique
      * @throws IllegalArgumentException if the size is not positive and finite, two obstacles have the same id, one has
      *     the id of the enclosing wall, or too many move
      */

@@ -12,15 +12,16 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The place of an attribute in a scenario file: {@code robot/sensor[front]/@cone}, {@code controller/@distance},
+ * The path of an attribute in a scenario file: {@code robot/sensor[front]/@cone}, {@code controller/@distance},
  * {@code @duration}, or {@code timeline/fault[2]/@at}, with an id or a number from 1 in the brackets.
  *
- * @param steps from the root element's child down to the element that has the attribute; empty for the root element
- * @param attribute its name
+ * @param steps the elements from the root element's child down to the element that has the attribute; empty for the
+ *     root element
+ * @param attribute the name of the attribute
  */
 record AttributePath(List<PathStep> steps, String attribute) {
 
-    /** What a plan may give. */
+    /** The form of a path, for error messages. */
     static final String RULE =
             "a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration";
 
@@ -58,7 +59,7 @@ record AttributePath(List<PathStep> steps, String attribute) {
      * An element by its name and its id or number.
      *
      * @param element the element's name
-     * @param key its id, or its number among those of its name, from 1; empty for the only one
+     * @param key its id, or its number among the elements with its name, from 1; empty for the only one
      */
     record PathStep(String element, String key) {}
 

@@ -4,10 +4,10 @@ import faultline.io.DecimalText;
 import java.math.BigDecimal;
 import java.util.Optional;
 
-/** The text that an attribute gets in a run: the same in every run, or drawn for each block of runs. */
+/** The text of an attribute in a run: fixed, or drawn for each block of runs. */
 sealed interface AttributeValue {
 
-    /** Nothing, as in the columns of a fault in a run without one. */
+    /** An empty text, as in the columns of a fault in a run without a fault. */
     AttributeValue NONE = new FixedValue("");
 
     /** Returns the text for a block of runs, counted from 0, with the draws of the plan. */
@@ -24,8 +24,8 @@ sealed interface AttributeValue {
     /**
      * A text that is drawn.
      *
-     * @param stream names the random numbers: draws of the same stream are equal in all runs of a block
-     * @param range what the text is drawn from
+     * @param stream the name of the random numbers; draws of the same stream are equal in all runs of a block
+     * @param range the set of values
      */
     record Drawn(String stream, DrawRange range) implements AttributeValue {
         @Override
@@ -34,7 +34,7 @@ sealed interface AttributeValue {
         }
     }
 
-    /** The sum of two numbers, exact; the first text as it is if either is no number. */
+    /** The exact sum of two numbers; the first text if either is not a number. */
     record Sum(AttributeValue first, AttributeValue second) implements AttributeValue {
         @Override
         public String text(Uniforms numbers, long block) {
@@ -47,7 +47,7 @@ sealed interface AttributeValue {
         }
     }
 
-    /** Where draws get their random numbers from. */
+    /** The source of the random numbers of draws. */
     interface Uniforms {
 
         /** Returns the number of a stream for a block, in [0, 1). */

@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Which runs a study makes. A <em>block</em> is a world with a seed and one value of everything that is drawn; a
+ * The runs of a study. A <em>block</em> is a world with a seed and one value of everything that is drawn; a
  * <em>cell</em> is one combination of the levels of all factors. Every cell is run in every block, so that two cells
  * are compared on the same worlds, seeds and draws. Runs are numbered from 0, block by block.
  */
@@ -28,7 +28,7 @@ public final class CampaignPlan {
             new Column("world", "", "scenario or generated room"),
             new Column("seed", "", "seed of the simulation"));
 
-    /** The names that no factor may give its columns: those above and those of the results. */
+    /** The reserved names, which a factor must not use for its columns: those above and those of the results. */
     public static final Set<String> RESERVED_COLUMNS = Set.of(
             "run",
             "block",
@@ -88,7 +88,7 @@ public final class CampaignPlan {
         return files;
     }
 
-    /** {@return what the root element says} */
+    /** {@return the attributes and the description of the root element} */
     public PlanHeader header() {
         return header;
     }
@@ -113,7 +113,7 @@ public final class CampaignPlan {
         return (long) worlds.count() * seeds.count() * cells;
     }
 
-    /** {@return what varies, in the order of the plan} */
+    /** {@return the factors, in the order of the plan} */
     public List<FactorSummary> factors() {
         return factors.stream()
                 .map(factor -> new FactorSummary(
@@ -124,9 +124,9 @@ public final class CampaignPlan {
     /**
      * A factor as a report needs it.
      *
-     * @param kind which element of the plan it is of
+     * @param kind the kind of its element in the plan
      * @param columns its columns in {@code runs.csv}
-     * @param levelCount how many levels it has; 1 if it is drawn only
+     * @param levelCount the number of its levels; 1 if it is only drawn
      */
     public record FactorSummary(FactorKind kind, List<Column> columns, int levelCount) {}
 
@@ -138,7 +138,7 @@ public final class CampaignPlan {
     /**
      * {@return a run}
      *
-     * @param index from 0 to less than {@link #runCount}
+     * @param index the index, from 0 to less than {@link #runCount}
      */
     public PlannedRun run(long index) {
         long block = index / cells;
@@ -173,7 +173,7 @@ public final class CampaignPlan {
      * {@return the scenario of a run}
      *
      * @param run one of this plan's runs
-     * @throws ScenarioException if the plan's values, each good by itself, make no good scenario together
+     * @throws ScenarioException if the plan's values, each valid by itself, do not make a valid scenario together
      */
     public Scenario scenario(PlannedRun run) throws ScenarioException {
         List<ScenarioChange> edits = new ArrayList<>(constants);

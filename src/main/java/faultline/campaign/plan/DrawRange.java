@@ -5,10 +5,10 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
 
-/** What a drawn value can be. */
+/** The set of values from which a value is drawn. */
 sealed interface DrawRange {
 
-    /** Returns the value that belongs to a uniform number in [0, 1), increasing with it. */
+    /** Returns the value for a uniform random number in [0, 1); it increases with that number. */
     String at(double uniform);
 
     /** Uniform between two numbers, rounded to six digits. */

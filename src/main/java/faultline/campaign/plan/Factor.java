@@ -3,11 +3,11 @@ package faultline.campaign.plan;
 import java.util.List;
 
 /**
- * Something that a plan varies. Every level of a factor is combined with every level of the others.
+ * A factor: a variable of a plan. Every level of a factor is combined with every level of the others.
  *
  * @param kind which element of the plan it is of
- * @param columns what it adds to {@code runs.csv}
- * @param levels at least one
+ * @param columns its columns in {@code runs.csv}
+ * @param levels its levels, at least one
  */
 record Factor(FactorKind kind, List<Column> columns, List<Level> levels) {
 
@@ -19,8 +19,8 @@ record Factor(FactorKind kind, List<Column> columns, List<Level> levels) {
     /**
      * One level of a factor.
      *
-     * @param cells what it writes in the factor's columns
-     * @param edits what it changes in the scenario
+     * @param cells the values in the factor's columns
+     * @param edits the changes of the scenario
      */
     record Level(List<AttributeValue> cells, List<ScenarioChange> edits) {
         Level {

@@ -20,7 +20,7 @@ final class FactorReader {
 
     private static final String NAME_RULE = "lower-case letters, digits and underscores, beginning with a letter";
 
-    /** All masks of more sensors than this are too many. */
+    /** The maximum number of sensors of which all combinations are tried. */
     private static final int MAX_MASKED = 16;
 
     private final Problems problems;
@@ -29,7 +29,7 @@ final class FactorReader {
         this.problems = problems;
     }
 
-    /** Returns the name that a factor gives its columns. */
+    /** Returns the name of a factor's columns. */
     static String columnName(AttributeReader fields, String fallback) {
         String name = fields.text("name").orElse(fallback);
         if (!name.matches("[a-z][a-z0-9_]{0,60}")) {

@@ -14,14 +14,14 @@ import java.util.Set;
 
 /**
  * Makes a factor of {@code faults}. Each {@code fault} in it takes the attributes of a fault in a scenario's timeline;
- * one with a list of values makes a level of each of them.
+ * a list of values makes a level for each value.
  */
 final class FaultsReader {
 
-    /** The attribute of a plan that names a fault in tables, and is no attribute of a scenario's fault. */
+    /** The attribute of a plan that names a fault in tables; a scenario's fault does not have it. */
     private static final String LABEL = "label";
 
-    /** Attributes whose columns are not called after them. */
+    /** Attributes whose columns have other names. */
     private static final Map<String, String> COLUMN_NAMES = Map.of("at", "onset_s", "until", "end_s");
 
     private static final Map<String, String> MEANINGS = Map.of(
@@ -39,10 +39,10 @@ final class FaultsReader {
             "what the plan calls the fault, its kind if the plan gives no label, none in a healthy run");
 
     private final Problems problems;
-    /** The attributes that any fault has, in the order of the columns. */
+    /** The attributes of all faults, in the order of the columns. */
     private final Set<String> attributes = new LinkedHashSet<>(List.of("kind", "sensor", "value", "at", "until"));
 
-    /** One level before its columns are known. */
+    /** A level whose columns are not known yet. */
     private record Draft(Map<String, AttributeValue> attributes, XmlElement node) {}
 
     FaultsReader(Problems problems) {

@@ -13,8 +13,8 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * Tries every level of every factor in every scenario of a plan, one level at a time, so that a bad value is reported
- * at its place in the plan before anything runs. Draws are tried at the ends of their ranges.
+ * Tries every level of every factor in every scenario of a plan, one level at a time, so that an invalid value is
+ * reported at its location in the plan before any run. Draws are tried at the ends of their ranges.
  */
 final class PlanCheck {
 
@@ -73,7 +73,10 @@ final class PlanCheck {
                 : List.copyOf(((ScenarioChange.AddFault) edit).attributes().values());
     }
 
-    /** Reports a problem; one whose place is in the scenario, not in the plan, at the level's first change. */
+    /**
+     * Reports a problem. If its location is in the scenario instead of the plan, it is reported at the level's first
+     * change.
+     */
     private void report(String world, Problem problem, List<ScenarioChange> edits, Set<String> reported) {
         boolean inPlan = edits.stream().anyMatch(edit -> edit.location().equals(problem.location()));
         SourceLocation location = inPlan || edits.isEmpty()

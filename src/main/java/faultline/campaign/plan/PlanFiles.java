@@ -14,9 +14,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The files that make a plan: the plan itself and the scenarios that it names.
+ * The files of a plan: the plan itself and the scenarios that it names.
  *
- * @param name of the plan, for messages
+ * @param name the name of the plan, for messages
  * @param plan its bytes
  * @param scenarios the bytes of the scenarios, by their names in the plan, in its order
  */
@@ -24,7 +24,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
 
     private static final String KIND = "campaign plan";
 
-    /** The root element begins within this many bytes. */
+    /** The number of bytes within which the root element must begin. */
     private static final int HEAD = 8192;
 
     /** The plan's name in a folder that holds a copy of all files. */
@@ -36,7 +36,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
     }
 
     /**
-     * {@return whether a file looks like a plan: the beginning of it holds the namespace}
+     * {@return whether a file is probably a plan: its beginning contains the namespace}
      *
      * @param file the file
      */
@@ -52,11 +52,11 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
     }
 
     /**
-     * Reads a plan whose scenarios are where it says, relative to its own folder.
+     * Reads a plan, and its scenarios by their paths relative to the folder of the plan.
      *
      * @param file the file
      * @return the plan
-     * @throws ScenarioException with everything that is wrong
+     * @throws ScenarioException with all problems of the files
      */
     public static CampaignPlan read(Path file) throws ScenarioException {
         Path folder = file.toAbsolutePath().getParent();
@@ -74,8 +74,8 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
     /**
      * {@return the copy of the plan that a campaign keeps}
      *
-     * @param folder that holds {@link #copies}
-     * @throws ScenarioException with everything that is wrong
+     * @param folder the folder that holds {@link #copies}
+     * @throws ScenarioException with all problems of the files
      */
     public static CampaignPlan readCopy(Path folder) throws ScenarioException {
         Path file = folder.resolve(COPY);
@@ -90,7 +90,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
     }
 
     /**
-     * {@return the name that a copy gives a scenario by its number in the plan, from 1}
+     * {@return the name of a scenario in a copy, by its number in the plan, from 1}
      *
      * @param number the number of the scenario in the plan, from 1
      */
@@ -108,7 +108,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         return paths;
     }
 
-    /** {@return the bytes of all files by the names that a copy gives them, the plan first} */
+    /** {@return the bytes of all files by their names in a copy, the plan first} */
     public Map<String, byte[]> copies() {
         Map<String, byte[]> copies = new LinkedHashMap<>();
         copies.put(COPY, plan);

@@ -1,11 +1,11 @@
 package faultline.campaign.plan;
 
 /**
- * What a plan's root element and description say.
+ * The attributes of a plan's root element, and its description.
  *
- * @param name for people
- * @param description for people
- * @param seed of everything that is drawn
+ * @param name the name, for people
+ * @param description the description, for people
+ * @param seed the seed of everything that is drawn
  * @param latin whether draws are a Latin hypercube over all blocks
  * @param untilVerdict whether a run ends as soon as it is known whether the robot carries on
  */

@@ -3,7 +3,7 @@ package faultline.campaign.plan;
 import faultline.io.Message;
 import faultline.io.MessageText;
 
-/** What can be wrong with a plan beyond the problems of any XML file, with the English text of each problem. */
+/** A problem of a plan, besides the problems of any XML file, with its English text. */
 enum PlanProblem implements Message.Template {
     ROOT("the root element is <{0}>; expected <campaign xmlns=\"{1}\">"),
     DUPLICATE_COLUMN("two columns of runs.csv would be called \"{0}\"; expected each name once"

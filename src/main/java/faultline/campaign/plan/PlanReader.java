@@ -16,12 +16,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Makes a plan of a file's bytes, or reports everything that is wrong with them. */
+/** Makes a plan from the bytes of a file, or reports all problems. */
 final class PlanReader {
 
     static final XmlFormat FORMAT = new XmlFormat("urn:faultline:campaign:1", "campaign");
 
-    /** More runs than this are a mistake. */
+    /** The maximum number of runs; more are considered a mistake. */
     static final long MAX_RUNS = 10_000_000;
 
     private static final List<String> CHILD_ELEMENTS =
@@ -40,10 +40,10 @@ final class PlanReader {
     /**
      * Reads a plan.
      *
-     * @param name the name that problems give it
-     * @param bytes its content
-     * @param resolver gets the scenarios that it names
-     * @throws ScenarioException with everything that is wrong
+     * @param name the name of the file in problems
+     * @param bytes the content of the file
+     * @param resolver the source of the scenarios that the plan names
+     * @throws ScenarioException with all problems
      */
     static CampaignPlan read(String name, byte[] bytes, PlanFiles.Resolver resolver) throws ScenarioException {
         Problems problems = new Problems(name);

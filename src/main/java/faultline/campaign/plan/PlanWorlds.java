@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
 
-/** All worlds of a plan under one numbering. Trees of generated worlds are kept for a while; safe on any thread. */
+/** All worlds of a plan, numbered consecutively. Trees of generated worlds are cached. Safe on any thread. */
 final class PlanWorlds {
 
     private static final int MAX_KEPT = 64;
@@ -43,7 +43,7 @@ final class PlanWorlds {
         return kept.computeIfAbsent(index, missing -> at(missing, WorldSource::root));
     }
 
-    /** Calls the source of a world with the number that the world has there. */
+    /** Calls the source of a world with the number of the world in that source. */
     private <T> T at(int index, BiFunction<WorldSource, Integer, T> property) {
         int rest = index;
         for (WorldSource source : sources) {

@@ -8,8 +8,8 @@ import java.util.List;
  * @param index its number in the plan, from 0
  * @param block the number of its world, seed and draws, from 0
  * @param world the name of its world
- * @param seed of its simulation
- * @param cells what varies in it, in the order of {@link CampaignPlan#factorColumns()}
+ * @param seed the seed of its simulation
+ * @param cells the values of its factors, in the order of {@link CampaignPlan#factorColumns()}
  */
 public record PlannedRun(long index, long block, String world, long seed, List<String> cells) {
 
@@ -19,8 +19,8 @@ public record PlannedRun(long index, long block, String world, long seed, List<S
      * @param index its number in the plan, from 0
      * @param block the number of its world, seed and draws, from 0
      * @param world the name of its world
-     * @param seed of its simulation
-     * @param cells what varies in it, in the order of {@link CampaignPlan#factorColumns()}
+     * @param seed the seed of its simulation
+     * @param cells the values of its factors, in the order of {@link CampaignPlan#factorColumns()}
      */
     public PlannedRun {
         cells = List.copyOf(cells);

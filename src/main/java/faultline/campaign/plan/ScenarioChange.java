@@ -4,10 +4,10 @@ import faultline.scenario.xml.SourceLocation;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** One change of a scenario that a plan asks for. */
+/** A change of a scenario that a plan specifies. */
 sealed interface ScenarioChange {
 
-    /** Returns where the plan asks for it. */
+    /** Returns the location of the change in the plan. */
     SourceLocation location();
 
     /** Sets an attribute. */

@@ -16,12 +16,12 @@ import java.util.Optional;
 /** Changes a scenario's tree of elements. Trees are values: a change makes another tree. */
 final class ScenarioTree {
 
-    /** Elements of a scenario that a path may name though the file leaves them out. */
+    /** Elements of a scenario that a path may name although the file omits them. */
     private static final List<String> OPTIONAL_ELEMENTS = List.of("controller", "motor", "timeline", "expect");
 
     private ScenarioTree() {}
 
-    /** Signals a path that leads nowhere. */
+    /** Thrown if a path does not lead to an element. */
     private static final class UnresolvedPathException extends Exception {
         private static final long serialVersionUID = 1L;
 
@@ -31,8 +31,8 @@ final class ScenarioTree {
     }
 
     /**
-     * Sets an attribute. The changed element gets the location in the plan, whose file messages name, so that a problem
-     * about its value is one about the plan.
+     * Sets an attribute. The changed element gets the location in the plan, so that a problem with its value is
+     * reported there.
      */
     static XmlElement set(XmlElement root, AttributePath path, String text, String file, SourceLocation location)
             throws ScenarioException {
@@ -107,7 +107,7 @@ final class ScenarioTree {
         return new XmlElement(node.name(), node.location(), node.attributes(), children, node.text());
     }
 
-    /** Adds a fault at the end of the timeline, which is added too if there is none. */
+    /** Adds a fault at the end of the timeline; adds the timeline if there is none. */
     static XmlElement addFault(XmlElement root, Map<String, String> attributes, SourceLocation location) {
         XmlElement fault = new XmlElement("fault", location, attributes, List.of(), "");
         Optional<XmlElement> timeline = root.firstChild("timeline");

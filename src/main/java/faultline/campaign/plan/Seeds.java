@@ -1,10 +1,10 @@
 package faultline.campaign.plan;
 
 /**
- * The seeds that every world is run with: {@code count} successive numbers.
+ * The seeds of the runs of every world: {@code count} consecutive numbers.
  *
  * @param first the first seed
- * @param count how many
+ * @param count the number of seeds
  */
 record Seeds(long first, int count) {
 

@@ -4,8 +4,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Makes the draws of a plan. A number follows from the plan's seed, the name of its stream and the block alone, so that
- * runs can be made in any order and anywhere; all runs of a block have the same draws, which pairs them.
+ * Makes the draws of a plan. A number depends only on the plan's seed, the name of its stream and the block, so that
+ * runs can be made in any order on any machine. All runs of a block have the same draws and can therefore be compared
+ * in pairs.
  */
 final class UniformSampler implements AttributeValue.Uniforms {
 
@@ -19,10 +20,10 @@ final class UniformSampler implements AttributeValue.Uniforms {
     /**
      * Creates a sampler.
      *
-     * @param seed of all draws
-     * @param latin whether each stream is a Latin hypercube: every one of {@code blocks} equal parts of its range is
-     *     drawn from exactly once
-     * @param blocks how many blocks the plan has
+     * @param seed the seed of all draws
+     * @param latin whether each stream is a Latin hypercube: its range is divided into {@code blocks} equal parts, and
+     *     one value is drawn from each
+     * @param blocks the number of blocks of the plan
      */
     UniformSampler(long seed, boolean latin, int blocks) {
         this.seed = seed;

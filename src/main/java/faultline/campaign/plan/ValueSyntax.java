@@ -12,15 +12,15 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The four ways in which a plan gives values: {@code 0.1 0.2 0.4} lists them, {@code 0.1..0.4/4} spaces them evenly,
+ * The four forms of values in a plan: {@code 0.1 0.2 0.4} lists them, {@code 0.1..0.4/4} spaces them evenly,
  * {@code 0.1..0.4} draws one between two bounds, {@code any of left right} draws one of several words.
  */
 public final class ValueSyntax {
 
-    /** What a plan may give. */
+    /** The forms of a value, for error messages. */
     static final String RULE = "one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C";
 
-    /** More values than this make no sense in one list. */
+    /** The maximum number of values in one list. */
     static final int MAX_VALUES = 100_000;
 
     private static final Pattern INTERVAL = Pattern.compile("(\\S+?)\\.\\.([^\\s/]+)(?:/(\\d{1,6}))?");
@@ -30,7 +30,8 @@ public final class ValueSyntax {
     private ValueSyntax() {}
 
     /**
-     * {@return how many values a text lists, a drawn one counting as one; empty if it is none of the four ways}
+     * {@return the number of values in a text, where a drawn value counts as one; empty if the text has none of the
+     * four forms}
      *
      * @param text the text
      */
@@ -39,11 +40,11 @@ public final class ValueSyntax {
     }
 
     /**
-     * {@return the values of an attribute that are all tried, a drawn one counting as one; empty if the text is none of
-     * the four}
+     * {@return the values of an attribute, where a drawn value counts as one; empty if the text has none of the four
+     * forms}
      *
-     * @param text as in the plan
-     * @param stream names the random numbers if they are drawn
+     * @param text the text in the plan
+     * @param stream the name of the random numbers, if values are drawn
      */
     static Optional<List<AttributeValue>> parse(String text, String stream) {
         String trimmed = text.strip();
@@ -82,7 +83,7 @@ public final class ValueSyntax {
                 : Optional.of(evenlySpaced(from.get(), to.get(), count));
     }
 
-    /** Values with both bounds among them, exact to twelve digits. */
+    /** Returns evenly spaced values including both bounds, exact to twelve digits. */
     private static List<AttributeValue> evenlySpaced(BigDecimal from, BigDecimal to, int count) {
         List<AttributeValue> values = new ArrayList<>();
         for (int i = 0; i < count; i++) {

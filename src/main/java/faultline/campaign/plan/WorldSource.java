@@ -12,10 +12,10 @@ import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import java.io.IOException;
 
-/** Where a plan's worlds come from. */
+/** A source of worlds of a plan. */
 sealed interface WorldSource {
 
-    /** Returns how many worlds there are. */
+    /** Returns the number of worlds. */
     int count();
 
     /** Returns the name of a world in {@code runs.csv}, from 0. */
@@ -28,7 +28,7 @@ sealed interface WorldSource {
      * A scenario file.
      *
      * @param label its name in {@code runs.csv}
-     * @param file as the plan names it
+     * @param file the name of the file in the plan
      * @param tree the whole file
      */
     record ScenarioFile(String label, String file, XmlElement tree) implements WorldSource {
@@ -51,9 +51,9 @@ sealed interface WorldSource {
     /**
      * Generated rooms.
      *
-     * @param first the seed of the first; the following have the following seeds
-     * @param count how many
-     * @param rules for their corners and visitors
+     * @param first the seed of the first room; the next rooms have the next seeds
+     * @param count the number of rooms
+     * @param rules the rules for their corners and visitors
      */
     record Rooms(long first, int count, RoomRules rules) implements WorldSource {
         @Override
@@ -68,7 +68,7 @@ sealed interface WorldSource {
             return toTree(new ScenarioContent(label(index), "", false, setup, Expectation.NONE));
         }
 
-        /** Rooms by other rules than the default have names of their own. */
+        /** Rooms with rules other than the default have different names. */
         private String suffix() {
             String corners = rules.minCorner() == RoomRules.DEFAULT.minCorner() ? "" : "-corners-" + rules.minCorner();
             return corners + (rules.visitors() == 0 ? "" : "-visitors-" + rules.visitors());

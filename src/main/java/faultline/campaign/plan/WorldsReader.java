@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Makes the worlds of a plan of its {@code worlds} element. */
+/** Makes the worlds of a plan from its {@code worlds} element. */
 final class WorldsReader {
 
     private final Problems problems;

@@ -8,8 +8,8 @@ import java.util.List;
 /**
  * The runs of a campaign with one combination of levels, or with one of several.
  *
- * @param labels what the runs have in common, in the order of {@link #labelColumns}; {@link #ALL} for a sum
- * @param runs their numbers
+ * @param labels the values that the runs have in common, in the order of {@link #labelColumns}; {@link #ALL} for a sum
+ * @param runs the numbers of the runs
  * @param carriedOn the share of those in which the robot carried on
  * @param withoutContact the share of those in which it touched nothing
  * @param coverageOrNaN the mean coverage, NaN if there is none
@@ -29,8 +29,9 @@ public record CampaignCell(
     /**
      * Creates a cell from copies of the lists.
      *
-     * @param labels what the runs have in common, in the order of {@link #labelColumns}; {@link #ALL} for a sum
-     * @param runs their numbers
+     * @param labels the values that the runs have in common, in the order of {@link #labelColumns}; {@link #ALL} for a
+     *     sum
+     * @param runs the numbers of the runs
      * @param carriedOn the share of those in which the robot carried on
      * @param withoutContact the share of those in which it touched nothing
      * @param coverageOrNaN the mean coverage, NaN if there is none
@@ -53,7 +54,7 @@ public record CampaignCell(
     /**
      * {@return the cells of a table, in the order in which their first runs come}
      *
-     * @param plan of the campaign
+     * @param plan the plan of the campaign
      * @param lines the cells of the header and of the rows of {@code runs.csv}
      */
     public static List<CampaignCell> allOf(CampaignPlan plan, List<List<String>> lines) {

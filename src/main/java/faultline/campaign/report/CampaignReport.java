@@ -26,9 +26,9 @@ public final class CampaignReport {
     /**
      * Reads a campaign.
      *
-     * @param folder of the campaign; unfinished ones are reported as far as they have come
-     * @throws IOException if there are no runs, in one sentence
-     * @throws ScenarioException if the copy of the plan is not good
+     * @param folder the folder of the campaign; of an unfinished campaign, the finished runs are reported
+     * @throws IOException if there are no runs
+     * @throws ScenarioException if the copy of the plan is not valid
      */
     public CampaignReport(Path folder) throws IOException, ScenarioException {
         CampaignFolder campaign = new CampaignFolder(folder);
@@ -120,7 +120,7 @@ public final class CampaignReport {
         }
     }
 
-    /** Returns the runs that have a scenario file of their own; none in an unfinished campaign. */
+    /** Returns the runs that have a separate scenario file; none in an unfinished campaign. */
     private String worstRuns() {
         List<RunRow> worst = data.rows().stream()
                 .filter(row -> !row.text("outcome").equals("broken"))

@@ -12,8 +12,8 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * The cells of a campaign as CSV: one row for each combination of levels, with rows for all faults, all sensors and
- * each rung of the ladder besides.
+ * The cells of a campaign as CSV: one row for each combination of levels, and additional rows for all faults, all
+ * sensors and each rung of the ladder.
  */
 final class CellTable {
 
@@ -54,7 +54,7 @@ final class CellTable {
         return header;
     }
 
-    /** Returns the columns whose values make a cell, except the rung. */
+    /** Returns the columns whose values define a cell, except the rung. */
     List<String> labelColumns() {
         List<String> header = new ArrayList<>();
         levels.forEach(factor -> header.add(factor.columns().get(0).name()));
@@ -91,8 +91,8 @@ final class CellTable {
     }
 
     /**
-     * Returns the cells of a run: its own, and, if it has a fault, those of its fault, its sensor, and all; with two
-     * faults, that of their kinds and that of all.
+     * Returns the cells of a run. With one fault, these are its own cell and the cells of its fault, its sensor, and
+     * all faults. With two faults, they are the cell of their kinds and that of all faults.
      */
     private List<List<String>> faultKeys(RunRow row) {
         List<String> own = new ArrayList<>();

@@ -14,7 +14,9 @@ import java.util.function.Function;
 /** Compares the levels of one factor on the same worlds, seeds, draws and levels of all other factors. */
 final class Comparison {
 
-    /** More faults on sensors than this are grouped by fault, and by sensor. */
+    /**
+     * The maximum number of faults on sensors that are listed individually; more are grouped by fault and by sensor.
+     */
     private static final int MAX_GROUPS = 40;
 
     private final RunData data;
@@ -61,7 +63,7 @@ final class Comparison {
         return pairs;
     }
 
-    /** Returns by how much more often the robot carries on in the second runs than in the first. */
+    /** Returns the difference between the shares of the second and the first runs in which the robot carries on. */
     Optional<Difference> survival(List<RunRow> first, List<RunRow> second) {
         List<RunRow[]> pairs = pairs(first, second).stream()
                 .filter(pair ->

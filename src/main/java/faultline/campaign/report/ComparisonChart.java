@@ -28,7 +28,7 @@ final class ComparisonChart {
     private static final double OTHER_WIDTH = 1;
     private static final double END_RADIUS = 3;
 
-    /** How far a path may be from the one of the run, pixels. */
+    /** The maximum distance of a drawn path from the path of the run, pixels. */
     private static final double TOLERANCE = 0.25;
 
     private static final double START_OPACITY = 0.4;
@@ -36,7 +36,7 @@ final class ComparisonChart {
     /** Half the height of the bar of an interval, in rows. */
     private static final double HALF_BAR = 0.2;
 
-    /** The least span of an axis, relative to its greatest value and in its unit. */
+    /** The minimum span of an axis, relative to its greatest value and in its unit. */
     private static final double MIN_SPAN = 1e-3;
 
     private ComparisonChart() {}
@@ -45,7 +45,7 @@ final class ComparisonChart {
         return ReportCharts.STYLE.lineStyle(controller);
     }
 
-    /** Returns the world with the paths of all runs over each other, their common start, and their ends. */
+    /** Returns the world with the paths of all runs, their common start, and their ends. */
     static String paths(SimulationSetup setup, List<ControllerRuns> controllers) {
         double width = setup.world().width();
         double height = setup.world().height();
@@ -72,7 +72,7 @@ final class ComparisonChart {
         return surface.toHtml("chart", "Paths of the controllers");
     }
 
-    /** Returns which number and which line are which controller's. */
+    /** Returns the legend: the number and the line of each controller. */
     static String legend(List<ControllerRuns> controllers) {
         StringBuilder out = new StringBuilder("<ol class=\"legend\">\n");
         for (int i = 0; i < controllers.size(); i++) {

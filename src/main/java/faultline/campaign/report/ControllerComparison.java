@@ -19,8 +19,8 @@ public final class ControllerComparison {
      * Creates a comparison.
      *
      * @param scenario the scenario of all runs
-     * @param controllers at least one, each with the same seeds
-     * @param windowCommands show pairs of the controllers in the window
+     * @param controllers the controllers, at least one, each with the same seeds
+     * @param windowCommands the commands that show pairs of the controllers in the window
      */
     public ControllerComparison(Scenario scenario, List<ControllerRuns> controllers, List<String> windowCommands) {
         this.scenario = scenario;

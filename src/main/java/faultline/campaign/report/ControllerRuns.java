@@ -8,8 +8,8 @@ import java.util.List;
  * The runs of one controller in one scenario.
  *
  * @param controller its name or command
- * @param runs that came to their end, in the order of their seeds
- * @param broken runs that did not
+ * @param runs the runs that were completed, in the order of their seeds
+ * @param broken the runs that failed
  */
 public record ControllerRuns(String controller, List<ComparedRun> runs, List<Broken> broken) {
 
@@ -17,8 +17,8 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Bro
      * Creates the runs of one controller, from copies of the lists.
      *
      * @param controller its name or command
-     * @param runs that came to their end, in the order of their seeds
-     * @param broken runs that did not
+     * @param runs the runs that were completed, in the order of their seeds
+     * @param broken the runs that failed
      */
     public ControllerRuns {
         runs = List.copyOf(runs);
@@ -26,10 +26,10 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Bro
     }
 
     /**
-     * A run that came to its end.
+     * A completed run.
      *
-     * @param result its seed and what it came to
-     * @param path where the robot drove
+     * @param result its seed and its results
+     * @param path the path of the robot
      */
     public record ComparedRun(RunResult result, RobotPath path) {
 
@@ -44,9 +44,9 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Bro
     }
 
     /**
-     * A run that broke.
+     * A run that failed.
      *
-     * @param seed of its random numbers
+     * @param seed the seed of its random numbers
      * @param reason one sentence
      */
     public record Broken(long seed, String reason) {}

@@ -16,7 +16,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
-/** The sections on faults: the survival matrix, and how soon faults are detected. */
+/** The sections on faults: the survival matrix and the delays of detection. */
 final class FaultSections {
 
     private static final String DELAYS_EXPLAINED =
@@ -26,7 +26,7 @@ final class FaultSections {
 
     private static final String DELAY = "detection_delay_s";
 
-    /** With a sufficient set of sensors, the robot carries on in at least this share of the runs. */
+    /** The minimum share of runs in which the robot carries on with a sufficient set of sensors. */
     private static final double SUFFICIENT = 0.85;
 
     private final RunData data;
@@ -123,7 +123,9 @@ final class FaultSections {
         return Arrays.stream(RunData.values(rows, DELAY)).sorted().toArray();
     }
 
-    /** Returns the least of some sorted numbers that no more than the rest of a share exceed. */
+    /**
+     * Returns a quantile of sorted numbers: the smallest one such that at least a given share of them are not greater.
+     */
     static double quantile(double[] sorted, double share) {
         return sorted[(int) Math.max(0, Math.ceil(share * sorted.length) - 1)];
     }

@@ -50,7 +50,7 @@ final class Html {
         return "<p>" + escape(text) + "</p>\n";
     }
 
-    /** Returns a table of cells that are HTML already. */
+    /** Returns a table of cells that are given as HTML. */
     static String table(String css, List<String> header, List<List<String>> rows) {
         StringBuilder out = new StringBuilder("<div class=\"scroll\"><table class=\"" + css + "\">\n<thead><tr>");
         header.forEach(cell -> out.append("<th scope=\"col\">").append(cell).append("</th>"));
@@ -63,7 +63,7 @@ final class Html {
         return out.append("</tbody></table></div>\n").toString();
     }
 
-    /** Returns a share in per cent, to one digit after the point between 90 and 100. */
+    /** Returns a share in per cent, with one decimal between 90 and 100. */
     static String percent(double share) {
         return format(share > 0.9 && share < 1 ? "%.1f&thinsp;%%" : "%.0f&thinsp;%%", 100 * share);
     }

@@ -13,7 +13,7 @@ public record Interval(double low, double high) {
 
     /**
      * Returns the interval of a share, given the successes, not necessarily whole, and the positive number of trials,
-     * by Wilson (1927): it stays within [0, 1] and is right for few runs.
+     * by Wilson (1927). It is within [0, 1] and also valid for few runs.
      */
     static Interval wilson(double successes, double n) {
         double p = successes / n;
@@ -57,7 +57,7 @@ public record Interval(double low, double high) {
      *
      * @param mean the mean
      * @param deviation the standard deviation of one observation
-     * @param n how many independent observations there are; without a second one the interval is unbounded
+     * @param n the number of independent observations; with fewer than two the interval is unbounded
      */
     static Interval mean(double mean, double deviation, int n) {
         if (n < 2) {

@@ -12,12 +12,12 @@ enum Metric {
     /** The share of the wall that was followed. */
     COVERAGE("coverage", "the share of the wall that was followed", "%.3f", run -> run.result()
             .coverage()),
-    /** How far the distance to straight walls was from the wanted one. */
+    /** The error of the distance to straight walls. */
     DISTANCE_RMS("distance_rms_m", "the distance error on straight walls, metres RMS", "%.4f", run -> run.result()
             .distanceRms()),
     /** Whether the robot collided. */
     COLLISION("collision", "the share of the runs with a collision", "%.2f", run -> collided(run.result())),
-    /** How far the robot drove. */
+    /** The distance that the robot drove. */
     PATH("path_m", "the length of the path, metres", "%.2f", run -> OptionalDouble.of(run.metres()));
 
     private final String column;

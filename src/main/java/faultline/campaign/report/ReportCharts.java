@@ -20,7 +20,7 @@ import java.util.List;
 /** The charts of reports as elements of a page. */
 final class ReportCharts {
 
-    /** The style of all pictures; the page exchanges its colours on dark screens. */
+    /** The style of all pictures; the page replaces its colours on dark screens. */
     static final ChartStyle STYLE = ChartStyle.LIGHT;
 
     private static final int WIDTH = 340;
@@ -106,7 +106,7 @@ final class ReportCharts {
                 List.of(new Series.Line("", intervals, 0), new Series.Points("", dots, 0)));
     }
 
-    /** Returns a bar that shows the interval of a share on the way from 0 to 1. */
+    /** Returns a bar from 0 to 1 that shows the interval of a share. */
     static String intervalBar(Survival survival) {
         SvgSurface surface = new SvgSurface(BAR_LENGTH + 4, 8);
         Palette palette = STYLE.palette();

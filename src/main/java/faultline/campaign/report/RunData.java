@@ -21,10 +21,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
-/** The runs of a campaign, and what its plan says of their columns. */
+/** The runs of a campaign, and the meaning of their columns according to the plan. */
 final class RunData {
 
-    /** A variable with more levels than this is no comparison of variants. */
+    /** The maximum number of levels of a variable for a comparison of variants. */
     private static final int MAX_COMPARED = 12;
 
     private final CampaignPlan plan;
@@ -32,7 +32,7 @@ final class RunData {
     private final List<RunRow> rows = new ArrayList<>();
     private final List<Integer> damagedRows = new ArrayList<>();
 
-    /** Creates the data of a table from the cells of its header and rows; a row that is not ended is left out. */
+    /** Creates the data of a table from the cells of its header and rows; an incomplete last row is omitted. */
     RunData(CampaignPlan plan, Iterable<List<String>> lines) {
         this.plan = plan;
         int number = 0;
@@ -46,14 +46,14 @@ final class RunData {
                 damagedRows.add(number);
             }
         }
-        // The last row may still be in the making.
+        // The last row may be incomplete because it is still being written.
         damagedRows.remove(Integer.valueOf(number));
     }
 
     /**
      * Reads a table.
      *
-     * @throws IOException if a row cannot be used, in one sentence
+     * @throws IOException if a row cannot be used
      */
     static RunData read(CampaignPlan plan, Path table) throws IOException {
         checkLines(table);
@@ -79,7 +79,7 @@ final class RunData {
         }
     }
 
-    /** Checks that no line of a damaged file could fill the memory. */
+    /** Checks the length of the lines, because a long line of a damaged file could fill the memory. */
     private static void checkLines(Path table) throws IOException {
         try (LineReader in = new LineReader(table)) {
             int number = 1;
@@ -92,7 +92,7 @@ final class RunData {
         }
     }
 
-    /** Returns the cells of a row. Equal cells of a table share one string, because most of them recur. */
+    /** Returns the cells of a row. Equal cells of a table share one string, because most of them occur often. */
     private static List<String> cells(String line, Map<String, String> shared) {
         return Csv.cells(line).stream()
                 .map(cell -> shared.computeIfAbsent(cell, same -> same))
@@ -116,7 +116,7 @@ final class RunData {
         return rows;
     }
 
-    /** Returns whether a column holds any number. */
+    /** Returns whether a column contains a number. */
     boolean has(String column) {
         return index(column) >= 0
                 && rows.stream().anyMatch(row -> !row.text(column).isEmpty());

@@ -29,13 +29,13 @@ record RunRow(RunData data, List<String> cells) {
         return text.isEmpty() ? OptionalInt.empty() : OptionalInt.of(text.equals("1") ? 1 : 0);
     }
 
-    /** Returns 1 if the robot touched nothing, 0 if it did; empty if the run broke. */
+    /** Returns 1 if the robot touched nothing and 0 otherwise; empty if the run failed. */
     OptionalInt withoutContact() {
         String text = text("collided");
         return text.isEmpty() ? OptionalInt.empty() : OptionalInt.of(text.equals("1") ? 0 : 1);
     }
 
-    /** Returns what runs are independent of each other by: the world, or the block if there is one world only. */
+    /** Returns the key by which runs are independent: the world, or the block if there is only one world. */
     String cluster() {
         return text(data.worldCount() > 1 ? "world" : "block");
     }

@@ -8,11 +8,11 @@ import java.util.OptionalInt;
 import java.util.function.Function;
 
 /**
- * The share of runs with a result that is wanted, such as those in which the robot carried on.
+ * The share of runs with a given result, such as those in which the robot carried on.
  *
- * @param successes runs with the result
- * @param n runs with a verdict
- * @param interval of the share
+ * @param successes the number of runs with the result
+ * @param n the number of runs with a verdict
+ * @param interval the interval of the share
  */
 public record Survival(int successes, int n, Interval interval) {
 
@@ -22,11 +22,11 @@ public record Survival(int successes, int n, Interval interval) {
     }
 
     /**
-     * Returns the share of some runs. Runs in one world are not independent; the interval is that of as many
-     * independent runs as they are worth: their number by the ratio of the variance of the share between worlds to that
-     * of independent runs.
+     * Returns the share of some runs. Runs in one world are not independent; the interval uses the effective number of
+     * independent runs: the number of runs divided by the ratio of the variance of the share between worlds to that of
+     * independent runs.
      *
-     * @param rows the runs; those without a verdict are left out
+     * @param rows the runs; those without a verdict are ignored
      * @param result returns 1 for a run with the result, 0 for one without it, empty for one without a verdict
      */
     static Survival of(Collection<RunRow> rows, Function<RunRow, OptionalInt> result) {
@@ -46,11 +46,11 @@ public record Survival(int successes, int n, Interval interval) {
     }
 
     /**
-     * Returns by how much runs in few worlds are worth less than independent ones, at least 1. Runs that do not differ
-     * at all are worth one for each world.
+     * Returns the design effect, at least 1: the ratio of the number of runs to the effective number of independent
+     * runs. If no runs differ, the effective number is the number of worlds.
      *
-     * @param n how many runs there are
-     * @param sums of the deviations from the mean in each world
+     * @param n the number of runs
+     * @param sums the sums of the deviations from the mean in each world
      * @param squares the sum of all squared deviations
      */
     static double designEffect(int n, Map<String, Double> sums, double squares) {

@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The sections on what varies: levels side by side, and shares over drawn numbers. */
+/** The sections on factors: levels side by side, and shares over drawn numbers. */
 final class VariantSections {
 
-    /** The numbers that are compared beside the share of runs carried on, by their columns. */
+    /** The numbers that are compared in addition to the share of runs carried on, by their columns. */
     private static final List<String> METRICS =
             List.of("coverage", "distance_rms_m", "follow_rms_m", "wall_share", "laps", "detection_delay_s");
 

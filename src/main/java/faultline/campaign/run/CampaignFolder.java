@@ -33,7 +33,7 @@ public final class CampaignFolder {
         this.folder = folder;
     }
 
-    /** {@return the table with one row a run} */
+    /** {@return the table with one row per run} */
     public Path runs() {
         return folder.resolve("runs.csv");
     }
@@ -65,7 +65,7 @@ public final class CampaignFolder {
     }
 
     /**
-     * {@return the files of this campaign that exist, except those that only lock it}
+     * {@return the files of this campaign that exist, except the lock files}
      *
      * @throws IOException if the folder cannot be read
      */
@@ -89,14 +89,14 @@ public final class CampaignFolder {
      * Checks that the tables do not overwrite another file.
      *
      * @param inputs the files that the campaign is made from
-     * @throws IOException if a table is no regular file, or is an input or another table by a link
+     * @throws IOException if a table is not a regular file, or is a link to an input or to another table
      */
     void checkTables(List<Path> inputs) throws IOException {
         for (Path table : tables()) {
             if (Files.isDirectory(table)) {
                 throw new IOException(table + ": this is a folder; expected a file");
             }
-            // A table is read and cut before it is continued, and a device or a pipe may have no end.
+            // A table is read and truncated before it is continued, and a device or a pipe may have no end.
             if (Files.exists(table) && !Files.isRegularFile(table)) {
                 throw new IOException(table + ": this is no regular file; expected a table");
             }
@@ -110,7 +110,7 @@ public final class CampaignFolder {
 
     /** Returns the text of the manifest, empty if there is none. */
     Optional<String> readManifest() throws IOException {
-        // Bytes that are no text are those of another campaign.
+        // Bytes that are not text do not belong to this campaign.
         return Files.isRegularFile(manifest())
                 ? Optional.of(new String(Files.readAllBytes(manifest()), StandardCharsets.UTF_8))
                 : Optional.empty();

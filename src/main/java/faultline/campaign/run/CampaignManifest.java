@@ -18,8 +18,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The text of {@code campaign.json}: what was run, by which program, and what the columns of the tables mean. One
- * member a line, so that two campaigns can be compared line by line.
+ * The text of {@code campaign.json}: the plan, the program, and the meaning of the columns of the tables. Each member
+ * is on a separate line, so that two campaigns can be compared line by line.
  */
 final class CampaignManifest {
 
@@ -61,7 +61,7 @@ final class CampaignManifest {
                 .toList();
     }
 
-    /** Returns the part that a manifest is of, empty if it does not say. */
+    /** Returns the part of a manifest, empty if it states none. */
     static Optional<Shard> shard(String manifest) {
         Matcher line = SHARD_LINE.matcher(manifest);
         return line.find() ? Shard.parse(line.group(1)) : Optional.empty();

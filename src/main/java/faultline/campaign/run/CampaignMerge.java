@@ -13,7 +13,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.Function;
 
-/** Puts the parts of a campaign together: the same table as that of a campaign that was never divided. */
+/** Merges the parts of a campaign. The table is the same as that of a campaign that was not divided. */
 public final class CampaignMerge {
 
     private final List<ShardFolder> parts;
@@ -23,11 +23,11 @@ public final class CampaignMerge {
     private record ShardFolder(CampaignFolder folder, Shard shard) {}
 
     /**
-     * Looks at the parts.
+     * Reads and checks the parts.
      *
-     * @param folders of the parts, in any order
-     * @throws IOException if they are not parts of one campaign, or not all of it, in one sentence
-     * @throws ScenarioException if the copy of the plan is not good
+     * @param folders the folders of the parts, in any order
+     * @throws IOException if they are not all parts of one campaign
+     * @throws ScenarioException if the copy of the plan is not valid
      */
     public CampaignMerge(List<CampaignFolder> folders) throws IOException, ScenarioException {
         parts = new ArrayList<>();
@@ -69,9 +69,9 @@ public final class CampaignMerge {
     /**
      * Writes the whole campaign to a folder.
      *
-     * @param out the folder, which holds no campaign yet
-     * @return how many runs there are, and how many of them broke
-     * @throws IOException if a part is not finished, or the folder cannot be used, in one sentence
+     * @param out the folder, which must not contain a campaign
+     * @return the number of runs, and the number of those that failed
+     * @throws IOException if a part is not finished, or the folder cannot be used
      */
     public CampaignRunner.RunCounts writeTo(CampaignFolder out) throws IOException {
         FileChannel lock = out.lock();

@@ -14,19 +14,19 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 
-/** Makes a part of a campaign: runs on several threads, rows written in order by the calling thread. */
+/** Makes a part of a campaign. Several threads make the runs, and the calling thread writes the rows in order. */
 public final class CampaignRunner {
 
     /** The greatest number of threads that a user may ask for. */
     public static final int MAX_JOBS = 1024;
 
-    /** Runs that may be finished before the one that the table waits for, for each thread. */
+    /** The number of runs per thread that may be finished before the next one in the table. */
     private static final int RUNS_AHEAD = 16;
 
     /** The longest interval between two checks for cancellation, milliseconds. */
     private static final long CANCEL_INTERVAL = 50;
 
-    /** Rows are forced to the disk at most this often, nanoseconds. */
+    /** The minimum time between two times at which rows are forced to the disk, nanoseconds. */
     private static final long FORCE_INTERVAL = 200_000_000;
 
     private final CampaignPlan plan;
@@ -35,11 +35,11 @@ public final class CampaignRunner {
     private final int jobs;
 
     /**
-     * What became of a part of a campaign.
+     * The result of a part of a campaign.
      *
-     * @param made how many of its runs are in the table
-     * @param runs how many it has
-     * @param broken how many of those in the table broke
+     * @param made the number of its runs in the table
+     * @param runs the number of its runs
+     * @param broken the number of failed runs in the table
      */
     public record RunCounts(long made, long runs, long broken) {
 
@@ -49,21 +49,21 @@ public final class CampaignRunner {
         }
     }
 
-    /** Something that is called as rows are written. */
+    /** A listener that is called for each row that is written. */
     public interface Progress {
 
         /**
          * Called on the thread that writes.
          *
-         * @param made how many runs are in the table
-         * @param runs how many this part has
+         * @param made the number of runs in the table
+         * @param runs the number of runs of this part
          */
         void update(long made, long runs);
 
         /**
-         * Called on the thread that writes, before {@link #update}, with each row of {@code runs.csv} that is made now.
+         * Called on the thread that writes, before {@link #update}, with each new row of {@code runs.csv}.
          *
-         * @param cells of the row
+         * @param cells the cells of the row
          */
         default void rowAdded(List<String> cells) {}
     }
@@ -71,10 +71,10 @@ public final class CampaignRunner {
     /**
      * Creates a runner.
      *
-     * @param plan which runs to make
-     * @param folder where the tables go
-     * @param shard which part of them
-     * @param jobs how many threads, at least 1
+     * @param plan the plan
+     * @param folder the folder of the tables
+     * @param shard the part of the campaign
+     * @param jobs the number of threads, at least 1
      */
     public CampaignRunner(CampaignPlan plan, CampaignFolder folder, Shard shard, int jobs) {
         this.plan = plan;
@@ -86,12 +86,12 @@ public final class CampaignRunner {
     /**
      * Makes all runs that are not in the table yet.
      *
-     * @param resume whether the folder may hold a begun campaign
-     * @param progress called as rows are written
-     * @param cancelled asked between runs and while waiting for one; if it holds, what is finished is written, and the
-     *     runs that are being made are stopped and left with the rest
-     * @return what there is now
-     * @throws IOException if the folder cannot be used, in one sentence
+     * @param resume whether the folder may contain a partial campaign
+     * @param progress the listener, called for each row
+     * @param cancelled whether to stop; polled between runs and while waiting for one. If true, finished rows are
+     *     written, and the runs that are in progress are stopped and not written
+     * @return the state of the table
+     * @throws IOException if the folder cannot be used
      */
     public RunCounts run(boolean resume, Progress progress, BooleanSupplier cancelled) throws IOException {
         long first = shard.firstRun(plan.runCount());
@@ -151,7 +151,7 @@ public final class CampaignRunner {
         return thread;
     }
 
-    /** Waits for a run until it is time to ask whether it is still wanted; returns whether it has ended. */
+    /** Waits for a run until the next check for cancellation; returns whether the run has ended. */
     private static boolean endsSoon(Future<RunMaker.MadeRun> run) {
         try {
             run.get(CANCEL_INTERVAL, TimeUnit.MILLISECONDS);

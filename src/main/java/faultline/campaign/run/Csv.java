@@ -4,7 +4,9 @@ import faultline.io.MessageText;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Rows of comma-separated values as RFC 4180 has them, but with line feeds alone; no cell holds a line break. */
+/**
+ * Rows of comma-separated values as in RFC 4180, but with a single line feed as line end. Cells contain no line breaks.
+ */
 public final class Csv {
 
     private Csv() {}

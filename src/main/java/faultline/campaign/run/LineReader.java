@@ -16,7 +16,7 @@ import java.nio.file.Path;
  */
 public final class LineReader implements Closeable {
 
-    /** Bytes; a row has a few hundred. */
+    /** The maximum length of a line, bytes; a row has a few hundred. */
     static final int MAX_LENGTH = 1 << 20;
 
     private final InputStream in;
@@ -36,8 +36,8 @@ public final class LineReader implements Closeable {
     }
 
     /**
-     * {@return the next line with its line feed, without one at the end of the file or if it is too long; empty after
-     * that}
+     * {@return the next line with its line feed; a line at the end of the file or one that is too long may have none;
+     * empty at the end}
      *
      * @throws IOException if the file cannot be read
      */
@@ -55,12 +55,12 @@ public final class LineReader implements Closeable {
         return line.toString(StandardCharsets.UTF_8);
     }
 
-    /** {@return whether the last line is only a piece of one that is too long} */
+    /** {@return whether the last line is only a part of a line that is too long} */
     public boolean isTooLong() {
         return length > MAX_LENGTH;
     }
 
-    /** Returns how many bytes the last line had. */
+    /** Returns the length of the last line, bytes. */
     int length() {
         return length;
     }

@@ -6,18 +6,18 @@ import java.util.Locale;
 
 /** The outcomes of a run, from the worst to the best. */
 public enum Outcome {
-    /** It touched something. */
+    /** The robot touched something. */
     COLLIDED,
-    /** It did not pass enough of its wall in time, and was not at rest at the end. */
+    /** The robot did not pass enough of its wall in time, and was not at rest at the end. */
     LOST,
-    /** It did not pass enough of its wall in time, and was at rest at the end. */
+    /** The robot did not pass enough of its wall in time, and was at rest at the end. */
     STOPPED,
-    /** The run ended before the robot's time was up. */
+    /** The run ended before the time limit. */
     UNDECIDED,
-    /** No contact, and enough of the wall passed in time. */
+    /** The robot touched nothing and passed enough of its wall in time. */
     CARRIED_ON;
 
-    /** Slower wheels are at rest, metres per second. */
+    /** The speed below which wheels are at rest, metres per second. */
     private static final double REST_SPEED = 1e-3;
 
     static Outcome of(RunResult result, CarryOnMetrics metrics) {

@@ -18,10 +18,10 @@ public final class ResultColumns {
 
     private static final int FAILURE_LENGTH = 200;
 
-    /** What was measured in a run. */
+    /** The measured results of a run. */
     private record Measures(RunResult result, CarryOnMetrics carry, DiagnosisMetrics diagnosis) {}
 
-    /** A column with the way in which its cell is made. */
+    /** A column with the function that makes its cells. */
     private record ResultColumn(Column column, Function<Measures, String> cell) {
         ResultColumn(String name, String unit, String meaning, Function<Measures, String> cell) {
             this(new Column(name, unit, meaning), cell);
@@ -155,7 +155,7 @@ public final class ResultColumns {
         return Csv.row(cells);
     }
 
-    /** Returns the row of a run that broke. */
+    /** Returns the row of a failed run. */
     static String brokenRow(PlannedRun run, String failure) {
         List<String> cells = leadingCells(run);
         cells.add("broken");

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 
-/** Finds what is wrong in a row of {@code runs.csv}, which people and other programs may have changed. */
+/** Checks a row of {@code runs.csv}, which people and other programs may have changed. */
 public final class RowCheck {
 
     private static final String BROKEN = "broken";
@@ -14,9 +14,9 @@ public final class RowCheck {
     private RowCheck() {}
 
     /**
-     * {@return what is wrong in a row, as the end of a sentence; empty if the row can be used}
+     * {@return the error in a row, as the end of a sentence; empty if the row can be used}
      *
-     * @param cell returns the text of a column, empty if there is no such column
+     * @param cell the function that returns the text of a column, empty if there is no such column
      */
     public static Optional<String> findProblem(UnaryOperator<String> cell) {
         String outcome = cell.apply("outcome");

@@ -23,13 +23,13 @@ final class RunMaker {
     private final WallCircuits circuits = new WallCircuits();
 
     /**
-     * A run that was made.
+     * A completed run.
      *
-     * @param index of the run
-     * @param row of {@code runs.csv}
-     * @param broken whether the run broke
-     * @param ticks how many it made
-     * @param seconds how long it took
+     * @param index the index of the run
+     * @param row the row of {@code runs.csv}
+     * @param broken whether the run failed
+     * @param ticks the number of ticks
+     * @param seconds the elapsed time, seconds
      */
     record MadeRun(long index, String row, boolean broken, long ticks, double seconds) {}
 
@@ -40,7 +40,7 @@ final class RunMaker {
     /**
      * Makes a run. If it fails, its row gives the reason.
      *
-     * @throws CancellationException if this thread is interrupted meanwhile
+     * @throws CancellationException if this thread is interrupted during the run
      */
     MadeRun make(long index) {
         PlannedRun run = plan.run(index);

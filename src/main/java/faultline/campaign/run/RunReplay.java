@@ -6,7 +6,7 @@ import faultline.engine.metrics.Expectation;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 
-/** Makes the scenario that replays a run of a campaign: it lasts as long, and has the trajectory hash of its row. */
+/** Makes the scenario that replays a run of a campaign, with the same duration and trajectory hash. */
 public final class RunReplay {
 
     private RunReplay() {}
@@ -14,11 +14,11 @@ public final class RunReplay {
     /**
      * {@return the scenario of a run}
      *
-     * @param plan of the campaign
+     * @param plan the plan of the campaign
      * @param index the number of the run
-     * @param outcome as in the table
-     * @param simulatedSeconds how long the run lasted
-     * @throws ScenarioException if the plan's values, each valid by itself, make no valid scenario together
+     * @param outcome the outcome in the table
+     * @param simulatedSeconds the duration of the run, seconds
+     * @throws ScenarioException if the plan's values, each valid by itself, do not make a valid scenario together
      */
     public static Scenario scenario(CampaignPlan plan, long index, String outcome, double simulatedSeconds)
             throws ScenarioException {

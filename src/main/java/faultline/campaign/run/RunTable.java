@@ -15,9 +15,9 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The two tables of a campaign while it is made: rows are appended in the order of the runs, so that what is on the
- * disk is always the beginning of the finished table, except for a last row that a killed process did not end. Opening
- * a begun table cuts such a row off.
+ * The two tables of a campaign in progress. Rows are appended in the order of the runs, so the file is always the
+ * beginning of the finished table, except for an incomplete last row of a killed process. Opening a partial table
+ * removes such a row.
  */
 final class RunTable implements Closeable {
 
@@ -42,7 +42,7 @@ final class RunTable implements Closeable {
     /**
      * Opens the tables of a folder.
      *
-     * @param header of {@code runs.csv}
+     * @param header the header of {@code runs.csv}
      * @param first the first run of this part
      * @param end the run after the last one
      */
@@ -53,7 +53,7 @@ final class RunTable implements Closeable {
         timing = Table.open(folder.timing(), recoverTiming(folder.timing(), first), TIMING_HEADER);
     }
 
-    /** Finds how many bytes of a table are good, and which run is next. */
+    /** Determines the number of valid bytes of a table, and the next run. */
     private long recover(Path file, String header, long end) throws IOException {
         if (Files.notExists(file)) {
             return 0;
@@ -79,7 +79,7 @@ final class RunTable implements Closeable {
         }
     }
 
-    /** Finds how many bytes of the timing table belong to runs that are in the other table. */
+    /** Determines the number of bytes of the timing table that belong to runs in the other table. */
     private long recoverTiming(Path file, long first) throws IOException {
         if (Files.notExists(file)) {
             return 0;
@@ -102,12 +102,12 @@ final class RunTable implements Closeable {
         }
     }
 
-    /** Returns the run that comes next. */
+    /** Returns the next run. */
     long next() {
         return next;
     }
 
-    /** Returns how many of the runs in the table broke. */
+    /** Returns the number of failed runs in the table. */
     long broken() {
         return broken;
     }
@@ -130,7 +130,7 @@ final class RunTable implements Closeable {
                 .replace("\r", "");
     }
 
-    /** Gives all rows to the operating system: from here on they survive the end of this process. */
+    /** Writes all rows to the operating system; they then survive the end of this process. */
     void flush() throws IOException {
         timing.write(pendingTiming.toByteArray());
         runs.write(pendingRuns.toByteArray());
@@ -138,7 +138,7 @@ final class RunTable implements Closeable {
         pendingRuns.reset();
     }
 
-    /** Forces all rows to the disk: from here on they survive the end of the machine. */
+    /** Forces all rows to the disk; they then survive a crash of the machine. */
     void force() throws IOException {
         flush();
         if (dirty) {

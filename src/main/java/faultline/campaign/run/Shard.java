@@ -5,10 +5,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A part of a campaign: successive runs, about as many as in each other part.
+ * A part of a campaign: consecutive runs. All parts have about the same number of runs.
  *
- * @param number from 1 to {@code count}
- * @param count how many parts there are
+ * @param number the number, from 1 to {@code count}
+ * @param count the number of parts
  */
 public record Shard(int number, int count) {
 
@@ -20,8 +20,8 @@ public record Shard(int number, int count) {
     /**
      * Creates a part.
      *
-     * @param number from 1 to {@code count}
-     * @param count how many parts there are
+     * @param number the number, from 1 to {@code count}
+     * @param count the number of parts
      * @throws IllegalArgumentException if the number is less than 1 or greater than the count
      */
     public Shard {

@@ -18,12 +18,12 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * The runs of a table that went worst: by their outcome, then by how little of the wall was passed, then by their
- * numbers. Each gets a scenario file that replays it.
+ * The worst runs of a table: by their outcome, then by the share of the wall that was passed, then by their numbers.
+ * Each gets a scenario file that replays it.
  */
 public final class WorstRuns {
 
-    /** How many runs get a scenario file. */
+    /** The number of runs that get a scenario file. */
     private static final int COUNT = 20;
 
     private static final Comparator<Candidate> WORST_FIRST = Comparator.comparing(Candidate::outcome)
@@ -34,12 +34,12 @@ public final class WorstRuns {
     private final CampaignFolder folder;
 
     /**
-     * A row of the table as far as it is compared.
+     * The values of a row that are compared.
      *
      * @param run its number
-     * @param outcome the run's
-     * @param share of the wall that was passed
-     * @param simulatedSeconds how long it lasted
+     * @param outcome its outcome
+     * @param share the share of the wall that was passed
+     * @param simulatedSeconds its duration, seconds
      */
     private record Candidate(long run, Outcome outcome, double share, double simulatedSeconds) {}
 

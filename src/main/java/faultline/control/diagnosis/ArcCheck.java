@@ -21,8 +21,8 @@ final class ArcCheck {
     /**
      * Returns which sensors have seen all of a measured arc free.
      *
-     * @param sensor that measured
-     * @param age of the measurement
+     * @param sensor the sensor that measured
+     * @param age the age of the measurement
      * @param oldest moment that counts
      * @param asked the sensors that count, a bit for each
      * @return their bits; 0 if none alone has seen all of it; {@link #POSSIBLE} if no sensor has seen a part of it free
@@ -57,7 +57,7 @@ final class ArcCheck {
     /**
      * Adds the last measurement to the grid as hit evidence.
      *
-     * @param sensor that measured
+     * @param sensor the sensor that measured
      * @param now the moment
      * @param oldest moment that counts
      * @param others the sensors that count, a bit for each

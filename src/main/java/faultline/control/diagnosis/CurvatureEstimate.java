@@ -58,7 +58,7 @@ final class CurvatureEstimate {
     /**
      * Processes a reading after some motion.
      *
-     * @param reading of the sensor that faces the wall, metres
+     * @param reading the reading of the sensor that faces the wall, metres
      * @param sag by how much it exceeds the distance to the line through what others see ahead and behind, metres; not
      *     a number where there is no such line
      * @param rolled by the model, metres

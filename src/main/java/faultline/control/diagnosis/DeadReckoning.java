@@ -34,8 +34,8 @@ public final class DeadReckoning {
      * Updates the pose after voltages have acted for some ticks.
      *
      * @param robot the robot as the controller believes it to be
-     * @param leftVolts on the side next to the wall
-     * @param rightVolts on the other side
+     * @param leftVolts the voltage on the side next to the wall
+     * @param rightVolts the voltage on the other side
      * @param dt the length of a tick, seconds
      * @param ticks how many
      */

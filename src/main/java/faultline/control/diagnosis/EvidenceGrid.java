@@ -202,8 +202,8 @@ public final class EvidenceGrid {
      * Records that a source saw a sector free: all cells whose centres lie in it.
      *
      * @param source the sensor
-     * @param x of the apex, metres
-     * @param y of the apex, metres
+     * @param x the x coordinate of the apex, metres
+     * @param y the y coordinate of the apex, metres
      * @param axisCos cosine of the axis's direction
      * @param axisSin sine of it
      * @param cone the sensor's

@@ -30,7 +30,7 @@ final class HealthReport {
      * Reports a sensor.
      *
      * @param inspected the sensor
-     * @param assessment of all sensors
+     * @param assessment the assessment of all sensors
      * @param tick now
      */
     void update(InspectedSensor inspected, TrustAssessment assessment, long tick) {

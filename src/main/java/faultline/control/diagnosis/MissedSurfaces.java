@@ -23,9 +23,9 @@ final class MissedSurfaces {
     /**
      * Tests whether a sensor that looks diagonally ahead predicts a surface that the front sensor does not see.
      *
-     * @param sensor that sees something
-     * @param readings of all sensors
-     * @param wantedDistance that the robot keeps from the wall, metres
+     * @param sensor the sensor that sees something
+     * @param readings the readings of all sensors
+     * @param wantedDistance the distance that the robot keeps from the wall, metres
      * @param oldest moment that counts
      * @param time now, seconds
      */

@@ -8,7 +8,7 @@ import faultline.sensor.SensorSpec;
  *
  * @param x the apex, metres ahead of the robot's centre
  * @param y the apex, metres to the left of it
- * @param bearing of the axis, radians, counter-clockwise from straight ahead, in (-pi, pi]
+ * @param bearing the bearing of the axis, radians, counter-clockwise from straight ahead, in (-pi, pi]
  * @param half half the field of view, radians
  * @param range metres
  */

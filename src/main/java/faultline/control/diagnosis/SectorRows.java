@@ -25,8 +25,8 @@ final class SectorRows {
     /**
      * Finds the cells of a sector.
      *
-     * @param x of the apex, metres
-     * @param y of the apex, metres
+     * @param x the x coordinate of the apex, metres
+     * @param y the y coordinate of the apex, metres
      * @param axisCos cosine of the axis's direction
      * @param axisSin sine of it
      * @param cone the sensor's

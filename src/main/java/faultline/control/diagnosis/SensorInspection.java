@@ -102,8 +102,8 @@ final class SensorInspection {
     /**
      * Inspects all sensors.
      *
-     * @param readings of all sensors in the robot's order
-     * @param bodyRadius of the disc that the robot's body covers, metres
+     * @param readings the readings of all sensors in the robot's order
+     * @param bodyRadius the radius of the disc that the robot's body covers, metres
      * @param time now, seconds
      * @param tick now
      */

@@ -63,7 +63,7 @@ final class TrustAssessment {
     /**
      * Counts a contradiction of a sensor's measurement.
      *
-     * @param sensor that measured
+     * @param sensor the sensor that measured
      * @param by the sensors each of which has seen all of the measured arc free, a bit for each; 0 if only together
      */
     void addContradiction(int sensor, int by) {

@@ -53,7 +53,7 @@ final class WallAgreement {
      * Processes the distances at an inspection.
      *
      * @param line the sensors
-     * @param readings of all sensors
+     * @param readings the readings of all sensors
      * @param distance how far the robot has rolled so far, metres
      * @param heading how far it has turned so far, radians
      * @return the sensor that is wrong, as an index in the line, or {@link #NONE}

@@ -98,7 +98,7 @@ final class WallLine {
      * Returns by how much the wall beside the robot is farther away than the line between the points seen ahead and
      * behind.
      *
-     * @param readings of all sensors
+     * @param readings the readings of all sensors
      * @return metres; NaN if one of the three sees nothing or the one that faces the wall is not trusted. The others
      *     may be suspected only because the path bends, and a wrong result does no harm then
      */

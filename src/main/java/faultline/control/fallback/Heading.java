@@ -26,7 +26,7 @@ final class Heading {
      *
      * @param at where the robot is
      * @param from the direction of the wall, radians
-     * @param length that must be free, metres
+     * @param length the length that must be free, metres
      * @param distance to be kept from surfaces, metres
      * @return radians; not a number if no direction is free
      */

@@ -145,7 +145,7 @@ public final class MapFollower {
      * Decides on the velocity.
      *
      * @param now the robot as the controller believes it to be
-     * @param dt since the last decision, seconds
+     * @param dt the time since the last decision, seconds
      */
     public void decide(RobotSpec now, double dt) {
         robot = now;

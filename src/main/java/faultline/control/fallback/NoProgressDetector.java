@@ -30,9 +30,9 @@ final class NoProgressDetector {
      * Adds the position and returns whether the robot makes no progress.
      *
      * @param at where it is
-     * @param side of the square, metres
-     * @param speed that it drives at, metres per second
-     * @param dt since the last call, seconds
+     * @param side the side of the square, metres
+     * @param speed the speed that it drives at, metres per second
+     * @param dt the time since the last call, seconds
      */
     boolean isStuck(DeadReckoning at, double side, double speed, double dt) {
         untilSample -= dt;

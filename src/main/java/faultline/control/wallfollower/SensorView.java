@@ -12,7 +12,7 @@ import java.util.List;
  * One sensor in the follower's frame, in which the wall is on the left: the pose of its cone, and its current reading.
  *
  * @param mountPosition the apex, metres ahead and to the left of the robot's centre
- * @param bearing of the axis, radians, counter-clockwise from straight ahead
+ * @param bearing the bearing of the axis, radians, counter-clockwise from straight ahead
  * @param halfCone half the field of view, radians
  * @param range metres
  * @param reading the reported distance, metres; positive infinity for nothing, off, or no such sensor

@@ -53,7 +53,7 @@ public final class CarryOnMetrics implements TickObserver {
      * Creates metrics of one run.
      *
      * @param setup what is run
-     * @param circuit of its world, at {@link #wantedDistance}
+     * @param circuit the circuit of its world, at {@link #wantedDistance}
      */
     public CarryOnMetrics(SimulationSetup setup, WallCircuit circuit) {
         this(circuit, setup.robot().speed(), faultTimes(setup).max().orElse(0));
@@ -62,9 +62,9 @@ public final class CarryOnMetrics implements TickObserver {
     /**
      * Creates metrics of a run that is not made by a simulation.
      *
-     * @param circuit of its world
-     * @param speed of the robot, metres per second
-     * @param onset of the last fault, seconds
+     * @param circuit the circuit of its world
+     * @param speed the speed of the robot, metres per second
+     * @param onset the onset of the last fault, seconds
      */
     public CarryOnMetrics(WallCircuit circuit, double speed, double onset) {
         this.circuit = circuit;
@@ -113,7 +113,7 @@ public final class CarryOnMetrics implements TickObserver {
      * Records the robot's state at a time.
      *
      * @param now seconds
-     * @param centre of the robot, metres
+     * @param centre the centre of the robot, metres
      * @param searching whether it has not met a wall yet
      * @param contact whether it has touched anything
      */

@@ -115,7 +115,7 @@ final class PlaceBlock {
      *
      * @param wall the wall of the row
      * @param near all walls within the distance of the places, and the join distance besides
-     * @param distance of the places from the wall, metres
+     * @param distance the distance of the places from the wall, metres
      * @param shared the number of places at either end of the row that may be near to those of other rows of the wall
      */
     void occupy(ConvexShape wall, CandidateBuffer near, double distance, int shared) {

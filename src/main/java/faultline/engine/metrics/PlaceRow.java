@@ -47,8 +47,8 @@ sealed interface PlaceRow {
      * Returns the rows of a wall: both sides of a segment and the arcs around its ends, or the path around an ellipse.
      *
      * @param wall the wall
-     * @param distance of the places, metres
-     * @param spacing of the places, metres
+     * @param distance the distance of the places, metres
+     * @param spacing the spacing of the places, metres
      * @param reach how far outside of an ellipse the places have that spacing, metres
      * @param circle the places around the origin, see {@link #circle}
      */

@@ -19,8 +19,8 @@ import java.util.OptionalDouble;
  * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if no wall was followed
  * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was followed
  * @param followRmsOrNaN the distance error in all of FOLLOW, metres, root mean square; NaN without any
- * @param trajectoryHash of all ticks
- * @param seed of the run
+ * @param trajectoryHash the trajectory hash of all ticks
+ * @param seed the seed of the run
  * @param refusals the refused commands of the timeline, one sentence each, in order
  * @param rung the name of the rung that drove last; empty for a controller without a diagnosis
  * @param diagnosisEvents the changes of the sensors' health and of the rung, in order
@@ -55,8 +55,8 @@ public record RunResult(
      *     followed
      * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was followed
      * @param followRmsOrNaN the distance error in all of FOLLOW, metres, root mean square; NaN without any
-     * @param trajectoryHash of all ticks
-     * @param seed of the run
+     * @param trajectoryHash the trajectory hash of all ticks
+     * @param seed the seed of the run
      * @param refusals the refused commands of the timeline, one sentence each, in order
      * @param rung the name of the rung that drove last; empty for a controller without a diagnosis
      * @param diagnosisEvents the changes of the sensors' health and of the rung, in order

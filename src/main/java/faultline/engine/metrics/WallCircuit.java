@@ -28,7 +28,7 @@ public final class WallCircuit {
      * {@return the circuit that the robot's centre can drive along the walls of a world, for {@link CarryOnMetrics}}
      *
      * @param world before anything moves
-     * @param distance from a wall to the robot's centre, metres
+     * @param distance the distance from a wall to the robot's centre, metres
      */
     public static WallCircuit forCarryOn(WorldSpec world, double distance) {
         double spacing = 0.02;
@@ -43,8 +43,8 @@ public final class WallCircuit {
     /**
      * Joins places to paths.
      *
-     * @param places in the order of the walls
-     * @param spacing of the places, metres
+     * @param places the places, in the order of the walls
+     * @param spacing the spacing of the places, metres
      * @param joinDistance places nearer to each other than this belong to one path, metres
      * @param tolerance how far from a place a robot still passes it, at least the join distance, metres
      */

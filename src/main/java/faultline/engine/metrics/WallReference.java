@@ -91,8 +91,8 @@ public final class WallReference {
      * {@return the places from which walls can be followed, in the order of the walls: points at a distance from a wall
      * and nowhere nearer to any}
      *
-     * @param distance from the wall to the robot's centre, metres
-     * @param spacing of the samples along the walls, metres
+     * @param distance the distance from the wall to the robot's centre, metres
+     * @param spacing the spacing of the samples along the walls, metres
      */
     public List<WallSample> samples(double distance, double spacing) {
         return samples(distance, spacing, 0);
@@ -102,8 +102,8 @@ public final class WallReference {
      * {@return the places from which walls can be followed, in the order of the walls} They are spaced along the
      * robot's path rather than along the walls, so that those around a pole are as close together as any.
      *
-     * @param distance from the wall to the robot's centre, metres
-     * @param spacing of the samples along the path, metres
+     * @param distance the distance from the wall to the robot's centre, metres
+     * @param spacing the spacing of the samples along the path, metres
      */
     public List<WallSample> samplesAlongPath(double distance, double spacing) {
         return samples(distance, spacing, distance);
@@ -163,7 +163,7 @@ public final class WallReference {
     /**
      * A place from which a piece of wall can be followed.
      *
-     * @param position of the robot's centre
+     * @param position the position of the robot's centre
      * @param wallLength the length of the piece of wall, metres; 0 for a corner, which only joins two walls
      */
     public record WallSample(Vector2 position, double wallLength) {}

@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Turns what a controller's diagnosis shows into events: sensors that are trusted more or less than before, and changes
- * of rung. A run begins on the highest rung with all sensors trusted.
+ * Converts the output of a controller's diagnosis to events: changes of the trust in a sensor, and changes of rung. A
+ * run begins on the highest rung with all sensors trusted.
  */
 public final class DiagnosisRecorder implements TickObserver {
 

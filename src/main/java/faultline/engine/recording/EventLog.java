@@ -29,7 +29,7 @@ public final class EventLog {
     /**
      * {@return an event}
      *
-     * @param index at least {@link #firstIndex}, less than {@link #endIndex}
+     * @param index the index, at least {@link #firstIndex}, less than {@link #endIndex}
      */
     public RunEvent get(long index) {
         return events.chunk(index)[events.offset(index)];

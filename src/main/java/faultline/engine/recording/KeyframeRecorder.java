@@ -33,8 +33,8 @@ final class KeyframeRecorder {
     }
 
     /**
-     * Lets every frame share the points of a path that has been thinned, because the frames would hold those of each
-     * time that it was. Replaces the array, because views hold the old one.
+     * Makes all frames share the points of a path that has been thinned; otherwise the frames would keep the points of
+     * each earlier version. Replaces the array, because views refer to the old one.
      */
     private void sharePath(RobotPath path) {
         Frame[] shared = new Frame[MAX_FRAMES];
@@ -44,7 +44,7 @@ final class KeyframeRecorder {
         frames = shared;
     }
 
-    /** Replaces the array, because views hold the old one. */
+    /** Replaces the array, because views refer to the old one. */
     private void thin() {
         Frame[] thinned = new Frame[MAX_FRAMES];
         for (int i = 0; i < MAX_FRAMES; i += 2) {

@@ -10,8 +10,8 @@ import faultline.engine.TickObserver;
 import faultline.world.CommandResult;
 
 /**
- * Records a run on the thread of the run. Frames are taken only about sixty times a second, and what happens between
- * two of them must not be lost.
+ * Records a run on the thread of the run. Frames are created only about sixty times a second, and events between two
+ * frames must not be lost.
  */
 public final class Recorder implements TickObserver, CommandListener {
 

@@ -1,13 +1,13 @@
 package faultline.engine.recording;
 
 /**
- * What is remembered of a run up to one moment. Immutable; taking one copies next to nothing.
+ * The recorded data of a run up to one moment. Immutable; creating one copies almost nothing.
  *
- * @param trace the numbers, tick by tick; channels as {@link faultline.engine.recording.TraceChannels} says
- * @param events what happened
- * @param stateTally how long the controller was in which state
- * @param keyframes pictures of earlier moments
- * @param hashTrace of the trajectory, tick by tick
+ * @param trace the numbers, tick by tick; {@link faultline.engine.recording.TraceChannels} defines the channels
+ * @param events the events
+ * @param stateTally the time that the controller spent in each state
+ * @param keyframes frames of earlier moments
+ * @param hashTrace the hashes of the trajectory, tick by tick
  */
 public record Recording(Trace trace, EventLog events, StateTally stateTally, Keyframes keyframes, HashTrace hashTrace) {
 

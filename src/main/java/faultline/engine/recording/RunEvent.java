@@ -94,7 +94,7 @@ public sealed interface RunEvent {
      * The controller changed its state.
      *
      * @param tick the first tick in the new state
-     * @param time of that tick, seconds
+     * @param time the time of that tick, seconds
      * @param from the old state
      * @param to the new state
      * @param condition the condition of the transition
@@ -127,7 +127,7 @@ public sealed interface RunEvent {
      * The controller's diagnosis trusts a sensor more or less than before.
      *
      * @param tick the first tick in which the controller acts by it
-     * @param time of that tick, seconds
+     * @param time the time of that tick, seconds
      * @param from the trust before
      * @param health the finding about the sensor now
      */
@@ -142,7 +142,7 @@ public sealed interface RunEvent {
      * Another rung of the controller's ladder of strategies drives.
      *
      * @param tick the first in which it drives
-     * @param time of that tick, seconds
+     * @param time the time of that tick, seconds
      * @param from the name of the rung before
      * @param to the name of the rung that drives now
      */
@@ -157,7 +157,7 @@ public sealed interface RunEvent {
      * A command of the timeline or from outside was executed.
      *
      * @param tick the tick at whose start it was executed
-     * @param time of that tick, seconds
+     * @param time the time of that tick, seconds
      * @param command the command
      */
     record CommandExecuted(long tick, double time, Command command) implements RunEvent {
@@ -171,7 +171,7 @@ public sealed interface RunEvent {
      * A command was refused.
      *
      * @param tick the tick at whose start it was refused
-     * @param time of that tick, seconds
+     * @param time the time of that tick, seconds
      * @param command the command
      * @param refusal the reason
      */
@@ -204,7 +204,7 @@ public sealed interface RunEvent {
      * The run differs from the reference run for the first time.
      *
      * @param tick the first tick in which they differ by at least a bit
-     * @param time of that tick, seconds
+     * @param time the time of that tick, seconds
      */
     record Diverged(long tick, double time) implements RunEvent {
         @Override

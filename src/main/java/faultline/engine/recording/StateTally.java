@@ -7,8 +7,8 @@ import java.util.Optional;
 /**
  * The durations and visits of a controller's states, and the counts of its transitions.
  *
- * @param states in the order of their first appearance
- * @param transitions in the order of their first appearance
+ * @param states the states, in the order of their first appearance
+ * @param transitions the transitions, in the order of their first appearance
  */
 public record StateTally(List<Dwell> states, List<TransitionCount> transitions) {
 
@@ -18,8 +18,8 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
     /**
      * Creates a tally from copies of the lists.
      *
-     * @param states in the order of their first appearance
-     * @param transitions in the order of their first appearance
+     * @param states the states, in the order of their first appearance
+     * @param transitions the transitions, in the order of their first appearance
      */
     public StateTally {
         states = List.copyOf(states);

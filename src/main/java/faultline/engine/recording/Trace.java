@@ -5,7 +5,7 @@ import java.util.List;
 /**
  * The numbers of a run, tick by tick.
  *
- * @param levels the same numbers at several resolutions, from one tick a bucket to the coarsest, which reaches back
+ * @param levels the same numbers at several resolutions, from one tick per bucket to the coarsest, which reaches back
  *     farthest
  */
 public record Trace(List<TraceLevel> levels) {
@@ -16,8 +16,8 @@ public record Trace(List<TraceLevel> levels) {
     /**
      * Creates a trace from a copy of the levels.
      *
-     * @param levels the same numbers at several resolutions, from one tick a bucket to the coarsest, which reaches back
-     *     farthest
+     * @param levels the same numbers at several resolutions, from one tick per bucket to the coarsest, which reaches
+     *     back farthest
      */
     public Trace {
         levels = List.copyOf(levels);

@@ -11,9 +11,9 @@ public final class TraceChannels {
     public static final int PROPORTIONAL = 2;
     /** The PD controller's D term, radians per second. */
     public static final int DERIVATIVE = 3;
-    /** What the controller gives the left motors, volts. */
+    /** The voltage on the left motors, volts. */
     public static final int LEFT_VOLTS = 4;
-    /** What the controller gives the right motors, volts. */
+    /** The voltage on the right motors, volts. */
     public static final int RIGHT_VOLTS = 5;
 
     /** The robot's heading, radians, not normalised. */
@@ -26,7 +26,7 @@ public final class TraceChannels {
     /**
      * {@return the channel of a sensor's reading without noise and faults, metres}
      *
-     * @param sensor its place in the robot's list, from 0
+     * @param sensor the index of the sensor in the robot's list, from 0
      */
     public static int trueReading(int sensor) {
         return SENSOR_OFFSET + 2 * sensor;
@@ -35,7 +35,7 @@ public final class TraceChannels {
     /**
      * {@return the channel of a sensor's reported reading, metres}
      *
-     * @param sensor its place in the robot's list, from 0
+     * @param sensor the index of the sensor in the robot's list, from 0
      */
     public static int reportedReading(int sensor) {
         return SENSOR_OFFSET + 2 * sensor + 1;

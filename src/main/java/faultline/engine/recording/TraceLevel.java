@@ -43,7 +43,7 @@ public final class TraceLevel {
      * value as it was, even if it is infinite.
      *
      * @param channel see {@link TraceChannels}
-     * @param bucket at least {@link #firstBucket}, less than {@link #endBucket}
+     * @param bucket the bucket, at least {@link #firstBucket}, less than {@link #endBucket}
      */
     public float min(int channel, long bucket) {
         return buckets.chunk(bucket).min()[index(channel, bucket)];
@@ -53,7 +53,7 @@ public final class TraceLevel {
      * {@return the greatest finite value of a channel in a bucket; otherwise as {@link #min}}
      *
      * @param channel see {@link TraceChannels}
-     * @param bucket at least {@link #firstBucket}, less than {@link #endBucket}
+     * @param bucket the bucket, at least {@link #firstBucket}, less than {@link #endBucket}
      */
     public float max(int channel, long bucket) {
         return buckets.chunk(bucket).max()[index(channel, bucket)];

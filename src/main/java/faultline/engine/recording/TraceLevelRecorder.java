@@ -33,7 +33,7 @@ final class TraceLevelRecorder {
      * @param channels the number of channels
      * @param ticksPerBucket the number of ticks in a bucket
      * @param mergeFactor the number of buckets of the next finer level in a bucket of this one
-     * @param maxChunks the largest number of chunks that are kept
+     * @param maxChunks the maximum number of chunks that are kept
      */
     TraceLevelRecorder(int channels, int ticksPerBucket, int mergeFactor, int maxChunks) {
         this.channels = channels;

@@ -4,21 +4,21 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Records all channels tick by tick, at full resolution for a while and ever coarser farther back. Some 21 MB with
- * eight sensors at most.
+ * Records all channels tick by tick, at full resolution for recent ticks and at lower resolutions for older ones. Takes
+ * at most about 21 MB with eight sensors.
  */
 final class TraceRecorder {
 
-    /** How many times as many ticks a bucket has as one of the next finer level. */
+    /** The ratio of the ticks of a bucket to those of a bucket of the next finer level. */
     static final int FACTOR = 4;
 
-    /** The coarsest level, of 4096 ticks a bucket, reaches back 67 million ticks. */
+    /** The number of levels. The coarsest, with 4096 ticks per bucket, reaches back 67 million ticks. */
     private static final int LEVEL_COUNT = 7;
 
-    /** How many chunks of single ticks are kept: 32 768 ticks, five minutes at 10 ms. */
+    /** The number of chunks of single ticks that are kept: 32 768 ticks, five minutes at 10 ms. */
     private static final int MAX_FINEST_CHUNKS = 8;
 
-    /** How many chunks of other levels are: 16 384 buckets, some for every pixel of any screen. */
+    /** The number of chunks of each other level that are kept: 16 384 buckets, several for each pixel of any screen. */
     private static final int MAX_COARSE_CHUNKS = 4;
 
     private final List<TraceLevelRecorder> levels = new ArrayList<>();
@@ -26,7 +26,7 @@ final class TraceRecorder {
     /**
      * Creates an empty recording.
      *
-     * @param channels how many numbers each tick has
+     * @param channels the number of values of each tick
      */
     public TraceRecorder(int channels) {
         levels.add(new TraceLevelRecorder(channels, 1, 1, MAX_FINEST_CHUNKS));
@@ -38,7 +38,7 @@ final class TraceRecorder {
     /**
      * Records the next tick.
      *
-     * @param values of all channels; copied
+     * @param values the values of all channels; copied
      */
     public void add(float[] values) {
         float[] low = values;
@@ -52,7 +52,7 @@ final class TraceRecorder {
         }
     }
 
-    /** {@return a view of everything recorded so far, which stays as it is} */
+    /** {@return an immutable view of everything recorded so far} */
     public Trace view() {
         return new Trace(levels.stream().map(TraceLevelRecorder::view).toList());
     }

@@ -62,7 +62,7 @@ public final class ReferenceRun {
      * {@return the repeated run of a journal, at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES}
      * ticks}
      *
-     * @param journal of the earlier run
+     * @param journal the journal of the earlier run
      * @param onward called before each tick with the tick before; false cancels the run
      * @throws RunFailedException if the controller threw an exception
      * @throws CancellationException if the run was cancelled

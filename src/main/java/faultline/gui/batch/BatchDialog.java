@@ -74,7 +74,7 @@ final class BatchDialog extends JDialog {
      * Creates a dialog that is not yet visible.
      *
      * @param owner the window behind it
-     * @param scenario of all runs
+     * @param scenario the scenario of all runs
      * @param actions opens runs and asks for files
      */
     BatchDialog(Window owner, Scenario scenario, BatchActions actions) {

@@ -20,10 +20,10 @@ import java.util.OptionalLong;
 /**
  * A batch as a campaign plan of one scenario. Immutable; files may be written on any thread.
  *
- * @param scenario of all runs
+ * @param scenario the scenario of all runs
  * @param firstSeed the seed of the first block of runs
  * @param seeds how many successive seeds there are
- * @param duration of each run, seconds
+ * @param duration the duration of each run, seconds
  * @param untilVerdict whether a run ends as soon as it is known whether the robot carries on
  * @param diagnosis whether the controller watches its sensors
  * @param healthy whether there are runs without a fault

@@ -50,7 +50,7 @@ final class BatchRun {
      *
      * @param made how many runs are in the table
      * @param runs how many there are, 0 while that is unknown
-     * @param seconds since the first run began
+     * @param seconds the seconds since the first run began
      */
     record Completion(long made, long runs, double seconds) {
 

@@ -34,7 +34,7 @@ final class ResultTabs {
      * Adds the tabs of a batch behind those that are there.
      *
      * @param tabs shows them
-     * @param results of the batch
+     * @param results the results of the batch
      * @param onOpen receives the number of a run that the user opens
      */
     ResultTabs(JTabbedPane tabs, BatchResults results, IntConsumer onOpen) {

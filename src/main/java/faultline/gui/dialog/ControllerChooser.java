@@ -54,7 +54,7 @@ public final class ControllerChooser implements WorkspaceListener {
      * Creates a chooser.
      *
      * @param owner the window
-     * @param workspace whose runs get the controller
+     * @param workspace the workspace whose runs get the controller
      * @param runController restarts the run
      * @param comparison shows a run with another controller as a ghost
      * @param note shows a sentence to the user

@@ -24,8 +24,8 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
     /**
      * The name of one command's edit.
      *
-     * @param key of the message for one such command
-     * @param severalKey of the message for several such commands
+     * @param key the key of the message for one such command
+     * @param severalKey the key of the message for several such commands
      * @param subject the id of what is edited
      */
     record EditName(String key, String severalKey, String subject) {

@@ -37,7 +37,7 @@ final class HealthRows extends JPanel {
      *
      * @param diagnosed the ids of the sensors that the controller diagnoses, so that there are rows before its first
      *     finding
-     * @param health in the robot's order, empty before the first finding
+     * @param health the health, in the robot's order, empty before the first finding
      * @param dt the length of a tick, seconds
      */
     void setHealth(List<String> diagnosed, List<SensorHealth> health, double dt) {

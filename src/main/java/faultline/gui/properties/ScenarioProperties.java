@@ -11,13 +11,13 @@ import faultline.world.WorldSpec;
  *
  * @param name the name
  * @param description the description
- * @param width of the world, metres
- * @param height of the world, metres
+ * @param width the width of the world, metres
+ * @param height the height of the world, metres
  * @param enclosed whether a wall encloses the world
- * @param start of the robot
+ * @param start the initial pose of the robot
  * @param duration seconds
  * @param dt the length of a tick, seconds
- * @param seed of all random numbers
+ * @param seed the seed of all random numbers
  * @param expectation the expected result
  */
 record ScenarioProperties(

@@ -24,7 +24,7 @@ public final class Histogram {
      * Returns the chart of some values.
      *
      * @param title above the chart
-     * @param quantity of the values, with the unit
+     * @param quantity the quantity of the values, with the unit
      * @param frequency what the bars count
      * @param values all finite
      */

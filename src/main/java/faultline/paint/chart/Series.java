@@ -15,9 +15,9 @@ public sealed interface Series {
     /**
      * A line.
      *
-     * @param name in the legend
+     * @param name the name in the legend
      * @param points in order; one that is not finite is a gap
-     * @param styleIndex from 0
+     * @param styleIndex the style index, from 0
      */
     record Line(String name, List<Vector2> points, int styleIndex) implements Series {
         public Line {
@@ -28,9 +28,9 @@ public sealed interface Series {
     /**
      * Single points.
      *
-     * @param name in the legend
-     * @param points in any order
-     * @param styleIndex from 0
+     * @param name the name in the legend
+     * @param points the points, in any order
+     * @param styleIndex the style index, from 0
      */
     record Points(String name, List<Vector2> points, int styleIndex) implements Series {
         public Points {
@@ -41,10 +41,10 @@ public sealed interface Series {
     /**
      * The band between two lines.
      *
-     * @param name in the legend
-     * @param upper in the order of x
-     * @param lower in the order of x
-     * @param styleIndex from 0
+     * @param name the name in the legend
+     * @param upper the points of the upper border, in the order of x
+     * @param lower the points of the lower border, in the order of x
+     * @param styleIndex the style index, from 0
      */
     record Band(String name, List<Vector2> upper, List<Vector2> lower, int styleIndex) implements Series {
         public Band {
@@ -57,8 +57,8 @@ public sealed interface Series {
      * A map of classes that fills the chart: rows from the lower edge up, each from left to right, in equal steps along
      * the axes.
      *
-     * @param names of the classes in the legend
-     * @param rows of cells, each the index of its class in {@code names}
+     * @param names the names of the classes in the legend
+     * @param rows the rows of cells, each the index of its class in {@code names}
      */
     record Cells(List<String> names, List<List<Integer>> rows) implements Series {
         public Cells {
@@ -76,7 +76,7 @@ public sealed interface Series {
      * A text at a point.
      *
      * @param name the text
-     * @param position of its start
+     * @param position the position of its start
      */
     record Note(String name, Vector2 position) implements Series {}
 }

@@ -84,7 +84,7 @@ public final class StateDiagramLayout {
      *
      * @param shaft from box to box
      * @param tip its end
-     * @param direction of the tip, a unit vector
+     * @param direction the direction of the tip, a unit vector
      * @param middle the position of its number
      */
     public record ArrowRoute(Path2D shaft, Vector2 tip, Vector2 direction, Vector2 middle) {

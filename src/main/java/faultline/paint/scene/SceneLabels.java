@@ -8,12 +8,12 @@ import java.util.function.Function;
 /**
  * The texts in a picture. Files use {@link #ENGLISH}, so that they do not depend on the language of the window.
  *
- * @param collision before the position and time of the first collision
- * @param faults before the faults at that time
- * @param sensorsOff before the sensors that were switched off at that time
- * @param switchedOff beside a sensor that is switched off
+ * @param collision the label before the position and time of the first collision
+ * @param faults the label before the faults at that time
+ * @param sensorsOff the label before the sensors that were switched off at that time
+ * @param switchedOff the label beside a sensor that is switched off
  * @param faultName returns the name of a kind of fault
- * @param font of the texts
+ * @param font the font of the texts
  */
 public record SceneLabels(
         String collision,

@@ -9,11 +9,11 @@ import java.awt.geom.Rectangle2D;
  * The part of the world that a picture shows: the one place where metres, y up, are converted to pixels, y down, and
  * back.
  *
- * @param x of the world point in the middle of the picture, metres
- * @param y of the world point in the middle of the picture, metres
+ * @param x the x coordinate of the world point in the middle of the picture, metres
+ * @param y the y coordinate of the world point in the middle of the picture, metres
  * @param scale pixels per metre, in [{@link #MIN_SCALE}, {@link #MAX_SCALE}]
- * @param width of the picture, pixels, positive
- * @param height of the picture, pixels, positive
+ * @param width the width of the picture, pixels, positive
+ * @param height the height of the picture, pixels, positive
  */
 public record Camera(double x, double y, double scale, int width, int height) {
 

@@ -7,10 +7,10 @@ import java.util.List;
  * The colours of the charts and plans of figures. Obstacles, robot and path have the colours of print, which are paler
  * than those of the window. Series differ in lightness, dash pattern and marker, not in hue alone.
  *
- * @param palette of scenes and of the chart's text and background
+ * @param palette the palette of scenes and of the chart's text and background
  * @param grid lines behind the data
- * @param series of lines and points, in order
- * @param classes of the cells of a map, from the best class to the worst
+ * @param series the series of lines and points, in order
+ * @param classes the classes of the cells of a map, from the best class to the worst
  */
 public record ChartStyle(Palette palette, Color grid, List<Color> series, List<Color> classes) {
 

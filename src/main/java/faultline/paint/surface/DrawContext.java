@@ -18,7 +18,7 @@ import java.awt.geom.Rectangle2D;
  * @param surface the target
  * @param camera from the world to the picture
  * @param palette the colours
- * @param font of labels
+ * @param font the font of labels
  */
 public record DrawContext(Surface surface, Camera camera, Palette palette, Font font) {
 

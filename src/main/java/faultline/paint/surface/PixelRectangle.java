@@ -5,8 +5,8 @@ import faultline.geometry.Vector2;
 /**
  * A rectangle in a picture.
  *
- * @param x of its left edge, pixels
- * @param y of its upper edge, pixels
+ * @param x the x coordinate of its left edge, pixels
+ * @param y the y coordinate of its upper edge, pixels
  * @param width pixels
  * @param height pixels
  */

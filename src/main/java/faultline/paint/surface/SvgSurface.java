@@ -43,7 +43,7 @@ public final class SvgSurface implements Surface {
     /**
      * Returns the picture as an element of an HTML page, in the font of the page.
      *
-     * @param cssClass of the element
+     * @param cssClass the CSS class of the element
      * @param title what the picture shows, for screen readers; empty for one that only repeats the text beside it
      */
     public String toHtml(String cssClass, String title) {

@@ -8,8 +8,8 @@ import java.util.List;
 /**
  * The style of a line of text.
  *
- * @param size of the font, pixels
- * @param colour of the letters
+ * @param size the size of the font, pixels
+ * @param colour the colour of the letters
  * @param anchor which point of the text is at its position
  * @param bold whether the font is bold
  * @param horizontal whether the text runs to the right; otherwise it runs upwards

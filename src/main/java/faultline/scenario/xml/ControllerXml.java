@@ -281,7 +281,7 @@ final class ControllerXml {
      *
      * @param left volts
      * @param right volts
-     * @param ticks at least one
+     * @param ticks the number of ticks, at least one
      */
     private record DecisionText(double left, double right, long ticks) {
 

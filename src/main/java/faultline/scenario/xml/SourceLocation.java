@@ -3,8 +3,8 @@ package faultline.scenario.xml;
 /**
  * A location in a file; that of an element is the end of its start tag, as XML parsers report it.
  *
- * @param line from 1; 0 for the whole file
- * @param column from 1; 0 for the whole file
+ * @param line the line, from 1; 0 for the whole file
+ * @param column the column, from 1; 0 for the whole file
  */
 public record SourceLocation(int line, int column) implements Comparable<SourceLocation> {
 

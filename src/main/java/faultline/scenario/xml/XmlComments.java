@@ -24,7 +24,7 @@ public final class XmlComments {
     /**
      * A comment.
      *
-     * @param index from 0, in the order of the file
+     * @param index the index, from 0, in the order of the file
      * @param anchor the path of the next element in the same parent; if there is none, the parent's path and a slash
      * @param text the text between the comment's delimiters
      */

@@ -11,7 +11,7 @@ import java.util.stream.Stream;
  * @param name without prefix in our namespace, with its prefix in another one
  * @param location the end of its start tag
  * @param attributes the given values by name, in the order of the file, without defaults
- * @param children in the order of the file
+ * @param children the children, in the order of the file
  * @param text all text directly inside it
  */
 public record XmlElement(

@@ -3,7 +3,7 @@ package faultline.scenario.xml;
 /**
  * A file format that is read as a tree of elements.
  *
- * @param namespace of every element
+ * @param namespace the namespace of every element
  * @param rootElement the name of its root element
  */
 public record XmlFormat(String namespace, String rootElement) {

@@ -16,7 +16,7 @@ public final class CsvTable {
         lines.add(String.join(",", columns));
     }
 
-    /** Adds a row of texts and numbers; numbers have seven digits, those that are not finite stay empty. */
+    /** Adds a row of texts and numbers. Numbers have seven digits; those that are not finite give empty cells. */
     public void addRow(Object... cells) {
         List<String> texts = new ArrayList<>();
         for (Object cell : cells) {

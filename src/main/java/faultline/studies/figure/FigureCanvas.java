@@ -29,8 +29,8 @@ public final class FigureCanvas {
     private final SvgSurface surface;
 
     /**
-     * Creates a picture of a size in pixels, below which a caption is added. The caption says all that a reader needs
-     * who sees nothing but the figure: what is shown, in which unit, from how many runs, and what its marks mean.
+     * Creates a picture of a size in pixels, below which a caption is added. The caption explains the figure without
+     * the text around it: what is shown, the unit, the number of runs, and the meaning of the marks.
      */
     public FigureCanvas(int width, int height, String caption) {
         List<String> lines = SMALL_TEXT.wrap(caption, width - 2 * CAPTION_MARGIN);
@@ -47,7 +47,7 @@ public final class FigureCanvas {
         return surface;
     }
 
-    /** Adds a view of a part of the world in an area. */
+    /** Adds a view of a part of the world in an area of the picture. */
     public PlanView addPlan(PixelRectangle area, Rectangle2D bounds) {
         return new PlanView(surface, area, bounds, THEME);
     }
@@ -60,14 +60,14 @@ public final class FigureCanvas {
         surface.drawText(text, new Vector2(x, y), style);
     }
 
-    /** Adds lines of text, one below the other, centred on a middle. */
+    /** Adds lines of text, one below the other, centred horizontally on a position. */
     public void addLines(List<String> lines, double middle, double y) {
         for (int i = 0; i < lines.size(); i++) {
             addText(lines.get(i), middle, y + LINE_HEIGHT * i, SMALL_TEXT.withAnchor(Anchor.MIDDLE));
         }
     }
 
-    /** Adds the letter and the title of a panel, whose index counts from 0, centred on a middle. */
+    /** Adds the letter and the title of a panel, whose index counts from 0, centred horizontally on a position. */
     public void addPanelTitle(int index, String title, double middle, double y) {
         addText(panelTitle(index, title), middle, y, TEXT_STYLE.withBold().withAnchor(Anchor.MIDDLE));
     }
@@ -77,7 +77,7 @@ public final class FigureCanvas {
         return "(" + (char) ('a' + index) + ") " + title;
     }
 
-    /** Draws a chart on a picture of its own, with a caption. */
+    /** Draws a chart on a separate picture, with a caption. */
     public static SvgSurface drawChart(Chart chart, int width, int height, String caption) {
         FigureCanvas canvas = new FigureCanvas(width, height, caption);
         canvas.addChart(chart, new PixelRectangle(0, 4, width, height - 8));

@@ -15,7 +15,7 @@ import java.nio.file.Path;
  * The target of figures.
  *
  * @param path an existing folder
- * @param appearance of the pictures
+ * @param appearance the appearance of the pictures
  */
 public record FigureFolder(Path path, SvgTheme appearance) {
 

@@ -3,7 +3,7 @@ package faultline.studies.figure;
 import java.util.Arrays;
 import java.util.stream.DoubleStream;
 
-/** The values of a sample in ascending order; values that are not finite are left out. */
+/** The values of a sample in ascending order; values that are not finite are omitted. */
 public final class SortedSample {
 
     private final double[] sorted;

@@ -1,5 +1,2 @@
-/**
- * The parts that all figures and studies share: pictures, tables, numbers, statistics of samples, and the folder that
- * they are written to.
- */
+/** Code that all figures and studies share: pictures, tables, numbers, statistics of samples, and the target folder. */
 package faultline.studies.figure;
