@@ -2,7 +2,7 @@ package faultline.engine.metrics;
 
 import faultline.geometry.Vector2;
 
-/** Numbers the square cells of a plane, for hash maps. */
+/** Numbers the square cells of a plane, as keys of {@link CellNumbers}. */
 final class CellKey {
 
     private CellKey() {}
@@ -17,8 +17,8 @@ final class CellKey {
         return of(index(point.x(), size), index(point.y(), size));
     }
 
-    /** Returns the number of a cell. Two cells have the same number so rarely that only time is lost by it. */
+    /** Returns the number of a cell; no two cells within 2^31 rows and columns of the origin have the same. */
     static long of(long column, long row) {
-        return column * 0x9E3779B97F4A7C15L ^ row * 0xC2B2AE3D27D4EB4FL;
+        return column << Integer.SIZE | row & 0xFFFF_FFFFL;
     }
 }

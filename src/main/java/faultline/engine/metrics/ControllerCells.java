@@ -2,10 +2,8 @@ package faultline.engine.metrics;
 
 import faultline.control.Telemetry;
 import faultline.engine.Simulation;
-import faultline.robot.MotorFault;
 import faultline.robot.MotorFaults;
 import java.util.List;
-import java.util.stream.Collectors;
 
 /** The cells that a trace of format 2 has of the controller and the motors; empty while they do not apply. */
 final class ControllerCells implements TraceCells {
@@ -49,17 +47,10 @@ final class ControllerCells implements TraceCells {
         rows.append(telemetry.diagnosis().rung());
         if (simulation.motorFaults() != faults) {
             faults = simulation.motorFaults();
-            leftText = text(faults.left());
-            rightText = text(faults.right());
+            leftText = FaultCell.ofMotors(faults.left());
+            rightText = FaultCell.ofMotors(faults.right());
         }
         rows.append(leftText);
         rows.append(rightText);
-    }
-
-    /** Returns faults as words, such as {@code weak=0.7 dead}. */
-    private static String text(List<MotorFault> faults) {
-        return faults.stream()
-                .map(fault -> fault.kind().fileName() + (fault.kind().takesValue() ? "=" + fault.value() : ""))
-                .collect(Collectors.joining(" "));
     }
 }

@@ -9,7 +9,6 @@ import faultline.sensor.Reading;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
 
 /** The cells that a trace of format 2 has of the sensors: readings, faults, and what the diagnosis thinks of them. */
 final class SensorCells implements TraceCells {
@@ -83,7 +82,7 @@ final class SensorCells implements TraceCells {
         }
         if (!sameFaults) {
             words.faults = List.copyOf(faults);
-            words.faultText = text(words.faults);
+            words.faultText = FaultCell.ofSensor(words.faults);
         }
         if (health != words.health) {
             words.trust = health == null ? "" : health.trust().name().toLowerCase(Locale.ROOT);
@@ -106,12 +105,5 @@ final class SensorCells implements TraceCells {
     /** Returns whether faults are the same; the comparison of two empty lists would take as long as all other cells. */
     private static boolean areEqual(List<Fault> faults, List<Fault> others) {
         return faults.isEmpty() && others.isEmpty() || faults.equals(others);
-    }
-
-    /** Returns faults as words, such as {@code stuck=0.4 noise=0.01}. */
-    private static String text(List<Fault> faults) {
-        return faults.stream()
-                .map(fault -> fault.kind().fileName() + (fault.kind().takesValue() ? "=" + fault.value() : ""))
-                .collect(Collectors.joining(" "));
     }
 }

@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -79,6 +82,19 @@ class CellNumbersTest {
                 table.put(key, value);
             }
             assertEquals(map.isEmpty(), table.isEmpty());
+        }
+    }
+
+    @Test
+    void noTwoCellsHaveTheSameKey() {
+        Set<Long> keys = new HashSet<>();
+        int[] indices = IntStream.concat(
+                        IntStream.rangeClosed(-150, 150), IntStream.of(Integer.MIN_VALUE, Integer.MAX_VALUE))
+                .toArray();
+        for (int column : indices) {
+            for (int row : indices) {
+                assertTrue(keys.add(CellKey.of(column, row)), column + ", " + row);
+            }
         }
     }
 }
