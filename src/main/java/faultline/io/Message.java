@@ -34,6 +34,21 @@ public record Message(Template template, List<Object> arguments) {
     }
 
     /**
+     * Creates a message.
+     *
+     * @param template the kind of message
+     * @param arguments the values for the template's placeholders, as many as it has
+     */
+    public Message {
+        arguments = List.copyOf(arguments);
+        assert arguments.size() == placeholders(template) : template + ": " + arguments;
+    }
+
+    private static int placeholders(Template template) {
+        return new MessageFormat(template.english(), Locale.ROOT).getFormatsByArgumentIndex().length;
+    }
+
+    /**
      * {@return the text of this message, formatted with the pattern that a function returns for each template}
      *
      * @param patterns returns the pattern for a template
