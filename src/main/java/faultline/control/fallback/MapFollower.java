@@ -81,14 +81,6 @@ public final class MapFollower {
     /** A direction that is this far clockwise from the wall leads back, radians. */
     private static final double TURNED_BACK = StrictMath.toRadians(240);
 
-    /** The maximum number of scans in a row. */
-    private static final int MAX_SCANS = 4;
-
-    /** Places that are this near to each other are the same, metres. */
-    private static final double SAME_PLACE = 0.05;
-
-    private static final double OVERSHOOT = StrictMath.toRadians(30);
-
     private final SensorDiagnosis diagnosis;
     private double wantedDistance;
     private final LocalMap map = new LocalMap();
@@ -102,13 +94,7 @@ public final class MapFollower {
     private double direction;
     private double sinceWall;
     private double untilPlan;
-    private boolean scanning;
-    private double scanTo;
-    private double scanned;
-    private double scanMargin;
-    private int scans;
-    private double scanX;
-    private double scanY;
+    private final Scan scan = new Scan();
     private WallControl wallControl = WallControl.NONE;
     private double v;
     private double omega;
@@ -135,7 +121,7 @@ public final class MapFollower {
         wall = direction + QUARTER;
         sinceWall = atWall ? LOST / 2 : LOST + 1;
         untilPlan = 0;
-        scanning = false;
+        scan.end();
         state = atWall ? FollowerState.FOLLOW : FollowerState.SEARCH;
         stuck = false;
         progress.reset();
@@ -154,7 +140,7 @@ public final class MapFollower {
         untilPlan -= dt;
         sinceWall += Math.abs(at().rolled());
         if (untilPlan <= 0) {
-            untilPlan = scanning ? SCAN_PLANNING : PLANNING;
+            untilPlan = scan.isActive() ? SCAN_PLANNING : PLANNING;
             gear = Gear.of(diagnosis);
             map.refresh(diagnosis, robot.sensors().size(), MEMORY, robot.boundingRadius() + NEAR);
             plan();
@@ -213,7 +199,7 @@ public final class MapFollower {
             search();
             return;
         }
-        if (scanning) {
+        if (scan.isActive()) {
             checkKnown();
             return;
         }
@@ -227,7 +213,7 @@ public final class MapFollower {
         direction = open;
         leaveDeadEnd();
         checkKnown();
-        state = scanning ? FollowerState.MEASURE : FollowerState.FOLLOW;
+        state = scan.isActive() ? FollowerState.MEASURE : FollowerState.FOLLOW;
     }
 
     /**
@@ -251,7 +237,7 @@ public final class MapFollower {
     /** Drives straight ahead, because there is no wall. */
     private void search() {
         state = FollowerState.SEARCH;
-        if (!scanning) {
+        if (!scan.isActive()) {
             double bearing = map.bearingOfSurface(direction, StrictMath.PI, wanted() + 0.1);
             if (!Double.isNaN(bearing)) {
                 wall = bearing;
@@ -263,33 +249,31 @@ public final class MapFollower {
 
     private void checkKnown() {
         double known = knownAhead();
-        if (!scanning && known < NEEDED) {
+        if (scan.isActive()) {
+            if (known >= WORTHWHILE && (scan.margin() == 0 || known(direction - scan.margin()) >= NEEDED)) {
+                scan.end();
+            }
+        } else if (known < NEEDED) {
             startScan();
-        } else if (!scanning) {
-            scans = 0;
-        } else if (known >= WORTHWHILE && (scanMargin == 0 || known(direction - scanMargin) >= NEEDED)) {
-            scanning = false;
+        } else {
+            scan.forget();
         }
     }
 
     /** Turns until the trusted sensor that needs to turn least has seen the nearest unknown place of the path. */
     private void startScan() {
         double best = Double.NaN;
+        double margin = 0;
         for (int i = 0; i < robot.sensors().size(); i++) {
             if (diagnosis.isTrusted(i)) {
                 double turn = turnFor(diagnosis.cone(i), heading.unknownX(), heading.unknownY());
                 if (Double.isNaN(best) || Math.abs(turn) < Math.abs(best)) {
                     best = turn;
-                    scanMargin = isSideways(diagnosis.cone(i)) ? SCAN_MARGIN : 0;
+                    margin = isSideways(diagnosis.cone(i)) ? SCAN_MARGIN : 0;
                 }
             }
         }
-        scanning = true;
-        scans++;
-        scanned = 0;
-        scanX = heading.unknownX();
-        scanY = heading.unknownY();
-        scanTo = Double.isNaN(best) ? 0 : best + Math.copySign(OVERSHOOT, best);
+        scan.start(best, margin, heading.unknownX(), heading.unknownY());
     }
 
     private boolean isSideways(MountedCone cone) {
@@ -303,13 +287,12 @@ public final class MapFollower {
     }
 
     private void act() {
-        if (scanning) {
-            scanned += at().turned();
-            if (Math.abs(scanned) >= Math.abs(scanTo)) {
+        if (scan.isActive()) {
+            if (scan.advance(at().turned())) {
                 endScan();
             }
             v = 0;
-            omega = Math.copySign(turnRate(1), scanTo);
+            omega = scan.sign() * turnRate(1);
             return;
         }
         double off = Angles.difference(gear.leading(at().heading()), direction);
@@ -330,14 +313,12 @@ public final class MapFollower {
 
     /** Ends a scan, or continues it if it has shown what it was for but another place is still unknown. */
     private void endScan() {
-        scanning = false;
+        scan.end();
         double known = knownAhead();
         if (known >= NEEDED) {
             return;
         }
-        double dx = heading.unknownX() - scanX;
-        double dy = heading.unknownY() - scanY;
-        if (scans < MAX_SCANS && dx * dx + dy * dy > SAME_PLACE * SAME_PLACE) {
+        if (scan.mayContinueAt(heading.unknownX(), heading.unknownY())) {
             startScan();
             return;
         }
