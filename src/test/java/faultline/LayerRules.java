@@ -76,6 +76,8 @@ final class LayerRules {
                     + "|log1p|pow|cbrt|hypot)\\b|import static java\\.lang\\.Math\\b");
     private static final Pattern RANDOMNESS =
             Pattern.compile("\\bMath\\.random\\b|\\b(?!SensorRandom\\b)\\w*Random\\b|\\brandomUUID\\b");
+    /** The window sends its commands by way of undo and of the document; a session would accept them directly. */
+    private static final Pattern SESSION_USE = Pattern.compile("\\bengine\\.session\\.(?:Session\\b|\\*)");
 
     private LayerRules() {}
 
@@ -104,6 +106,7 @@ final class LayerRules {
         check(CLOCK_USE, isModel && !CLOCK_USERS.contains(path), path, code, violations);
         check(INEXACT_MATHS, isModel, path, code, violations);
         check(RANDOMNESS, isModel, path, code, violations);
+        check(SESSION_USE, ownPackage.startsWith("gui") && !ownPackage.equals("gui.document"), path, code, violations);
         return violations;
     }
 

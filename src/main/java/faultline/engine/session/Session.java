@@ -28,7 +28,7 @@ import java.util.function.Supplier;
  * speed, and publishes frames and the status. A session starts paused. A restart is a new session with the same setup;
  * a step back is a new session that replays the journal of the old one.
  */
-public final class Session implements AutoCloseable {
+public final class Session implements SessionView, AutoCloseable {
 
     private static final long NO_PAUSE_TICK = -1;
 
@@ -131,7 +131,7 @@ public final class Session implements AutoCloseable {
         }
     }
 
-    /** {@return the latest frame and requests the next one; frames are made only on request} Wait-free. */
+    @Override
     public SessionFrame frame() {
         frameWanted = true;
         return latestFrame.get();
@@ -207,7 +207,7 @@ public final class Session implements AutoCloseable {
         submit(() -> pacer.setSpeed(factor));
     }
 
-    /** {@return the current status} */
+    @Override
     public SessionStatus status() {
         return latestStatus.get();
     }

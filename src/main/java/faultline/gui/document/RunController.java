@@ -161,6 +161,6 @@ public final class RunController implements WorkspaceListener {
      */
     public void setSpeed(double factor) {
         speed = factor;
-        workspace.session().ifPresent(session -> session.setSpeed(factor));
+        workspace.openDocument().ifPresent(open -> open.session().setSpeed(factor));
     }
 }

@@ -2,6 +2,7 @@ package faultline.gui.document;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
+import faultline.engine.session.SessionView;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
@@ -41,10 +42,8 @@ public final class Workspace implements AutoCloseable {
         return Optional.ofNullable(open);
     }
 
-    /**
-     * Returns the session, for its frames and its status; empty before the first. {@link RunController} controls it.
-     */
-    public Optional<Session> session() {
+    /** Returns the frames and the status of the run; empty before the first session. */
+    public Optional<SessionView> session() {
         return openDocument().map(OpenDocument::session);
     }
 
@@ -174,7 +173,7 @@ public final class Workspace implements AutoCloseable {
     }
 
     private void closeSession() {
-        session().ifPresent(Session::close);
+        openDocument().map(OpenDocument::session).ifPresent(Session::close);
         open = null;
     }
 }

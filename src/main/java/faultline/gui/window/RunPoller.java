@@ -1,8 +1,8 @@
 package faultline.gui.window;
 
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
+import faultline.engine.session.SessionView;
 import faultline.gui.dialog.ProgressDialogs;
 import faultline.gui.document.RunNavigator;
 import faultline.gui.document.Workspace;
@@ -68,7 +68,7 @@ final class RunPoller implements WorkspaceListener {
     }
 
     /** Shows the newest frame of a session, and returns its status. */
-    private SessionStatus show(Session session) {
+    private SessionStatus show(SessionView session) {
         // Status before frame: if the status says paused, the frame is the one at which the run is paused.
         SessionStatus status = session.status();
         SessionFrame frame = session.frame();

@@ -13,8 +13,8 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionView;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.scenario.Scenario;
@@ -69,11 +69,12 @@ class ComparisonControllerTest {
     private void open(Path file) {
         runOnEdt(() -> new DocumentStore(workspace).open(file));
         Await.until(
-                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
+                "the scenario",
+                () -> workspace.session().map(SessionView::frame).isPresent());
     }
 
     private Optional<RunComparison> update() {
-        return workspace.session().map(Session::frame).flatMap(controller::update);
+        return workspace.session().map(SessionView::frame).flatMap(controller::update);
     }
 
     private void waitFor(String what, Predicate<Optional<RunComparison>> condition) {
@@ -90,7 +91,7 @@ class ComparisonControllerTest {
     private long tick() {
         return workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .map(frame -> frame.snapshot().tick())
                 .orElse(-1L);
     }
@@ -136,7 +137,7 @@ class ComparisonControllerTest {
         assertEquals(OptionalLong.of(CHANGED), divergence());
         ReferenceRun reference = callOnEdt(() -> update().orElseThrow().run());
         SessionFrame frame =
-                callOnEdt(() -> workspace.session().map(Session::frame).orElseThrow());
+                callOnEdt(() -> workspace.session().map(SessionView::frame).orElseThrow());
         assertTrue(LongStream.range(0, CHANGED)
                 .allMatch(tick -> reference.hashTrace().hashAt(tick)
                         == frame.recording().hashTrace().hashAt(tick)));

@@ -12,7 +12,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
-import faultline.engine.session.Session;
+import faultline.engine.session.SessionView;
 import faultline.external.ChildSource;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
@@ -110,7 +110,7 @@ class ControllerChoiceTest {
     private String state() {
         return workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .orElseThrow()
                 .frame()
                 .telemetry()
@@ -119,8 +119,12 @@ class ControllerChoiceTest {
     }
 
     private long tick() {
-        return callOnEdt(() ->
-                workspace.session().map(Session::frame).orElseThrow().snapshot().tick());
+        return callOnEdt(() -> workspace
+                .session()
+                .map(SessionView::frame)
+                .orElseThrow()
+                .snapshot()
+                .tick());
     }
 
     @Test
@@ -153,15 +157,19 @@ class ControllerChoiceTest {
         runOnEdt(() -> run.navigator().seek(150));
         waitFor("the third session", () -> sessionCount == 3);
         assertEquals(150, tick());
-        long hash = callOnEdt(() ->
-                workspace.session().map(Session::frame).orElseThrow().frame().trajectoryHash());
+        long hash = callOnEdt(() -> workspace
+                .session()
+                .map(SessionView::frame)
+                .orElseThrow()
+                .frame()
+                .trajectoryHash());
         runOnEdt(() -> run.navigator().seek(100));
         waitFor("the fourth session", () -> sessionCount == 4);
         runOnEdt(() -> run.navigator().seek(150));
         waitFor("the fifth session", () -> sessionCount == 5);
         assertEquals(hash, callOnEdt(() -> workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .orElseThrow()
                 .frame()
                 .trajectoryHash()));

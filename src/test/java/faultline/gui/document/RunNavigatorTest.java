@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionView;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -58,7 +58,8 @@ class RunNavigatorTest {
             documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));
         });
         Await.until(
-                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
+                "the scenario",
+                () -> workspace.session().map(SessionView::frame).isPresent());
         original = pole();
         stepTo(10);
         edit(new Command.MoveObstacle("pole", FIRST));
@@ -105,7 +106,7 @@ class RunNavigatorTest {
                 "the restart",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -129,7 +130,7 @@ class RunNavigatorTest {
                 "the restart",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -145,7 +146,7 @@ class RunNavigatorTest {
                 "the restart",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -175,7 +176,7 @@ class RunNavigatorTest {
                 "the platform as it was",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .robot()
@@ -197,7 +198,7 @@ class RunNavigatorTest {
         waitForPole(original);
         assertTrue(callOnEdt(() -> workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .orElseThrow()
                 .snapshot()
                 .robot()
@@ -229,14 +230,14 @@ class RunNavigatorTest {
                 "the arrival and one tick",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
                         == 16);
         assertFalse(callOnEdt(() -> workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .orElseThrow()
                 .snapshot()
                 .robot()
@@ -260,7 +261,7 @@ class RunNavigatorTest {
                 "the run to go on",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -280,7 +281,7 @@ class RunNavigatorTest {
                 "the run to go on",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -292,7 +293,7 @@ class RunNavigatorTest {
     private void edit(Command command) {
         Optional<String> before = callOnEdt(edits::undoName);
         SessionFrame frame =
-                callOnEdt(() -> workspace.session().map(Session::frame).orElseThrow());
+                callOnEdt(() -> workspace.session().map(SessionView::frame).orElseThrow());
         runOnEdt(() -> {
             edits.beginGesture();
             edits.send(command);
@@ -300,7 +301,7 @@ class RunNavigatorTest {
         });
         Await.until(
                 "the edit after " + before,
-                () -> workspace.session().map(Session::frame).orElseThrow() != frame
+                () -> workspace.session().map(SessionView::frame).orElseThrow() != frame
                         && edits.undoName().isPresent());
     }
 
@@ -311,7 +312,7 @@ class RunNavigatorTest {
                 () -> workspace.task().isEmpty()
                         && workspace
                                         .session()
-                                        .map(Session::frame)
+                                        .map(SessionView::frame)
                                         .orElseThrow()
                                         .snapshot()
                                         .tick()
@@ -326,7 +327,7 @@ class RunNavigatorTest {
                 "tick " + tick,
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -335,22 +336,30 @@ class RunNavigatorTest {
     }
 
     private long tick() {
-        return callOnEdt(() ->
-                workspace.session().map(Session::frame).orElseThrow().snapshot().tick());
+        return callOnEdt(() -> workspace
+                .session()
+                .map(SessionView::frame)
+                .orElseThrow()
+                .snapshot()
+                .tick());
     }
 
     /** Waits until the results of commands have edited the scenario. */
     private void waitForEdited(Pose pose) {
         Await.until("the scenario's pole at " + pose, () -> {
-            workspace.session().map(Session::frame);
+            workspace.session().map(SessionView::frame);
             return pole(workspace.scenario().orElseThrow().setup().world().obstacles())
                     .equals(pose);
         });
     }
 
     private Pose pole() {
-        return callOnEdt(() -> pole(
-                workspace.session().map(Session::frame).orElseThrow().snapshot().obstacles()));
+        return callOnEdt(() -> pole(workspace
+                .session()
+                .map(SessionView::frame)
+                .orElseThrow()
+                .snapshot()
+                .obstacles()));
     }
 
     private static Pose pole(List<Obstacle> obstacles) {
@@ -364,7 +373,7 @@ class RunNavigatorTest {
     private void waitForPole(Pose pose) {
         Await.until("the pole at " + pose, () -> pole(workspace
                         .session()
-                        .map(Session::frame)
+                        .map(SessionView::frame)
                         .orElseThrow()
                         .snapshot()
                         .obstacles())

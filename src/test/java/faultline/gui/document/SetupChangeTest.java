@@ -11,7 +11,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.engine.session.Session;
+import faultline.engine.session.SessionView;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -58,7 +58,8 @@ class SetupChangeTest {
             documentStore.open(Path.of("scenarios/office.xml"));
         });
         Await.until(
-                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
+                "the scenario",
+                () -> workspace.session().map(SessionView::frame).isPresent());
         original = callOnEdt(() -> workspace.scenario().orElseThrow().setup());
         stepTo(TICKS);
     }
@@ -93,17 +94,17 @@ class SetupChangeTest {
         runOnEdt(run::toggleRunning);
         Await.until(
                 "the run",
-                () -> workspace.session().map(Session::status).orElseThrow().running());
+                () -> workspace.session().map(SessionView::status).orElseThrow().running());
         setTimeline(List.of(new TimedCommand(0.2, FAULT)));
         Await.until(
                 "the run to go on",
-                () -> workspace.session().map(Session::status).orElseThrow().running());
+                () -> workspace.session().map(SessionView::status).orElseThrow().running());
         long tick = tick();
         Await.until(
                 "more ticks",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -153,7 +154,7 @@ class SetupChangeTest {
     }
 
     private Pose pose(String obstacle) {
-        return workspace.session().map(Session::frame).orElseThrow().snapshot().obstacles().stream()
+        return workspace.session().map(SessionView::frame).orElseThrow().snapshot().obstacles().stream()
                 .filter(now -> now.id().equals(obstacle))
                 .findFirst()
                 .orElseThrow()
@@ -225,7 +226,7 @@ class SetupChangeTest {
                 "tick " + tick,
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -233,13 +234,21 @@ class SetupChangeTest {
     }
 
     private long tick() {
-        return callOnEdt(() ->
-                workspace.session().map(Session::frame).orElseThrow().snapshot().tick());
+        return callOnEdt(() -> workspace
+                .session()
+                .map(SessionView::frame)
+                .orElseThrow()
+                .snapshot()
+                .tick());
     }
 
     private long hash() {
-        return callOnEdt(() ->
-                workspace.session().map(Session::frame).orElseThrow().frame().trajectoryHash());
+        return callOnEdt(() -> workspace
+                .session()
+                .map(SessionView::frame)
+                .orElseThrow()
+                .frame()
+                .trajectoryHash());
     }
 
     private static long hashOf(SimulationSetup setup) {
@@ -256,7 +265,7 @@ class SetupChangeTest {
     }
 
     private List<Fault> faultsOfLeft() {
-        return callOnEdt(() -> workspace.session().map(Session::frame).orElseThrow().snapshot().sensors().stream()
+        return callOnEdt(() -> workspace.session().map(SessionView::frame).orElseThrow().snapshot().sensors().stream()
                 .filter(sensor -> sensor.spec().id().equals("left"))
                 .findFirst()
                 .orElseThrow()

@@ -9,8 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup;
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionView;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
@@ -97,7 +97,7 @@ class WorkspaceTest {
     void aFileOpensPausedAtTimeZeroAndUnchanged() {
         assertEquals(0, frame().snapshot().tick());
         assertFalse(callOnEdt(
-                () -> workspace.session().map(Session::status).orElseThrow().running()));
+                () -> workspace.session().map(SessionView::status).orElseThrow().running()));
         assertFalse(callOnEdt(workspace::isChanged));
         assertEquals(Optional.of(file), callOnEdt(workspace::file));
     }
@@ -157,7 +157,7 @@ class WorkspaceTest {
                 "the tick",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -171,7 +171,7 @@ class WorkspaceTest {
         runOnEdt(run::step);
         waitFor("the switch", () -> !workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .orElseThrow()
                 .snapshot()
                 .robot()
@@ -211,16 +211,18 @@ class WorkspaceTest {
                 "some time",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
                         > 50);
         runOnEdt(() -> send(new Command.SetPlatform(0.3, 0.2, 0.5)));
         runOnEdt(run::toggleRunning);
-        waitFor(
-                "the pause",
-                () -> !workspace.session().map(Session::status).orElseThrow().running());
+        waitFor("the pause", () -> !workspace
+                .session()
+                .map(SessionView::status)
+                .orElseThrow()
+                .running());
         Path journal = folder.resolve("journal.xml");
         runOnEdt(() -> documentStore.saveJournal(journal));
         waitFor("the journal", () -> journals.equals(List.of(journal)));
@@ -228,7 +230,7 @@ class WorkspaceTest {
                 "the last frame",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .robot()
@@ -308,7 +310,7 @@ class WorkspaceTest {
                 "a tick",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
@@ -325,7 +327,7 @@ class WorkspaceTest {
     }
 
     private SessionFrame frame() {
-        return callOnEdt(() -> workspace.session().map(Session::frame).orElseThrow());
+        return callOnEdt(() -> workspace.session().map(SessionView::frame).orElseThrow());
     }
 
     private static Obstacle obstacle(List<Obstacle> obstacles) {
@@ -337,7 +339,7 @@ class WorkspaceTest {
 
     private void waitFor(String what, Callable<Boolean> condition) {
         Await.until(what, () -> {
-            workspace.session().map(Session::frame);
+            workspace.session().map(SessionView::frame);
             return condition.call();
         });
     }

@@ -12,7 +12,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.TraceFormat;
 import faultline.engine.metrics.TraceWriter;
-import faultline.engine.session.Session;
+import faultline.engine.session.SessionView;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.UiAction;
@@ -94,14 +94,15 @@ class ExportControllerTest {
             documentStore.open(Path.of("scenarios/office.xml"));
         });
         Await.until(
-                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
+                "the scenario",
+                () -> workspace.session().map(SessionView::frame).isPresent());
         stepTo(STEPS);
     }
 
     private void stepTo(int tick) {
         for (long i = callOnEdt(() -> workspace
                         .session()
-                        .map(Session::frame)
+                        .map(SessionView::frame)
                         .orElseThrow()
                         .snapshot()
                         .tick());
@@ -113,13 +114,13 @@ class ExportControllerTest {
                 "the last tick",
                 () -> workspace
                                 .session()
-                                .map(Session::frame)
+                                .map(SessionView::frame)
                                 .orElseThrow()
                                 .snapshot()
                                 .tick()
                         == tick);
         runOnEdt(() -> canvas.setFrame(
-                workspace.session().map(Session::frame).orElseThrow().frame()));
+                workspace.session().map(SessionView::frame).orElseThrow().frame()));
     }
 
     @AfterEach

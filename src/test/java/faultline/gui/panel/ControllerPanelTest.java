@@ -12,7 +12,7 @@ import faultline.control.GainRule;
 import faultline.control.Threshold;
 import faultline.control.Thresholds;
 import faultline.control.WallSide;
-import faultline.engine.session.Session;
+import faultline.engine.session.SessionView;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
@@ -74,14 +74,14 @@ class ControllerPanelTest {
     /** Waits for a frame whose controller meets a condition, and shows every frame on the way. */
     private void await(String what, Predicate<ControllerSpec> condition) {
         Await.until(what, () -> {
-            workspace.session().map(Session::frame).ifPresent(frame -> {
+            workspace.session().map(SessionView::frame).ifPresent(frame -> {
                 undo.pendingEdits().setRobot(frame.snapshot().robot());
                 panel.setSettings(
                         frame.controller(), workspace.scenario().orElseThrow().setup());
             });
             return workspace
                     .session()
-                    .map(Session::frame)
+                    .map(SessionView::frame)
                     .filter(frame -> condition.test(frame.controller()))
                     .isPresent();
         });
@@ -226,13 +226,13 @@ class ControllerPanelTest {
         type("Turn rate, °/s", before + 20);
         Await.until("the run is simulated again", () -> workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .filter(frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) > before + 19)
                 .isPresent());
         runOnEdt(undo::undo);
         Await.until("the old turn rate", () -> workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .filter(frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) < before + 1)
                 .isPresent());
     }

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.FollowerState;
 import faultline.engine.metrics.Expectation;
-import faultline.engine.session.Session;
+import faultline.engine.session.SessionView;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
@@ -120,7 +120,7 @@ class PropertiesTest {
         await(workspace, after);
         Await.until("the world has its new size", () -> workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .filter(frame -> frame.snapshot().width() == 14)
                 .isPresent());
         runOnEdt(undo::undo);

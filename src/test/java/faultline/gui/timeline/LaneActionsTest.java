@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.engine.session.Session;
+import faultline.engine.session.SessionView;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
@@ -48,7 +48,8 @@ class LaneActionsTest {
             return created;
         });
         Await.until(
-                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
+                "the scenario",
+                () -> workspace.session().map(SessionView::frame).isPresent());
         runOnEdt(() -> {
             editor = new TimelineEditor(workspace, run, new UndoController(run::send, () -> {}));
             view = new LaneView(editor);

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
-import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.engine.session.SessionView;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
@@ -54,7 +54,8 @@ class TimeBarTest {
             new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
         });
         Await.until(
-                "the scenario", () -> workspace.session().map(Session::frame).isPresent());
+                "the scenario",
+                () -> workspace.session().map(SessionView::frame).isPresent());
         for (int i = 0; i < TICKS; i++) {
             runOnEdt(run::step);
         }
@@ -74,8 +75,12 @@ class TimeBarTest {
 
     @Test
     void releasingTheThumbSeeksExactlyAndKeepsTheFuture() {
-        long hash = callOnEdt(() ->
-                workspace.session().map(Session::frame).orElseThrow().frame().trajectoryHash());
+        long hash = callOnEdt(() -> workspace
+                .session()
+                .map(SessionView::frame)
+                .orElseThrow()
+                .frame()
+                .trajectoryHash());
         runOnEdt(() -> slider.setValue(15));
         waitForTick(15);
         assertEquals(TICKS, callOnEdt(slider::getMaximum));
@@ -83,7 +88,7 @@ class TimeBarTest {
         waitForTick(TICKS);
         assertEquals(hash, callOnEdt(() -> workspace
                 .session()
-                .map(Session::frame)
+                .map(SessionView::frame)
                 .orElseThrow()
                 .frame()
                 .trajectoryHash()));
@@ -142,7 +147,7 @@ class TimeBarTest {
     void aRunThatIsSavedShowsItsEndBeforeItsFirstTick() {
         runOnEdt(run::restart);
         waitForTick(0);
-        runOnEdt(() -> bar.setFrame(workspace.session().map(Session::frame).orElseThrow(), 1200, 0.02));
+        runOnEdt(() -> bar.setFrame(workspace.session().map(SessionView::frame).orElseThrow(), 1200, 0.02));
         assertEquals(List.of("0.00 s", "24.00 s"), callOnEdt(() -> ComponentFinder.findAll(bar, JLabel.class)
                 .map(label -> label.getText().strip())
                 .toList()));
@@ -150,7 +155,7 @@ class TimeBarTest {
 
     private void waitForTick(long tick) {
         Await.until("tick " + tick, () -> {
-            SessionFrame frame = workspace.session().map(Session::frame).orElseThrow();
+            SessionFrame frame = workspace.session().map(SessionView::frame).orElseThrow();
             bar.setFrame(frame, run.navigator().furthestTick(), DT);
             return frame.snapshot().tick() == tick;
         });
