@@ -38,7 +38,7 @@ final class LaneLayout {
     private final int[] laneOfItem;
 
     private final int[] rows;
-    /** For each item, the next one in its row, or {@link #NONE}. */
+    /** For each item, the next one in its row, marks included, or {@link #NONE}. */
     private final int[] nextInRow;
 
     /**
@@ -62,6 +62,7 @@ final class LaneLayout {
         rows = new int[items.size()];
         nextInRow = new int[items.size()];
         rowCounts = assignRows();
+        linkRows();
         tops = new int[lanes.size() + 1];
         tops[0] = top;
         for (int lane = 0; lane < lanes.size(); lane++) {
@@ -74,7 +75,6 @@ final class LaneLayout {
      * lane has no more rows. Returns the number of rows of each lane.
      */
     private int[] assignRows() {
-        Arrays.fill(nextInRow, NONE);
         int[] counts = new int[lanes.size()];
         Arrays.fill(counts, 1);
         int[][] last = new int[lanes.size()][MAX_ROWS];
@@ -88,14 +88,30 @@ final class LaneLayout {
                 .forEach(index -> {
                     int lane = laneOfItem[index];
                     int row = freeRow(last[lane], items.get(index).start());
-                    if (last[lane][row] != NONE) {
-                        nextInRow[last[lane][row]] = index;
-                    }
                     last[lane][row] = index;
                     rows[index] = row;
                     counts[lane] = Math.max(counts[lane], row + 1);
                 });
         return counts;
+    }
+
+    /** Finds the next item of each one's row, by the start. */
+    private void linkRows() {
+        Arrays.fill(nextInRow, NONE);
+        int[][] last = new int[lanes.size()][MAX_ROWS];
+        for (int[] row : last) {
+            Arrays.fill(row, NONE);
+        }
+        IntStream.range(0, items.size())
+                .boxed()
+                .sorted(Comparator.comparingDouble(index -> items.get(index).start()))
+                .forEach(index -> {
+                    int[] lane = last[laneOfItem[index]];
+                    if (lane[rows[index]] != NONE) {
+                        nextInRow[lane[rows[index]]] = index;
+                    }
+                    lane[rows[index]] = index;
+                });
     }
 
     /** Returns the first row whose last item has ended, or else the one whose last item ends first. */
@@ -214,9 +230,35 @@ final class LaneLayout {
         return new Rectangle2D.Double(x, y, Math.max(MIN_WIDTH, axis.x(item.end()) - x), height);
     }
 
-    /** Returns how far a label of an item may reach, which is to the next item of its row, or {@code right}. */
-    double labelEnd(int index, double right) {
-        return nextInRow[index] == NONE ? right : bounds(nextInRow[index]).getMinX();
+    /**
+     * Returns where the label of an interval is drawn: on its bar, or after it if only there is room for all of it.
+     *
+     * @param index the index of the interval
+     * @param textWidth the width of the label, pixels
+     * @param padding the space on either side of the label, pixels
+     * @param right the x coordinate of the right edge of the lanes, pixels
+     */
+    LabelRoom labelRoom(int index, double textWidth, double padding, double right) {
+        Rectangle2D bar = bounds(index);
+        double end = nextInRow[index] == NONE
+                ? right
+                : Math.min(right, bounds(nextInRow[index]).getMinX());
+        LabelRoom onBar = new LabelRoom(bar.getMinX() + padding, Math.min(bar.getMaxX(), end) - padding);
+        LabelRoom after = new LabelRoom(bar.getMaxX() + padding, end - padding);
+        return textWidth > onBar.width() && textWidth <= after.width() ? after : onBar;
+    }
+
+    /**
+     * The horizontal room of a label, pixels.
+     *
+     * @param left the x coordinate of its left edge
+     * @param right that of its right edge
+     */
+    record LabelRoom(double left, double right) {
+
+        double width() {
+            return right - left;
+        }
     }
 
     /** Returns the item at a point; null if there is none. */

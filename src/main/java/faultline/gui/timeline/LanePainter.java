@@ -156,7 +156,7 @@ final class LanePainter {
         boolean selected = view.preview().map(item::equals).orElse(index == view.selection());
         if (item.isInterval()) {
             paintBar(item, bounds, selected);
-            paintLabel(item, bounds, lanes.labelEnd(index, view.getWidth()));
+            paintLabel(index, bounds);
         } else {
             paintMark(bounds, selected);
         }
@@ -182,18 +182,18 @@ final class LanePainter {
                 x - HANDLE / 2.0 - 0.5, bounds.getCenterY() - HANDLE, HANDLE + 1.0, 2.0 * HANDLE));
     }
 
-    private void paintLabel(TimelineItem item, Rectangle2D bounds, double end) {
-        double room = end - bounds.getX() - 2 * LABEL_ROOM;
+    private void paintLabel(int index, Rectangle2D bounds) {
+        if (bounds.getHeight() < lanes.rowHeight() / 2.0 + 2) {
+            return;
+        }
         g.setFont(font);
-        if (bounds.getHeight() >= lanes.rowHeight() / 2.0 + 2
-                && g.getFontMetrics().stringWidth("mm…") < room) {
-            paintText(
-                    TimelineText.label(item),
-                    bounds.getX() + LABEL_ROOM,
-                    bounds.getY(),
-                    bounds.getHeight(),
-                    room,
-                    theme.palette().text());
+        FontMetrics metrics = g.getFontMetrics();
+        String text = TimelineText.label(lanes.items().get(index));
+        double width = metrics.stringWidth(text);
+        LaneLayout.LabelRoom room = lanes.labelRoom(index, width, LABEL_ROOM, view.getWidth());
+        if (Math.min(width, metrics.stringWidth("mm…")) <= room.width()) {
+            Color colour = theme.palette().text();
+            paintText(text, room.left(), bounds.getY(), bounds.getHeight(), Math.ceil(room.width()), colour);
         }
     }
 

@@ -45,11 +45,22 @@ class LaneLayoutTest {
     }
 
     @Test
-    void aLabelMayReachToTheNextItemOfItsRow() {
+    void aLabelThatDoesNotFitOnItsBarIsDrawnAfterItOrShortened() {
+        // 10 pixels are a second: the first bar is at 80 to 130, the second at 280 to 480.
         LaneLayout lanes = layout(item("left", 0, 5), item("left", 20, 40), item("left", 30, 40), item("rear", 6, 7));
-        assertEquals(lanes.bounds(1).getMinX(), lanes.labelEnd(0, 500));
-        assertEquals(500, lanes.labelEnd(1, 500));
-        assertEquals(500, lanes.labelEnd(3, 500));
+        assertEquals(new LaneLayout.LabelRoom(86, 124), lanes.labelRoom(0, 38, 6, 500));
+        assertEquals(new LaneLayout.LabelRoom(136, 274), lanes.labelRoom(0, 39, 6, 500));
+        assertEquals(new LaneLayout.LabelRoom(86, 124), lanes.labelRoom(0, 139, 6, 500), "too long for either");
+        assertEquals(new LaneLayout.LabelRoom(286, 474), lanes.labelRoom(1, 100, 6, 500));
+        assertEquals(new LaneLayout.LabelRoom(156, 494), lanes.labelRoom(3, 100, 6, 500));
+    }
+
+    @Test
+    void aLabelDoesNotCoverAMark() {
+        TimelineItem mark = TimelineItem.from(new Command.SwitchSensor("left", true), 8);
+        LaneLayout lanes = layout(item("left", 0, 5), mark);
+        assertFalse(mark.isInterval());
+        assertEquals(new LaneLayout.LabelRoom(86, 124), lanes.labelRoom(0, 40, 6, 500));
     }
 
     @Test
@@ -81,7 +92,7 @@ class LaneLayoutTest {
         LaneLayout lanes = layout(items);
         for (int i = 0; i < items.length; i++) {
             assertTrue(lanes.bounds(i).getHeight() > 0);
-            assertTrue(lanes.labelEnd(i, 500) >= 80);
+            assertTrue(lanes.labelRoom(i, 20, 6, 500).left() >= 86);
         }
     }
 }
