@@ -87,7 +87,7 @@ final class LaneActions {
 
     private void addAndSelect(TimelineItem item) {
         lastFaults.replaceAll(fault -> fault.getClass() == item.command().getClass() ? item.command() : fault);
-        editor.add(item);
+        editor.add(item, view.selectedItem().orElse(null));
         view.select(item);
     }
 

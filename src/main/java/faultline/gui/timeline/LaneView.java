@@ -90,18 +90,27 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         assert EventQueue.isDispatchThread();
         setEnabled(true);
         TimelineModel newest = editor.model();
-        if (newest != model || !newLanes.equals(allLanes) || !newAxis.equals(axis) || newNow != now) {
-            if (newest != model && preview == null) {
-                selection = LaneLayout.NONE;
-            }
+        Optional<TimelineItem> restored = editor.takeRestored();
+        if (newest != model
+                || restored.isPresent()
+                || !newLanes.equals(allLanes)
+                || !newAxis.equals(axis)
+                || newNow != now) {
             boolean rowsChanged = newest != model || !newLanes.equals(allLanes);
+            Optional<TimelineItem> wanted = restored.or(this::selectedItem);
             model = newest;
             allLanes = List.copyOf(newLanes);
             axis = newAxis;
             now = newNow;
             lane = Math.min(lane, allLanes.size() - 1);
+            if (preview == null) {
+                selection = wanted.map(this::indexOf).orElse(LaneLayout.NONE);
+            }
             if (rowsChanged) {
                 countRows();
+            }
+            if (restored.isPresent()) {
+                selectLaneOfItem();
             }
             repaint();
         }
@@ -231,10 +240,16 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         preview = null;
         model = editor.model();
         countRows();
-        selection = model.items().lastIndexOf(item);
-        if (selection != LaneLayout.NONE) {
-            lane = lanes().laneOf(item);
-        }
+        selection = indexOf(item);
+        selectLaneOfItem();
+    }
+
+    private int indexOf(TimelineItem item) {
+        return model.items().lastIndexOf(item);
+    }
+
+    private void selectLaneOfItem() {
+        selectedItem().ifPresent(item -> lane = lanes().laneOf(item));
         describe();
     }
 

@@ -20,6 +20,8 @@ public final class TimelineEditor {
     private final UndoController undo;
     private TimelineModel model = TimelineModel.EMPTY;
     private TimelineItem clipboard;
+    /** What the last undo or redo brought back, until a view has selected it; null for nothing. */
+    private TimelineItem restored;
 
     /**
      * Creates an editor.
@@ -78,18 +80,20 @@ public final class TimelineEditor {
                         .reduce((ControllerSpec.BuiltIn) first, (earlier, later) -> later));
     }
 
-    void add(TimelineItem item) {
-        commit("timeline.add", item, item, model().with(item));
+    /** Adds an item; undo selects {@code before}, the item that was selected, which may be null. */
+    void add(TimelineItem item, TimelineItem before) {
+        commit("timeline.add", item, model().with(item), new TimelineChange(item, before, item));
     }
 
     /** Replaces an item, given its index; changes of the same item in quick succession are one edit. */
     void replace(int index, TimelineItem changed) {
-        commit("timeline.change", changed, index, model().with(index, changed));
+        TimelineItem before = model().items().get(index);
+        commit("timeline.change", changed, model().with(index, changed), new TimelineChange(index, before, changed));
     }
 
     void remove(int index) {
         TimelineItem item = model().items().get(index);
-        commit("timeline.remove", item, item, model().without(index));
+        commit("timeline.remove", item, model().without(index), new TimelineChange(item, item, null));
     }
 
     void copy(int index) {
@@ -101,16 +105,37 @@ public final class TimelineEditor {
         return Optional.ofNullable(clipboard);
     }
 
-    private void commit(String key, TimelineItem item, Object target, List<TimedCommand> after) {
+    /**
+     * A change of the timeline.
+     *
+     * @param target what is changed; changes of one target may be merged
+     * @param before what is selected when it is undone, null for nothing
+     * @param after what is selected when it is redone, null for nothing
+     */
+    private record TimelineChange(Object target, TimelineItem before, TimelineItem after) {}
+
+    private void commit(String key, TimelineItem item, List<TimedCommand> after, TimelineChange change) {
         List<TimedCommand> before = model().commands();
         if (!after.equals(before)) {
             undo.addSetupEdit(
                     () -> Messages.get(key, TimelineText.title(item)),
-                    target,
-                    () -> setTimeline(before),
-                    () -> setTimeline(after));
+                    change.target(),
+                    () -> restore(before, change.before()),
+                    () -> restore(after, change.after()));
             setTimeline(after);
         }
+    }
+
+    private void restore(List<TimedCommand> commands, TimelineItem selected) {
+        setTimeline(commands);
+        restored = selected;
+    }
+
+    /** Returns, once, the item that the last undo or redo brought back; empty if there is none. */
+    Optional<TimelineItem> takeRestored() {
+        Optional<TimelineItem> result = Optional.ofNullable(restored);
+        restored = null;
+        return result;
     }
 
     private void setTimeline(List<TimedCommand> commands) {

@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -17,6 +18,7 @@ import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JScrollPane;
 import org.junit.jupiter.api.AfterEach;
@@ -35,6 +37,7 @@ class LaneActionsTest {
     private static final double END = 9.4567;
 
     private Workspace workspace;
+    private UndoController undo;
     private TimelineEditor editor;
     private LaneView view;
     private LaneActions actions;
@@ -51,7 +54,8 @@ class LaneActionsTest {
                 "the scenario",
                 () -> workspace.session().map(SessionView::frame).isPresent());
         runOnEdt(() -> {
-            editor = new TimelineEditor(workspace, run, new UndoController(run::send, () -> {}));
+            undo = new UndoController(run::send, () -> {});
+            editor = new TimelineEditor(workspace, run, undo);
             view = new LaneView(editor);
             actions = new LaneActions(view, editor);
             run.change(old -> old.withSetup(old.setup()
@@ -86,6 +90,44 @@ class LaneActionsTest {
     void aDuplicateFollowsAtWholeTicks() {
         runOnEdt(actions::duplicate);
         assertEquals(List.of(START, END, 9.46, 14.79), times());
+    }
+
+    private void updateView() {
+        view.update(view.allLanes(), view.axis(), 0);
+    }
+
+    @Test
+    void undoSelectsWhatWasSelectedBeforeAndRedoWhatTheEditMade() {
+        runOnEdt(() -> {
+            TimelineItem original = view.selectedItem().orElseThrow();
+            actions.duplicate();
+            TimelineItem copy = view.selectedItem().orElseThrow();
+            assertNotEquals(original, copy);
+            undo.undo();
+            updateView();
+            assertEquals(Optional.of(original), view.selectedItem());
+            undo.redo();
+            updateView();
+            assertEquals(Optional.of(copy), view.selectedItem());
+            actions.delete();
+            undo.undo();
+            updateView();
+            assertEquals(Optional.of(copy), view.selectedItem(), "it is back");
+            undo.redo();
+            updateView();
+            assertEquals(Optional.empty(), view.selectedItem());
+        });
+    }
+
+    @Test
+    void theSelectionStaysWhenAnotherItemIsAdded() {
+        runOnEdt(() -> {
+            TimelineItem selected = view.selectedItem().orElseThrow();
+            editor.add(TimelineItem.from(new Command.InjectFault("left", new Fault.Stuck(0.5)), 1), null);
+            updateView();
+            assertEquals(Optional.of(selected), view.selectedItem());
+            assertEquals(1, view.selection());
+        });
     }
 
     @Test
