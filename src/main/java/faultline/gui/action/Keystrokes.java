@@ -7,7 +7,11 @@ import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Collectors;
+import javax.accessibility.Accessible;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
 
@@ -18,6 +22,10 @@ public final class Keystrokes {
             | InputEvent.ALT_DOWN_MASK
             | InputEvent.META_DOWN_MASK
             | InputEvent.ALT_GRAPH_DOWN_MASK;
+
+    /** The roles of components with entries. */
+    private static final Set<AccessibleRole> LISTS =
+            Set.of(AccessibleRole.LIST, AccessibleRole.TABLE, AccessibleRole.COMBO_BOX);
 
     /** In the order in which they are written. */
     private static final List<Modifier> MODIFIERS = List.of(
@@ -95,8 +103,20 @@ public final class Keystrokes {
         return !functionKey && (stroke.getModifiers() & OTHER_MODIFIERS) == 0;
     }
 
-    /** Returns whether the focused component, which may be null, is a text component that a stroke is typed into. */
+    /**
+     * Returns whether a stroke is typed into the focused component, which may be null: a text component, or, for a
+     * digit, a list, a table or a combo box, where the user means an entry or a number.
+     */
     public static boolean isTypedInto(Component focused, KeyStroke stroke) {
-        return focused instanceof JTextComponent && producesText(stroke);
+        return focused instanceof JTextComponent && producesText(stroke)
+                || isDigit(stroke) && focused instanceof Accessible list && isList(list.getAccessibleContext());
+    }
+
+    private static boolean isDigit(KeyStroke stroke) {
+        return producesText(stroke) && stroke.getKeyCode() >= KeyEvent.VK_0 && stroke.getKeyCode() <= KeyEvent.VK_9;
+    }
+
+    private static boolean isList(AccessibleContext context) {
+        return LISTS.contains(context.getAccessibleRole());
     }
 }

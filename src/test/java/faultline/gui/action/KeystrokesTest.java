@@ -8,7 +8,11 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.stream.Stream;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JList;
+import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.AfterEach;
@@ -43,6 +47,17 @@ class KeystrokesTest {
         assertFalse(Keystrokes.isTypedInto(
                 new JTextField(), KeyStroke.getKeyStroke(KeyEvent.VK_O, InputEvent.CTRL_DOWN_MASK)));
         assertFalse(Keystrokes.isTypedInto(null, space));
+    }
+
+    @Test
+    void aDigitIsTypedIntoAListWhichLeavesLettersToTheMenus() {
+        KeyStroke digit = Keystrokes.unmodified(KeyEvent.VK_3);
+        Stream.of(new JList<>(), new JTable(), new JComboBox<>())
+                .forEach(list -> assertTrue(Keystrokes.isTypedInto(list, digit), list::toString));
+        assertFalse(Keystrokes.isTypedInto(new JButton(), digit));
+        assertFalse(Keystrokes.isTypedInto(null, digit));
+        assertFalse(Keystrokes.isTypedInto(new JList<>(), Keystrokes.unmodified(KeyEvent.VK_N)));
+        assertFalse(Keystrokes.isTypedInto(new JList<>(), Keystrokes.menuShortcut(KeyEvent.VK_0)));
     }
 
     @AfterEach
