@@ -13,6 +13,11 @@ final class Odometer {
 
     private Velocity command = Velocity.ZERO;
     private WheelSpeeds wheelSpeeds = WheelSpeeds.ZERO;
+    /** The robot and the tick, seconds, whose decay is known: an exponential takes longer than all the rest. */
+    private RobotSpec motorOf;
+
+    private double tickLength;
+    private double decay;
     private double heading;
     private double deltaDistance;
     private double deltaHeading;
@@ -25,7 +30,11 @@ final class Odometer {
     /** Updates the estimate: the command has acted for some ticks. */
     void advance(RobotSpec robot, double dt, long ticks) {
         MotorSpec motor = robot.motor();
-        double decay = motor.decay(dt);
+        if (robot != motorOf || dt != tickLength) {
+            motorOf = robot;
+            tickLength = dt;
+            decay = motor.decay(dt);
+        }
         WheelSpeeds wanted = WheelSpeeds.of(command, robot.track());
         deltaDistance = 0;
         deltaHeading = 0;
@@ -60,12 +69,11 @@ final class Odometer {
     }
 
     /**
-     * Returns how long the motors' lag lasts, seconds: a speed w that is no longer commanded still results in a
-     * distance of w times this. It is the sum of the decays of all later ticks, which for short ticks is the motor's
-     * time constant.
+     * Returns how long the lag of the motors of the last {@link #advance} lasts, seconds: a speed w that is no longer
+     * commanded still results in a distance of w times this. It is the sum of the decays of all later ticks, which for
+     * short ticks is the motor's time constant.
      */
-    static double motorLag(RobotSpec robot, double dt) {
-        double decay = robot.motor().decay(dt);
-        return dt * decay / (1 - decay);
+    double motorLag() {
+        return tickLength * decay / (1 - decay);
     }
 }

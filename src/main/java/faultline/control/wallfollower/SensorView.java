@@ -1,12 +1,7 @@
 package faultline.control.wallfollower;
 
-import faultline.control.Observation;
-import faultline.control.WallSide;
-import faultline.geometry.Angles;
 import faultline.geometry.Vector2;
 import faultline.sensor.Reading;
-import faultline.sensor.SensorSpec;
-import java.util.List;
 
 /**
  * One sensor in the follower's frame, in which the wall is on the left: the pose of its cone, and its current reading.
@@ -23,46 +18,6 @@ record SensorView(
 
     /** A sensor that does not exist. */
     static final SensorView NONE = new SensorView(Vector2.ZERO, 0, 0, 0, Reading.NOTHING, false);
-
-    /** A sensor looks in a direction if its bearing differs by at most this. */
-    private static final double BEARING_TOLERANCE = StrictMath.toRadians(20);
-
-    /**
-     * Returns the sensor that looks in a direction, found by its bearing and not by its name. A follower with the wall
-     * on the right is the mirror image of one with the wall on the left.
-     *
-     * @param bearing the direction, radians, in a frame in which the wall is on the left
-     * @param observation the observation
-     * @param wallSide the side of the wall
-     * @return {@link #NONE} if no sensor that answers looks there
-     */
-    static SensorView facing(double bearing, Observation observation, WallSide wallSide) {
-        double side = wallSide == WallSide.LEFT ? 1 : -1;
-        List<SensorSpec> sensors = observation.robot().sensors();
-        int best = -1;
-        double least = BEARING_TOLERANCE;
-        for (int i = 0; i < sensors.size(); i++) {
-            double off =
-                    Math.abs(Angles.difference(bearing, side * sensors.get(i).bearing()));
-            if (off < least && !Reading.isOff(observation.readings()[i])) {
-                best = i;
-                least = off;
-            }
-        }
-        return best < 0 ? NONE : of(sensors.get(best), observation.readings()[best], side);
-    }
-
-    private static SensorView of(SensorSpec sensor, double reading, double side) {
-        Vector2 mountPosition = new Vector2(
-                sensor.mountPosition().x(), side * sensor.mountPosition().y());
-        return new SensorView(
-                mountPosition,
-                Angles.normalize(side * sensor.bearing()),
-                sensor.cone() / 2,
-                sensor.range(),
-                reading,
-                true);
-    }
 
     /** Returns the same sensor with another reading. */
     SensorView withReading(double other) {

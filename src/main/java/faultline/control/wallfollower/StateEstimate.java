@@ -5,8 +5,9 @@ import faultline.control.Observation;
 import faultline.control.PeriodicController;
 import faultline.control.Threshold;
 import faultline.control.Thresholds;
-import faultline.control.WallSide;
+import faultline.control.wallfollower.SensorViews.Direction;
 import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
 
 /**
  * The follower's knowledge at a decision: its sensors with what they remember, its motion by dead reckoning, and the
@@ -22,14 +23,15 @@ final class StateEstimate {
     /** The number of standard deviations by which the nearest of many readings is nearer than their mean. */
     private static final double MINIMUM_BIAS_FACTOR = 3;
 
-    private final WallSide side;
+    /** The directions of the sensors that look ahead. */
+    private static final Direction[] AHEAD = {Direction.FRONT, Direction.FRONT_LEFT, Direction.FRONT_RIGHT};
+
     private double wantedDistance;
     private Thresholds thresholds;
+    private final SensorViews views;
     private final Odometer odometer = new Odometer();
     private final FrontRangeMemory frontMemory = new FrontRangeMemory();
-    private final LastSeenPoint lastSeenFront = new LastSeenPoint();
-    private final LastSeenPoint lastSeenFrontLeft = new LastSeenPoint();
-    private final LastSeenPoint lastSeenFrontRight = new LastSeenPoint();
+    private final LastSeenPoint[] lastSeen = {new LastSeenPoint(), new LastSeenPoint(), new LastSeenPoint()};
     private final NoiseEstimator leftNoise = new NoiseEstimator();
     private final NoiseEstimator frontNoise = new NoiseEstimator();
     private final double controlPeriod;
@@ -42,10 +44,11 @@ final class StateEstimate {
     private SensorView frontLeft;
     private SensorView frontRight;
     private SensorView right;
+    private double stoppingDistance;
     private long lastTick;
 
     StateEstimate(ControllerSpec.WallFollowing spec) {
-        side = spec.side();
+        views = new SensorViews(spec.side());
         configure(spec);
         controlPeriod = spec.period();
     }
@@ -65,11 +68,13 @@ final class StateEstimate {
         odometer.advance(observation.robot(), observation.dt(), observation.tick() - lastTick);
         lastTick = observation.tick();
         current = observation;
-        left = SensorView.facing(QUARTER_TURN, observation, side);
-        currentFront = SensorView.facing(0, observation, side);
-        frontLeft = SensorView.facing(QUARTER_TURN / 2, observation, side);
-        frontRight = SensorView.facing(-QUARTER_TURN / 2, observation, side);
-        right = SensorView.facing(-QUARTER_TURN, observation, side);
+        stoppingDistance = robot().speed() * (motorLag() + current.dt());
+        views.update(observation);
+        left = views.facing(Direction.LEFT);
+        currentFront = views.facing(Direction.FRONT);
+        frontLeft = views.facing(Direction.FRONT_LEFT);
+        frontRight = views.facing(Direction.FRONT_RIGHT);
+        right = views.facing(Direction.RIGHT);
         leftNoise.update(left.reading());
         frontNoise.update(currentFront.reading());
         frontMemory.update(currentFront, odometer.deltaDistance(), odometer.deltaHeading(), robot().width() / 2);
@@ -91,9 +96,9 @@ final class StateEstimate {
 
     /** Remembers what the sensors that look ahead see during straight motion. */
     void updateLastSeenPoints() {
-        lastSeenFront.update(currentFront, odometer.deltaDistance());
-        lastSeenFrontLeft.update(frontLeft, odometer.deltaDistance());
-        lastSeenFrontRight.update(frontRight, odometer.deltaDistance());
+        for (int i = 0; i < lastSeen.length; i++) {
+            lastSeen[i].update(views.facing(AHEAD[i]), odometer.deltaDistance());
+        }
     }
 
     /**
@@ -102,20 +107,19 @@ final class StateEstimate {
      * some standard deviations.
      */
     boolean isLastSeenPointWithin(double distance) {
-        double nearest = Math.min(
-                lastSeenFront.distanceAfter(stoppingDistance()),
-                Math.min(
-                        lastSeenFrontLeft.distanceAfter(stoppingDistance()),
-                        lastSeenFrontRight.distanceAfter(stoppingDistance())));
+        double nearest = Reading.NOTHING;
+        for (LastSeenPoint point : lastSeen) {
+            nearest = Math.min(nearest, point.distanceAfter(stoppingDistance));
+        }
         return nearest + MINIMUM_BIAS_FACTOR * noise() <= distance;
     }
 
     /** Forgets what was seen ahead. */
     void clearFrontMemory() {
         frontMemory.clear();
-        lastSeenFront.clear();
-        lastSeenFrontLeft.clear();
-        lastSeenFrontRight.clear();
+        for (LastSeenPoint point : lastSeen) {
+            point.clear();
+        }
     }
 
     /** Returns the commanded motion with its dead reckoning. */
@@ -163,7 +167,7 @@ final class StateEstimate {
 
     /** Returns how long the motors' lag lasts, seconds. */
     double motorLag() {
-        return Odometer.motorLag(robot(), current.dt());
+        return odometer.motorLag();
     }
 
     /** Returns the rate at which the robot spins, radians per second. */
@@ -210,7 +214,7 @@ final class StateEstimate {
 
     /** Returns the distance that the robot still rolls after the command to stop, metres. */
     double stoppingDistance() {
-        return robot().speed() * (motorLag() + current.dt());
+        return stoppingDistance;
     }
 
     /** Returns whether a wall ahead, at any slant, will be at its distance when the robot has stopped. */

@@ -15,6 +15,7 @@ import faultline.control.Observation;
 import faultline.control.Telemetry;
 import faultline.control.Threshold;
 import faultline.robot.Velocity;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -49,6 +50,9 @@ public final class WallFollower implements Controller {
                     "turned all round",
                     follower -> !follower.wall.isWallInSight() && follower.turnedAllRound()));
 
+    /** The transitions that leave each state: a decision looks at no others. */
+    private static final Map<FollowerState, List<Transition>> OUTGOING = outgoing();
+
     /** The state in which the follower starts. */
     static final FollowerState INITIAL_STATE = SEARCH;
 
@@ -61,6 +65,7 @@ public final class WallFollower implements Controller {
 
     private FollowerState state = INITIAL_STATE;
     private StateBehaviour behaviour;
+    private List<Transition> outgoing = OUTGOING.get(INITIAL_STATE);
     private String condition = "";
     private long sinceTick;
     private int transitions;
@@ -113,8 +118,8 @@ public final class WallFollower implements Controller {
     public Decision decide(Observation observation, Telemetry.Diagnosis diagnosis) {
         estimate.update(observation);
         behaviour.processReading();
-        for (Transition transition : TRANSITIONS) {
-            if (transition.from() == state && transition.guard().test(this)) {
+        for (Transition transition : outgoing) {
+            if (transition.guard().test(this)) {
                 enter(transition);
                 break;
             }
@@ -135,11 +140,21 @@ public final class WallFollower implements Controller {
     private void enter(Transition transition) {
         state = transition.to();
         behaviour = behaviours.get(state);
+        outgoing = OUTGOING.get(state);
         condition = transition.condition();
         sinceTick = estimate.tick();
         transitions++;
         entryHeading = estimate.odometer().heading();
         behaviour.enter(transition.from());
+    }
+
+    private static Map<FollowerState, List<Transition>> outgoing() {
+        Map<FollowerState, List<Transition>> outgoing = new EnumMap<>(FollowerState.class);
+        for (Transition transition : TRANSITIONS) {
+            outgoing.computeIfAbsent(transition.from(), from -> new ArrayList<>())
+                    .add(transition);
+        }
+        return outgoing;
     }
 
     private boolean turnedAllRound() {

@@ -59,12 +59,23 @@ class OdometerTest {
 
     @Test
     void motorsWithoutLagHaveNone() {
-        assertEquals(0, Odometer.motorLag(LAG_FREE, DT));
+        odometer.advance(LAG_FREE, DT, 1);
+        assertEquals(0, odometer.motorLag());
     }
 
     @Test
     void forShortTicksTheLagIsTheTimeConstant() {
-        assertEquals(0.1, Odometer.motorLag(LAGGING, 1e-6), 1e-6);
+        odometer.advance(LAGGING, 1e-6, 1);
+        assertEquals(0.1, odometer.motorLag(), 1e-6);
+    }
+
+    @Test
+    void theLagIsThatOfTheLatestMotorsAndTick() {
+        odometer.advance(LAGGING, DT, 1);
+        odometer.advance(LAGGING, 1e-6, 1);
+        assertEquals(0.1, odometer.motorLag(), 1e-6);
+        odometer.advance(LAG_FREE, 1e-6, 1);
+        assertEquals(0, odometer.motorLag());
     }
 
     @Test
@@ -74,7 +85,7 @@ class OdometerTest {
         assertEquals(1, odometer.omega(LAGGING), 1e-9);
         odometer.setCommand(new Velocity(0, 0));
         odometer.advance(LAGGING, DT, 1000);
-        assertEquals(Odometer.motorLag(LAGGING, DT), odometer.deltaHeading(), 1e-9);
+        assertEquals(odometer.motorLag(), odometer.deltaHeading(), 1e-9);
         assertTrue(odometer.deltaHeading() > 0.09, "about 1 rad/s for 0.1 s");
     }
 }

@@ -4,14 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.control.WallSide;
 import faultline.geometry.Vector2;
-import faultline.robot.DriveScale;
-import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
-import faultline.sensor.SensorSpec;
-import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 class SensorViewTest {
@@ -66,47 +60,6 @@ class SensorViewTest {
         assertFalse(SensorView.NONE.detects());
         assertFalse(SensorView.NONE.present());
         assertFalse(SensorView.NONE.detectsWithin(100));
-    }
-
-    private static SensorSpec sensor(String id, double bearingDegrees) {
-        return new SensorSpec(id, Vector2.ZERO, Math.toRadians(bearingDegrees), 0.8, 0.3, true, 0);
-    }
-
-    private static RobotSpec robot(SensorSpec... sensors) {
-        return new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), DriveScale.NONE, List.of(sensors));
-    }
-
-    /** The sensor of a robot that looks to the left. */
-    private static SensorView left(RobotSpec robot, Map<String, Double> readings) {
-        return SensorView.facing(QUARTER_TURN, Observations.observation(0, robot, readings), WallSide.LEFT);
-    }
-
-    @Test
-    void aSensorIsFoundByItsBearingWithAnyName() {
-        RobotSpec robot = robot(sensor("left", 0), sensor("elephant", 90));
-        Map<String, Double> readings = Map.of("left", 0.1, "elephant", 0.2);
-        assertEquals(
-                0.1,
-                SensorView.facing(0, Observations.observation(0, robot, readings), WallSide.LEFT)
-                        .reading());
-        assertEquals(0.2, left(robot, readings).reading());
-    }
-
-    @Test
-    void ofTwoSensorsTheOneThatLooksMoreInTheDirectionServes() {
-        RobotSpec robot = robot(sensor("rough", 82), sensor("good", 93));
-        assertEquals(0.2, left(robot, Map.of("rough", 0.1, "good", 0.2)).reading());
-    }
-
-    @Test
-    void aSensorThatIsOffLeavesItsPlaceToTheNextBest() {
-        RobotSpec robot = robot(sensor("rough", 82), sensor("good", 93));
-        assertEquals(0.1, left(robot, Map.of("rough", 0.1, "good", Reading.OFF)).reading());
-    }
-
-    @Test
-    void aSensorThatLooksElsewhereDoesNotServe() {
-        assertFalse(left(robot(sensor("aside", 67)), Map.of("aside", 0.1)).present());
     }
 
     @Test

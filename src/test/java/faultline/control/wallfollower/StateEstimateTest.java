@@ -34,14 +34,12 @@ class StateEstimateTest {
     @Test
     void everyDirectionHasItsSensor() {
         assertEquals(List.of(0.3, 0.2, 0.4, 0.5), readings(estimate(ALL_DIRECTIONS, WallSide.LEFT)));
-        assertEquals(0.1, SensorView.facing(0, ALL_DIRECTIONS, WallSide.LEFT).reading());
     }
 
     @Test
     void withTheWallOnTheRightLeftAndRightChangePlaces() {
         StateEstimate estimate = estimate(ALL_DIRECTIONS, WallSide.RIGHT);
         assertEquals(List.of(0.5, 0.4, 0.2, 0.3), readings(estimate));
-        assertEquals(0.1, SensorView.facing(0, ALL_DIRECTIONS, WallSide.RIGHT).reading());
         assertEquals(new Vector2(0, 0.1), estimate.left().mountPosition(), "in the mirror it sits on the left");
         assertEquals(Math.PI / 2, estimate.left().bearing(), 1e-12, "in the mirror it looks to the left");
     }
