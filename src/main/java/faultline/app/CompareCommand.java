@@ -11,9 +11,9 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
-import faultline.external.ChildSource;
 import faultline.external.ControllerChoice;
 import faultline.external.ControllerStartException;
+import faultline.external.ProcessControllerSource;
 import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.AtomicFile;
@@ -169,7 +169,8 @@ final class CompareCommand {
 
     private RunResult runOnce(
             String choice, String scenario, SimulationSetup setup, ControllerOptions options, Ending ending) {
-        try (ChildSource source = new ChildSource(choice, options.terms(scenario, output::printError))) {
+        try (ProcessControllerSource source =
+                new ProcessControllerSource(choice, options.terms(scenario, output::printError))) {
             SimulationSetup chosen = ControllerChoice.apply(choice, setup, source);
             List<TickObserver> observers =
                     ControllerChoice.isCommand(choice) ? List.of(ending, source) : List.of(ending);

@@ -1,7 +1,7 @@
 package faultline.app;
 
-import faultline.external.ChildSource;
 import faultline.external.ExternalController;
+import faultline.external.ProcessControllerSource;
 import faultline.io.MessageText;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -65,8 +65,8 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
     }
 
     /** Returns how children are treated in the runs of a scenario. */
-    ChildSource.Terms terms(String scenario, Consumer<String> errors) {
-        return new ChildSource.Terms(
+    ProcessControllerSource.Terms terms(String scenario, Consumer<String> errors) {
+        return new ProcessControllerSource.Terms(
                 HelpText.version(), scenario, ExternalController.Timeouts.DEFAULT.withAnswer(patience), truth, errors);
     }
 }

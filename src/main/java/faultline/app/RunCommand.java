@@ -6,8 +6,8 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
-import faultline.external.ChildSource;
 import faultline.external.ControllerChoice;
+import faultline.external.ProcessControllerSource;
 import faultline.scenario.RunJson;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
@@ -76,8 +76,9 @@ final class RunCommand {
 
     private RunResult runChosen(String choice, Scenario scenario, RunOptions options, RunOutputs outputs)
             throws IOException {
-        try (ChildSource source =
-                new ChildSource(choice, options.child().terms(scenario.name(), output::printError)).keepOpen()) {
+        try (ProcessControllerSource source = new ProcessControllerSource(
+                        choice, options.child().terms(scenario.name(), output::printError))
+                .keepOpen()) {
             SimulationSetup setup = ControllerChoice.apply(choice, scenario.setup(), source);
             if (!ControllerChoice.isCommand(choice)) {
                 return HeadlessRun.run(setup, options.mode(), outputs.observers());

@@ -67,7 +67,8 @@ public final class ControllerChoice {
                         && given.name().equals(choice)
                 ? given.settings()
                 : Map.of();
-        return setup.withController(new ControllerSpec.Chosen(original, new ProviderSource(provider.get(), settings)));
+        return setup.withController(
+                new ControllerSpec.Chosen(original, new JavaControllerSource(provider.get(), settings)));
     }
 
     /**

@@ -70,7 +70,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
 
     private static ChildProcess start(String command, double patience, Consumer<String> errors) {
         try {
-            List<String> words = CommandWords.split(command);
+            List<String> words = ShellWords.split(command);
             if (words.isEmpty()) {
                 throw new IOException("the command is empty");
             }

@@ -58,16 +58,15 @@ public final class Figures {
     private static List<Figure> environments() {
         Rectangle2D room = new Rectangle2D.Double(-0.1, -0.1, 6.2, 4.2);
         return List.of(
-                new EnvironmentPath(
+                new PathFigure(
                         "fig5-indoor", "Fig. 5, indoors", "office.xml", new Rectangle2D.Double(-0.1, -0.1, 8.2, 6.2)),
-                new EnvironmentPath(
+                new PathFigure(
                         "fig5-outdoor", "Fig. 5, outdoors", "yard.xml", new Rectangle2D.Double(0.5, 0.8, 10.5, 7.4)),
-                new EnvironmentPath(
-                        "rules-glass", "A glossy partition whose end is not seen", "glass-partition.xml", room),
-                new EnvironmentPath("rules-mirror", "A mirror", "mirror.xml", room),
-                new EnvironmentPath("rules-table-leg", "A pole and a table leg", "pole-and-table-leg.xml", room),
-                new EnvironmentPath("rules-cable", "Cables that hang into the way", "cable.xml", room),
-                new EnvironmentPath("rules-noise", "Noise of 4 mm on all sensors", "noisy-sensors.xml", room));
+                new PathFigure("rules-glass", "A glossy partition whose end is not seen", "glass-partition.xml", room),
+                new PathFigure("rules-mirror", "A mirror", "mirror.xml", room),
+                new PathFigure("rules-table-leg", "A pole and a table leg", "pole-and-table-leg.xml", room),
+                new PathFigure("rules-cable", "Cables that hang into the way", "cable.xml", room),
+                new PathFigure("rules-noise", "Noise of 4 mm on all sensors", "noisy-sensors.xml", room));
     }
 
     /**

@@ -78,7 +78,7 @@ public final class WorstRuns {
 
     private Scenario replay(Candidate candidate) throws IOException {
         try {
-            return RunReplay.scenario(plan, candidate.run, candidate.outcome.word(), candidate.simulatedSeconds);
+            return RunScenario.create(plan, candidate.run, candidate.outcome.word(), candidate.simulatedSeconds);
         } catch (ScenarioException e) {
             throw new IOException("run " + candidate.run + " cannot be replayed: " + e.getMessage(), e);
         }

@@ -20,7 +20,7 @@ final class ConeCrossing {
     /** The share of the cone's width that a surface crosses at least, because dead reckoning is not exact. */
     private static final double CROSSED = 0.8;
 
-    private final Motion motion;
+    private final MotionAccumulator motion;
     private final Ray axis;
     private final Ray leftBorder;
     private final Ray rightBorder;
@@ -47,7 +47,7 @@ final class ConeCrossing {
         }
     }
 
-    ConeCrossing(MountedCone cone, Motion motion) {
+    ConeCrossing(MountedCone cone, MotionAccumulator motion) {
         this.motion = motion;
         this.axis = Ray.of(cone, 0);
         this.leftBorder = Ray.of(cone, cone.half());

@@ -19,7 +19,7 @@ public final class SensorDiagnosis {
     private final DeadReckoning reckoning = new DeadReckoning();
     private final CurvatureEstimate curvature = new CurvatureEstimate();
     private final MotionClock clock = new MotionClock();
-    private final Motion motion = new Motion();
+    private final MotionAccumulator motion = new MotionAccumulator();
     private RobotSpec robot;
     private InspectedSensor[] sensors = {};
     /** The tests of the sensors' signals in the same order. */

@@ -46,7 +46,7 @@ final class SensorInspection {
     private final EvidenceGrid grid;
     private final DeadReckoning reckoning;
     private final MotionClock clock;
-    private final Motion motion;
+    private final MotionAccumulator motion;
     private final HealthReport report;
     private final ArcCheck arcCheck;
     private final WallAgreement agreement = new WallAgreement();
@@ -61,7 +61,11 @@ final class SensorInspection {
     private double wantedDistance = Double.POSITIVE_INFINITY;
 
     SensorInspection(
-            EvidenceGrid grid, DeadReckoning reckoning, MotionClock clock, Motion motion, HealthReport report) {
+            EvidenceGrid grid,
+            DeadReckoning reckoning,
+            MotionClock clock,
+            MotionAccumulator motion,
+            HealthReport report) {
         this.grid = grid;
         this.reckoning = reckoning;
         this.clock = clock;

@@ -50,7 +50,7 @@ final class SignalCheck {
 
     private final MountedCone cone;
     private final double axisCos;
-    private final Motion motion;
+    private final MotionAccumulator motion;
     private final ConeCrossing crossing;
     private double before = Double.NaN;
     private double first = Double.NaN;
@@ -69,7 +69,7 @@ final class SignalCheck {
     /** Whether the counts of spikes, scatter and flips are negligible. */
     private boolean unremarkable;
 
-    SignalCheck(MountedCone cone, Motion motion) {
+    SignalCheck(MountedCone cone, MotionAccumulator motion) {
         this.cone = cone;
         this.motion = motion;
         this.axisCos = StrictMath.cos(cone.bearing());

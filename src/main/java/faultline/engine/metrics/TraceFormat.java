@@ -23,10 +23,10 @@ public enum TraceFormat {
     }
 
     /** Returns what writes the rows of one trace. */
-    List<TraceCells> cells(RobotSpec robot) {
+    List<ColumnGroup> cells(RobotSpec robot) {
         if (this == ONE) {
-            return List.of(new MotionCells(false), new ReadingCells(robot));
+            return List.of(new MotionColumns(false), new ReadingColumns(robot));
         }
-        return List.of(new MotionCells(true), new ControllerCells(), new SensorCells(robot));
+        return List.of(new MotionColumns(true), new ControllerColumns(), new SensorColumns(robot));
     }
 }

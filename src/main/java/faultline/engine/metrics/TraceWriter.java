@@ -36,7 +36,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
         return thread;
     });
 
-    private List<TraceCells> cells = List.of();
+    private List<ColumnGroup> cells = List.of();
     private TraceText text;
     private TraceRows rows;
     /** Blocks that have been handed over, the oldest first; all but the last one have been written. */

@@ -1,7 +1,7 @@
 package faultline.gui.batch;
 
 import faultline.campaign.run.CampaignRunner;
-import faultline.campaign.run.RunReplay;
+import faultline.campaign.run.RunScenario;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -263,7 +263,7 @@ final class BatchDialog extends JDialog {
         }
         BatchResults shown = results;
         BackgroundTasks.run(
-                () -> RunReplay.scenario(
+                () -> RunScenario.create(
                         shown.plan(),
                         index,
                         shown.value(index, "outcome"),

@@ -80,12 +80,12 @@ public final class ComparisonController implements WorkspaceListener {
     }
 
     /** Replays a reference run. */
-    private interface Replay {
+    private interface ReplayTask {
         RunComparison run(TaskProgress progress) throws ScenarioException;
     }
 
     /** Starts a task in place of the pending one. */
-    private void start(Path name, Replay replay) {
+    private void start(Path name, ReplayTask replay) {
         cancelPendingTask();
         TaskProgress progress = new TaskProgress();
         pendingTask = progress;

@@ -1,10 +1,10 @@
 package faultline.gui.document;
 
 import faultline.engine.SimulationSetup;
-import faultline.external.ChildSource;
-import faultline.external.CommandWords;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
+import faultline.external.ProcessControllerSource;
+import faultline.external.ShellWords;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -43,9 +43,10 @@ public record ControllerSelection(String text, List<Path> jars) {
         if (isScenarios()) {
             return setup;
         }
-        ChildSource.Terms terms =
-                new ChildSource.Terms("faultline", scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
-        return ControllerChoice.withJars(jars, () -> ControllerChoice.apply(text, setup, new ChildSource(text, terms)));
+        ProcessControllerSource.Terms terms = new ProcessControllerSource.Terms(
+                "faultline", scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
+        return ControllerChoice.withJars(
+                jars, () -> ControllerChoice.apply(text, setup, new ProcessControllerSource(text, terms)));
     }
 
     /** Returns the files that the controller consists of, as far as the selection names them. */
@@ -56,7 +57,7 @@ public record ControllerSelection(String text, List<Path> jars) {
 
     private Stream<String> words() {
         try {
-            return CommandWords.split(text).stream();
+            return ShellWords.split(text).stream();
         } catch (IllegalArgumentException unfinished) {
             return Stream.empty();
         }

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class ConeCrossingTest {
 
-    private final Motion motion = new Motion();
+    private final MotionAccumulator motion = new MotionAccumulator();
 
     private ConeCrossing of(int sensor) {
         return new ConeCrossing(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1), motion);

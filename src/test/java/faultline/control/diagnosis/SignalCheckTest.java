@@ -16,7 +16,7 @@ class SignalCheckTest {
     private final SplittableRandom random = new SplittableRandom(1);
 
     private static SensorFinding run(int sensor, int ticks, double rolled, double turned, IntToDoubleFunction reading) {
-        Motion motion = new Motion();
+        MotionAccumulator motion = new MotionAccumulator();
         SignalCheck test =
                 new SignalCheck(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1), motion);
         SensorFinding finding = SensorFinding.NONE;

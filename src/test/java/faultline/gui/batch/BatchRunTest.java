@@ -11,7 +11,7 @@ import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.report.CampaignCell;
 import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.CampaignRunner;
-import faultline.campaign.run.RunReplay;
+import faultline.campaign.run.RunScenario;
 import faultline.campaign.run.Shard;
 import faultline.engine.session.Session;
 import faultline.geometry.Pose;
@@ -97,7 +97,7 @@ class BatchRunTest {
         run.make();
         BatchResults results = results(run);
         for (int index : new int[] {0, 3, results.size() - 1}) {
-            Scenario scenario = RunReplay.scenario(
+            Scenario scenario = RunScenario.create(
                     results.plan(),
                     index,
                     results.value(index, "outcome"),

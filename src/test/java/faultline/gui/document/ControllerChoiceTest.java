@@ -13,9 +13,9 @@ import faultline.engine.RunFailedException;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.engine.session.SessionView;
-import faultline.external.ChildSource;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
+import faultline.external.ProcessControllerSource;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
 import java.io.IOException;
@@ -94,11 +94,11 @@ class ControllerChoiceTest {
     }
 
     private void choose(String command) {
-        ChildSource.Terms terms =
-                new ChildSource.Terms("test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
+        ProcessControllerSource.Terms terms = new ProcessControllerSource.Terms(
+                "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         runOnEdt(() -> {
             workspace.setControllerChoice(
-                    setup -> ControllerChoice.apply(command, setup, new ChildSource(command, terms)));
+                    setup -> ControllerChoice.apply(command, setup, new ProcessControllerSource(command, terms)));
             run.restart();
         });
     }

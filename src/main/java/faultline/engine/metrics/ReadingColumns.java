@@ -7,13 +7,13 @@ import faultline.sensor.Reading;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The cells that a trace of format 1 has of the sensors. */
-final class ReadingCells implements TraceCells {
+/** The columns that a trace of format 1 has of the sensors. */
+final class ReadingColumns implements ColumnGroup {
 
     private final List<TraceColumn> columns = new ArrayList<>();
     private final int sensors;
 
-    ReadingCells(RobotSpec robot) {
+    ReadingColumns(RobotSpec robot) {
         sensors = robot.sensors().size();
         robot.sensors().forEach(sensor -> {
             String id = MessageText.cell(sensor.id());

@@ -4,7 +4,7 @@ import faultline.engine.Simulation;
 import java.util.List;
 
 /** Columns of a trace that are written together, because a call for each cell would take longer than its text. */
-interface TraceCells {
+interface ColumnGroup {
 
     /** Returns the columns, in the order of the cells. */
     List<TraceColumn> columns();

@@ -19,7 +19,7 @@ import java.io.IOException;
  * @param scenario the scenario
  * @param bounds the part of the world that is shown, metres
  */
-record EnvironmentPath(String name, String title, String scenario, Rectangle2D bounds) implements Figure {
+record PathFigure(String name, String title, String scenario, Rectangle2D bounds) implements Figure {
 
     private static final int WIDTH = 560;
     private static final double MARGIN = 16;
@@ -56,7 +56,7 @@ record EnvironmentPath(String name, String title, String scenario, Rectangle2D b
     private static String resultText(RunTrace trace) {
         return trace.result()
                 .collision()
-                .map(EnvironmentPath::collisionText)
+                .map(PathFigure::collisionText)
                 .orElseGet(() -> "After " + FigureNumbers.format(trace.result().simulatedSeconds(), 0)
                         + " s the coverage of the wall is "
                         + FigureNumbers.format(100 * trace.result().coverage().orElse(0), 1)

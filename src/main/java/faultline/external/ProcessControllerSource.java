@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /** Starts a child process for each run. */
-public final class ChildSource implements ControllerSource, TickObserver, AutoCloseable {
+public final class ProcessControllerSource implements ControllerSource, TickObserver, AutoCloseable {
 
     private final String command;
     private final Terms terms;
@@ -38,7 +38,7 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
      * @param command the command, as in a shell
      * @param terms the properties of all of its children
      */
-    public ChildSource(String command, Terms terms) {
+    public ProcessControllerSource(String command, Terms terms) {
         this.command = command;
         this.terms = terms;
     }
@@ -46,7 +46,7 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
     /**
      * {@return this source, which then keeps a child open at the end of its run, so that a result can be sent to it}
      */
-    public ChildSource keepOpen() {
+    public ProcessControllerSource keepOpen() {
         keepsOpen = true;
         return this;
     }

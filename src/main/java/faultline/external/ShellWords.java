@@ -7,9 +7,9 @@ import java.util.List;
  * Splits a command into words as a shell does: words are separated by blanks, and quotes and backslashes preserve
  * blanks.
  */
-public final class CommandWords {
+public final class ShellWords {
 
-    private CommandWords() {}
+    private ShellWords() {}
 
     /**
      * {@return the words of a command; empty if there is none}

@@ -12,7 +12,7 @@ import java.util.Map;
  * @param provider the provider
  * @param settings the settings for the provider
  */
-record ProviderSource(ControllerProvider provider, Map<String, String> settings) implements ControllerSource {
+record JavaControllerSource(ControllerProvider provider, Map<String, String> settings) implements ControllerSource {
 
     @Override
     public Controller start(RunConditions run) {

@@ -10,8 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** The cells that a trace of format 2 has of the sensors: readings, faults, and what the diagnosis thinks of them. */
-final class SensorCells implements TraceCells {
+/** The columns that a trace of format 2 has of the sensors: readings, faults, and what the diagnosis thinks of them. */
+final class SensorColumns implements ColumnGroup {
 
     /** How many cells of a sensor follow its two distances. */
     private static final int WORDS = 5;
@@ -32,7 +32,7 @@ final class SensorCells implements TraceCells {
         private String finding = "";
     }
 
-    SensorCells(RobotSpec robot) {
+    SensorColumns(RobotSpec robot) {
         words = new SensorWords[robot.sensors().size()];
         for (int i = 0; i < words.length; i++) {
             words[i] = new SensorWords();

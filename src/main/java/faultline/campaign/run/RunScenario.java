@@ -7,9 +7,9 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 
 /** Makes the scenario that replays a run of a campaign, with the same duration and trajectory hash. */
-public final class RunReplay {
+public final class RunScenario {
 
-    private RunReplay() {}
+    private RunScenario() {}
 
     /**
      * {@return the scenario of a run}
@@ -20,7 +20,7 @@ public final class RunReplay {
      * @param simulatedSeconds the duration of the run, seconds
      * @throws ScenarioException if the plan's values, each valid by itself, do not make a valid scenario together
      */
-    public static Scenario scenario(CampaignPlan plan, long index, String outcome, double simulatedSeconds)
+    public static Scenario create(CampaignPlan plan, long index, String outcome, double simulatedSeconds)
             throws ScenarioException {
         PlannedRun run = plan.run(index);
         Scenario scenario = plan.scenario(run);

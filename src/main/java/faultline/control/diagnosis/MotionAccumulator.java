@@ -1,7 +1,7 @@
 package faultline.control.diagnosis;
 
 /** How far the robot has rolled and turned, in the last step and since the start. */
-final class Motion {
+final class MotionAccumulator {
 
     private double rolled;
     private double turned;

@@ -5,8 +5,8 @@ import faultline.engine.Simulation;
 import faultline.robot.MotorFaults;
 import java.util.List;
 
-/** The cells that a trace of format 2 has of the controller and the motors; empty while they do not apply. */
-final class ControllerCells implements TraceCells {
+/** The columns that a trace of format 2 has of the controller and the motors; empty while they do not apply. */
+final class ControllerColumns implements ColumnGroup {
 
     private static final List<TraceColumn> COLUMNS = List.of(
             new TraceColumn("left_volts", "V", "what the controller gives the left motors"),

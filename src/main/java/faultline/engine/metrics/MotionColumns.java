@@ -9,8 +9,8 @@ import faultline.robot.WheelSpeeds;
 import java.math.BigDecimal;
 import java.util.List;
 
-/** The cells of every trace: time, motion and state. */
-final class MotionCells implements TraceCells {
+/** The columns of every trace: time, motion and state. */
+final class MotionColumns implements ColumnGroup {
 
     private static final List<TraceColumn> COLUMNS = List.of(
             new TraceColumn("tick", "", "number of the tick, from 0"),
@@ -34,7 +34,7 @@ final class MotionCells implements TraceCells {
      *
      * @param exactTimes whether times are exact multiples of the tick, without rounding errors
      */
-    MotionCells(boolean exactTimes) {
+    MotionColumns(boolean exactTimes) {
         this.exactTimes = exactTimes;
     }
 

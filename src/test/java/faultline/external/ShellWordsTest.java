@@ -1,0 +1,34 @@
+package faultline.external;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class ShellWordsTest {
+
+    @Test
+    void blanksPartWordsAndQuotesKeepThem() {
+        assertEquals(List.of("python3", "my.py"), ShellWords.split("  python3   my.py "));
+        assertEquals(List.of("a b", "c d", ""), ShellWords.split("\"a b\" 'c d' ''"));
+        assertEquals(List.of("a b"), ShellWords.split("a\\ b"));
+        assertEquals(List.of(), ShellWords.split("  "));
+    }
+
+    @Test
+    void backslashesOfWindowsPathsAreKept() {
+        assertEquals(List.of("C:\\robots\\me.exe", "-x"), ShellWords.split("C:\\robots\\me.exe -x"));
+    }
+
+    @Test
+    void quotesInsideQuotesNeedABackslash() {
+        assertEquals(List.of("say \"hi\""), ShellWords.split("\"say \\\"hi\\\"\""));
+        assertEquals(List.of("a\\b"), ShellWords.split("'a\\b'"));
+    }
+
+    @Test
+    void anOpenQuoteIsReported() {
+        assertThrows(IllegalArgumentException.class, () -> ShellWords.split("say \"hi"));
+    }
+}
