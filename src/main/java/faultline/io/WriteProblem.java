@@ -7,7 +7,7 @@ public enum WriteProblem implements Message.Template {
     /** The file cannot be created in that place. */
     CANNOT_WRITE("the file cannot be written there"),
     /** The file is protected against writing. */
-    READ_ONLY("the file may not be written"),
+    READ_ONLY("writing to the file is not permitted"),
     /** The file is the open scenario. */
     OWN_INPUT("this is the open scenario itself; expected another file"),
     /** The disk is full. */

@@ -137,7 +137,7 @@ class OutputFilesTest {
         Path out = Files.createDirectory(folder.resolve("out"));
         Path table = Files.createSymbolicLink(out.resolve("timing.csv"), Path.of("/dev/full"));
         assertEquals(
-                "faultline: " + table + ": this is no regular file; expected a table\n",
+                "faultline: " + table + ": this is not a regular file; expected a table\n",
                 refusal("campaign", campaign(), "--out", out, "--jobs", "1"));
         Files.delete(table);
     }

@@ -103,20 +103,20 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
 
     Outcome run() {
         SimulationSetup setup = setup();
-        CarryOnMetrics judge = new CarryOnMetrics(setup, WallCircuit.forCarryOn(setup.world(), WANTED));
+        CarryOnMetrics metrics = new CarryOnMetrics(setup, WallCircuit.forCarryOn(setup.world(), WANTED));
         DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
         try (Simulation simulation = new Simulation(
                 setup, ControllerFactory.create(setup.controller()), ControllerMode.DIRECT, CommandListener.NONE)) {
-            while (!judge.isDecided()) {
+            while (!metrics.isDecided()) {
                 simulation.tick();
-                judge.observe(simulation);
+                metrics.observe(simulation);
                 diagnosis.observe(simulation);
             }
-            return outcome(simulation, judge, diagnosis);
+            return outcome(simulation, metrics, diagnosis);
         }
     }
 
-    private Outcome outcome(Simulation simulation, CarryOnMetrics judge, DiagnosisMetrics diagnosis) {
+    private Outcome outcome(Simulation simulation, CarryOnMetrics metrics, DiagnosisMetrics diagnosis) {
         String contact = simulation
                 .collision()
                 .map(hit -> String.format(Locale.ROOT, "%s at %.2f", hit.obstacle(), hit.time()))
@@ -126,9 +126,9 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
         return new Outcome(
                 this,
                 simulation.collision().isPresent(),
-                judge.carriedOn(),
+                metrics.carriedOn(),
                 diagnosis.rung().equals("STOP"),
-                judge.share().orElse(0),
+                metrics.share().orElse(0),
                 diagnosis.detectionDelay().orElse(Double.NaN),
                 diagnosis.falseAlarms().orElse(0),
                 lower,
@@ -140,7 +140,7 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
                         conditions.side,
                         Integer.toBinaryString(off),
                         contact,
-                        judge.share().orElse(0),
+                        metrics.share().orElse(0),
                         diagnosis.rung(),
                         simulation.time(),
                         simulation.setup().timeline()));

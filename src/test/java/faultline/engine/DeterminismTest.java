@@ -82,7 +82,7 @@ class DeterminismTest {
                     seen.put(tick, frame.trajectoryHash());
                 }
             }
-            assertTrue(seen.size() > 10, "too few moments seen to judge by: " + seen.size());
+            assertTrue(seen.size() > 10, "too few frames for this test: " + seen.size());
             seen.forEach((when, hash) -> assertEquals(truth.get(when), hash, () -> "at tick " + when));
         }
     }

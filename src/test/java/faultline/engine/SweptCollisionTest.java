@@ -49,7 +49,7 @@ class SweptCollisionTest {
         for (int i = 0; i < 40; i++) {
             collisions += runAndCompare(yards.nextSetup(movers)) ? 1 : 0;
         }
-        assertTrue(topSpeed < 1 || collisions > 4, "too few collisions to judge by: " + collisions);
+        assertTrue(topSpeed < 1 || collisions > 4, "too few collisions for this test: " + collisions);
     }
 
     /** Runs a yard, compares every tick with the oracle's, and says whether there was a collision. */

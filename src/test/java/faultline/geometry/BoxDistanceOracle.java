@@ -3,7 +3,7 @@ package faultline.geometry;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * An independent judge of the distance between a box and a convex figure: how far a point lies outside a box is a
+ * An independent oracle of the distance between a box and a convex figure: how far a point lies outside a box is a
  * convex function of the point, and its least value over a convex figure is found by ternary search, nested for a
  * figure with an inside.
  */

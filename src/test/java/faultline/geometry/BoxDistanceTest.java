@@ -25,7 +25,7 @@ class BoxDistanceTest {
         }
         assertTrue(
                 apart > CASES / 2 && apart < CASES * 98 / 100,
-                "a judge needs both kinds: " + apart + " of " + CASES + " lie apart");
+                "the test needs both kinds: " + apart + " of " + CASES + " lie apart");
     }
 
     @Test

@@ -3,8 +3,8 @@ package faultline.geometry;
 import java.util.SplittableRandom;
 
 /**
- * Random sectors and figures for the judges, the same on every run: the ordinary and, more often than chance would have
- * it, the awkward.
+ * Random sectors and figures for the oracles, the same on every run: the ordinary and, more often than chance would
+ * have it, the awkward.
  */
 final class RandomSectorScenes {
 

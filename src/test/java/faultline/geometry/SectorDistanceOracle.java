@@ -1,7 +1,8 @@
 package faultline.geometry;
 
 /**
- * An independent judge of sector readings: the nearest of all rays of the fan, found by search and not by formula.
+ * An independent oracle of sector readings: the nearest of all rays in the sector, found by search instead of a
+ * formula.
  *
  * <p>Along a ray from the apex a convex figure begins at some distance. Over the rays of the fan that distance has one
  * valley, because the part of the figure within any distance is convex, so its rays are an interval; ternary search

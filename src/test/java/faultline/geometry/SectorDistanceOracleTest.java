@@ -6,8 +6,8 @@ import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 
 /**
- * The judge judged: no point of a figure that lies in a sector is nearer than the oracle says, and one is as near up to
- * the sampling's step.
+ * Tests the oracle itself: no point of a figure that lies in a sector is nearer than the oracle says, and one is as
+ * near up to the sampling's step.
  */
 class SectorDistanceOracleTest {
 

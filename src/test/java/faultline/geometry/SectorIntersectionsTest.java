@@ -35,7 +35,7 @@ class SectorIntersectionsTest {
                         () -> hit + " is not on the outline of " + figure + " in " + sector);
             }
         }
-        assertTrue(hits > CASES, "too few hits to judge by: " + hits);
+        assertTrue(hits > CASES, "too few hits for this test: " + hits);
     }
 
     @Test
@@ -53,7 +53,7 @@ class SectorIntersectionsTest {
                         () -> crossing + " is missing in " + hits + " of " + figure + " in " + sector);
             }
         }
-        assertTrue(crossings > CASES / 3, "too few crossings to judge by: " + crossings);
+        assertTrue(crossings > CASES / 3, "too few crossings for this test: " + crossings);
     }
 
     @Test

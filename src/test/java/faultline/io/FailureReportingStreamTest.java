@@ -68,7 +68,7 @@ class FailureReportingStreamTest {
     @Test
     void aMessageWithoutAFileIsTheReasonAlone() {
         MessageException problem = new MessageException("", WriteProblem.READ_ONLY.with(), null);
-        assertEquals("the file may not be written", problem.getMessage());
+        assertEquals("writing to the file is not permitted", problem.getMessage());
         assertEquals("problem.readOnly", WriteProblem.READ_ONLY.key());
     }
 }

@@ -13,7 +13,7 @@ import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** Only the segments near the robot are looked at; the judge looks at all of them. */
+/** The clearance uses only the segments near the robot; the reference implementation uses all segments. */
 class ClearanceTest {
 
     private static ObstacleShape shape(Random random) {

@@ -62,11 +62,11 @@ class FastPathsTest {
             }
             WorldSpec spec = new WorldSpec(20, 20, true, 100, posts);
             World world = new World(spec, RobotSpec.DEFAULT, start, DT, 1);
-            BruteForceJudge judge = new BruteForceJudge(world, spec, DT);
+            BruteForceReference reference = new BruteForceReference(world, spec, DT);
             for (int tick = 0; tick < 300; tick++) {
                 world.move(MAX_VOLTS, MAX_VOLTS);
                 world.sense();
-                assertReadings(degrees + " degrees", world, judge);
+                assertReadings(degrees + " degrees", world, reference);
             }
             double driven = world.pose().position().distanceTo(start.position());
             assertTrue(driven > 2 && world.collision().isEmpty(), degrees + " degrees: " + driven + " m");
@@ -88,7 +88,7 @@ class FastPathsTest {
             return;
         }
         World world = new World(spec, robot, start, DT, random.nextLong());
-        BruteForceJudge judge = new BruteForceJudge(world, spec, DT);
+        BruteForceReference reference = new BruteForceReference(world, spec, DT);
         double left = random.nextDouble(-MAX_VOLTS, MAX_VOLTS);
         double right = random.nextDouble(-MAX_VOLTS, MAX_VOLTS);
         int standing = 0;
@@ -97,13 +97,13 @@ class FastPathsTest {
                 edits += world.execute(command(world)).refusal().isEmpty() ? 1 : 0;
             }
             Pose before = world.pose();
-            Pose expected = judge.poseAfterTick(left, right);
+            Pose expected = reference.poseAfterTick(left, right);
             world.move(left, right);
             world.sense();
             if (!isMoverMet(world)) {
                 assertEquals(expected, world.pose(), () -> name + " from " + before);
             }
-            assertReadings(name, world, judge);
+            assertReadings(name, world, reference);
             left = changed(left);
             right = changed(right);
             standing += world.collision().isPresent() ? 1 : 0;
@@ -115,7 +115,10 @@ class FastPathsTest {
         return Math.max(-MAX_VOLTS, Math.min(MAX_VOLTS, volts + random.nextDouble(-0.3, 0.3)));
     }
 
-    /** Returns whether the robot is in contact with a moving obstacle, whose motion the judge does not know. */
+    /**
+     * Returns whether the robot is in contact with a moving obstacle, whose motion the reference implementation does
+     * not compute.
+     */
     private static boolean isMoverMet(World world) {
         return world.collision().isPresent()
                 && world.obstacles().stream()
@@ -123,8 +126,8 @@ class FastPathsTest {
                                 && obstacle.id().equals(world.collision().get().obstacle()));
     }
 
-    private void assertReadings(String name, World world, BruteForceJudge judge) {
-        double[] readings = judge.readings();
+    private void assertReadings(String name, World world, BruteForceReference reference) {
+        double[] readings = reference.readings();
         for (int i = 0; i < readings.length; i++) {
             if (Double.doubleToLongBits(readings[i]) != Double.doubleToLongBits(world.trueReading(i))) {
                 fail(name + ", sensor " + i + " at " + world.pose() + ": " + world.trueReading(i) + ", not "

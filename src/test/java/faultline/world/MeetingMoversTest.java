@@ -14,8 +14,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /**
- * Round obstacles that pass several way-points in a long tick, and a robot on its arc: the judge looks at their gaps
- * 500 times in the tick, with an arithmetic of its own.
+ * Round obstacles that pass several way-points in a long tick, and a robot on its arc: the reference implementation
+ * examines their gaps 500 times in the tick, with an arithmetic of its own.
  */
 class MeetingMoversTest {
 
@@ -85,7 +85,7 @@ class MeetingMoversTest {
     }
 
     @Test
-    void theFirstContactIsThatOfTheJudge() {
+    void theFirstContactIsThatOfTheReference() {
         int collisions = 0;
         int free = 0;
         for (int i = 0; i < WORLDS; i++) {

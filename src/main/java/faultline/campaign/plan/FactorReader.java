@@ -102,7 +102,7 @@ final class FactorReader {
         AttributeReader fields = new AttributeReader(node, problems);
         String name = fields.id("name");
         if (!names.add(name)) {
-            fields.report("name", name, "each name once");
+            fields.report("name", name, "a unique name");
         }
         fields.reportUnknownAndMissing();
         List<ScenarioChange> edits = new ArrayList<>();

@@ -6,14 +6,14 @@ import faultline.io.MessageText;
 /** A problem of a plan, besides the problems of any XML file, with its English text. */
 enum PlanProblem implements Message.Template {
     ROOT("the root element is <{0}>; expected <campaign xmlns=\"{1}\">"),
-    DUPLICATE_COLUMN("two columns of runs.csv would be called \"{0}\"; expected each name once"
+    DUPLICATE_COLUMN("two columns of runs.csv would have the name \"{0}\"; expected unique names"
             + " (set another with the attribute name)"),
     TOO_MANY_RUNS("the plan has {0} runs; expected {1} or fewer"),
-    NO_FAULT("<faults> holds no fault; expected one or more <fault> or <healthy>"),
-    NO_VARIANT("<variants> holds no variant; expected one or more"),
+    NO_FAULT("<faults> contains no fault; expected one or more <fault> or <healthy>"),
+    NO_VARIANT("<variants> contains no variant; expected one or more"),
     NO_WORLDS("<campaign> has no worlds; expected <worlds> with <scenario> or <rooms> in it"),
-    DUPLICATE_SCENARIO("name of <scenario> is \"{0}\", which another scenario has already;"
-            + " expected each name and each file once"),
+    DUPLICATE_SCENARIO(
+            "name of <scenario> is \"{0}\", which another scenario already has;" + " expected unique names and files"),
     SCENARIO("file of <scenario> is \"{0}\": {1}"),
     NO_SUCH_ATTRIBUTE("attribute of <set> is \"{0}\", but {1}"),
     IN_WORLD("{0} (in {1})");

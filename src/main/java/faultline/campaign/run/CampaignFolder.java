@@ -98,7 +98,7 @@ public final class CampaignFolder {
             }
             // A table is read and truncated before it is continued, and a device or a pipe may have no end.
             if (Files.exists(table) && !Files.isRegularFile(table)) {
-                throw new IOException(table + ": this is no regular file; expected a table");
+                throw new IOException(table + ": this is not a regular file; expected a table");
             }
         }
         Optional<Path> conflict = LinkResolver.findConflict(inputs, tables());

@@ -30,7 +30,7 @@ public final class LineReader implements Closeable {
      */
     public LineReader(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new IOException(file + ": this is no regular file; expected a table");
+            throw new IOException(file + ": this is not a regular file; expected a table");
         }
         in = new BufferedInputStream(Files.newInputStream(file));
     }

@@ -83,9 +83,9 @@ public final class ObstacleActions {
         }
         actions.add(createToolAction("drawWall", tools::drawWall).withIcon(Glyph.WALL));
         actions.add(createToolAction("drawPolygon", tools::drawPolygon).withIcon(Glyph.POLYGON));
-        actions.add(UiAction.of("drawWay", this::drawMotionPath));
-        actions.add(UiAction.of("waySpeed", this::editMotionSpeed));
-        actions.add(UiAction.of("standStill", this::removeMotion));
+        actions.add(UiAction.of("drawWaypoints", this::drawMotionPath));
+        actions.add(UiAction.of("motionSpeed", this::editMotionSpeed));
+        actions.add(UiAction.of("stopMoving", this::removeMotion));
         actions.add(UiAction.of("cut", this::cut).withAccelerator(menuShortcut(KeyEvent.VK_X)));
         actions.add(UiAction.of("copy", this::copySelection).withAccelerator(menuShortcut(KeyEvent.VK_C)));
         actions.add(UiAction.of("paste", this::paste).withAccelerator(menuShortcut(KeyEvent.VK_V)));
@@ -134,7 +134,7 @@ public final class ObstacleActions {
     private void drawMotionPath() {
         if (tools.selected().size() == 1) {
             tools.drawMotionPath();
-            notifier.accept(Messages.get("action.drawWay.tip"));
+            notifier.accept(Messages.get("action.drawWaypoints.tip"));
         } else {
             notifier.accept(Messages.get("note.selectOne"));
         }

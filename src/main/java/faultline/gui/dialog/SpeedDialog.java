@@ -24,17 +24,17 @@ public final class SpeedDialog {
     /** Asks for a speed in metres per second, given the current one; empty if cancelled. */
     public static OptionalDouble showDialog(Component parent, double now) {
         NumberSpinner field = new NumberSpinner("0.00##", 0, Math.max(MAX_SPEED, now), SPEED_STEP, ignored -> {})
-                .withName("waySpeed")
+                .withName("motionSpeed")
                 .keepInvalidText()
                 .withColumns(COLUMNS);
         field.setWorldValue(now);
         JPanel line = new JPanel(new FlowLayout(FlowLayout.LEADING));
-        line.add(FormConstraints.label("waySpeed", field));
+        line.add(FormConstraints.label("motionSpeed", field));
         line.add(field);
         line.add(new MutedLabel("m/s"));
         boolean accepted;
         do {
-            accepted = FormDialog.showDialog(parent, Messages.get("waySpeed.title"), line, field.textField());
+            accepted = FormDialog.showDialog(parent, Messages.get("motionSpeed.title"), line, field.textField());
         } while (accepted && !field.commitValidEdit());
         return accepted ? OptionalDouble.of(field.doubleValue()) : OptionalDouble.empty();
     }

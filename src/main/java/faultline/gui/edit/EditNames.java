@@ -78,12 +78,12 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
 
     @Override
     public EditName visit(Command.ClearFault command) {
-        return new EditName("edit.mend", command.sensor());
+        return new EditName("edit.repair", command.sensor());
     }
 
     @Override
     public EditName visit(Command.ClearFaults command) {
-        return new EditName("edit.mend", "edit.mendSeveral", command.sensor());
+        return new EditName("edit.repair", "edit.repairSeveral", command.sensor());
     }
 
     @Override
@@ -93,12 +93,12 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
 
     @Override
     public EditName visit(Command.ClearMotorFault command) {
-        return new EditName("edit.mend", MotorFaultText.motors(command.motor()));
+        return new EditName("edit.repair", MotorFaultText.motors(command.motor()));
     }
 
     @Override
     public EditName visit(Command.ClearMotorFaults command) {
-        return new EditName("edit.mend", MotorFaultText.motors(command.motor()));
+        return new EditName("edit.repair", MotorFaultText.motors(command.motor()));
     }
 
     @Override
@@ -116,7 +116,7 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
         if (!(undo instanceof Command.PlaceObstacle back)) {
             return new EditName("edit.add", "edit.addSeveral", now.id());
         }
-        String key = changesOnlySpeed(back.obstacle(), now) ? "edit.waySpeed" : "edit.change";
+        String key = changesOnlySpeed(back.obstacle(), now) ? "edit.motionSpeed" : "edit.change";
         return new EditName(key, "edit.changeSeveral", now.id());
     }
 

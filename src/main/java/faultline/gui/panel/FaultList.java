@@ -69,7 +69,7 @@ final class FaultList extends JPanel {
         JButton mend = new JButton(REMOVE_ICON);
         mend.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
         RefreshSteps.add(mend, button -> {
-            button.setToolTipText(Messages.get("faults.mend", text(active)));
+            button.setToolTipText(Messages.get("faults.repair", text(active)));
             button.getAccessibleContext().setAccessibleName(button.getToolTipText());
         });
         mend.addActionListener(event -> editor.send(new Command.ClearFault(active.sensor(), active.fault())));
@@ -81,7 +81,7 @@ final class FaultList extends JPanel {
     }
 
     private void addClearAll(int row) {
-        JButton all = UiText.button("faults.mendAll");
+        JButton all = UiText.button("faults.repairAll");
         all.addActionListener(event -> editor.send(shownFaults.stream()
                 .map(ListedFault::sensor)
                 .distinct()

@@ -34,7 +34,8 @@ final class Menus {
         bar.add(menus.createViewMenu());
         bar.add(menus.createSimulationMenu());
         String palette = String.join(" ", ObstacleActions.PALETTE_KEYS);
-        bar.add(menus.createMenu("obstacles", palette + " - drawWay waySpeed standStill - snapGrid snapAngle"));
+        bar.add(menus.createMenu(
+                "obstacles", palette + " - drawWaypoints motionSpeed stopMoving - snapGrid snapAngle"));
         bar.add(menus.createMenu("help", "tour guide shortcuts - about"));
         return bar;
     }
@@ -93,7 +94,7 @@ final class Menus {
 
     private static String popupKeys(MenuTarget target) {
         return switch (target) {
-            case OBSTACLE -> "drawWay waySpeed standStill - cut copy paste duplicate delete";
+            case OBSTACLE -> "drawWaypoints motionSpeed stopMoving - cut copy paste duplicate delete";
             case ROBOT -> "follow path cones -";
             case SENSOR -> "cones hits -";
             case FLOOR -> "paste selectAll - fit zoomIn zoomOut measure grid";

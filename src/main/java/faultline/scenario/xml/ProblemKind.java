@@ -3,7 +3,7 @@ package faultline.scenario.xml;
 import faultline.io.Message;
 import faultline.io.MessageText;
 
-/** What can be wrong with a scenario file, with the English text of each problem. */
+/** The kinds of problem of a scenario file, with the English text of each. */
 public enum ProblemKind implements Message.Template {
     /** An attribute has an invalid value. */
     VALUE("{0} of <{1}> is \"{2}\"; expected {3}"),
@@ -14,23 +14,22 @@ public enum ProblemKind implements Message.Template {
     /** A required attribute is missing. */
     MISSING_ATTRIBUTE("<{0}> lacks the attribute \"{1}\"; expected {2}"),
     /** The obstacles have too many points together. */
-    TOO_MANY_POINTS(
-            "{0} of <{1}> holds more points than are left of the {2} obstacles and points that a file may hold"),
+    TOO_MANY_POINTS("{0} of <{1}> has too many points; expected at most {2} obstacles and points in the file"),
     /** An element contains text that it may not contain. */
-    TEXT("<{0}> holds the text \"{1}\"; expected {2}"),
+    TEXT("<{0}> contains the text \"{1}\"; expected {2}"),
     /** An element contains too much text. */
-    TEXT_LENGTH("<{0}> holds {1} characters; expected at most {2}"),
+    TEXT_LENGTH("<{0}> contains {1} characters; expected at most {2}"),
     /** An element contains an unknown element. */
-    UNKNOWN_ELEMENT("<{0}> may not hold <{1}>; expected {2}"),
+    UNKNOWN_ELEMENT("<{0}> must not contain <{1}>; expected {2}"),
     /** An element occurs twice. */
-    DUPLICATE_ELEMENT("<{0}> holds a second <{1}>; expected one"),
-    /** An obstacle drives round its loop too fast. */
-    LOOP_TIME("<motion> goes round its way-points in {0} s; expected {1} s or more"),
+    DUPLICATE_ELEMENT("<{0}> contains a second <{1}>; expected one"),
+    /** The loop of an obstacle takes too little time. */
+    LOOP_TIME("the loop of <motion> takes {0} s; expected {1} s or more"),
     /** The motors drive the wheels too fast. */
     WHEEL_SPEED(
             "<motor> drives its wheels at up to {0} m/s (speedConstant times maxVoltage); expected {1} m/s or less"),
     /** The robot could turn too fast. */
-    SPIN_RATE("<robot> could spin at {0} rad/s (twice its wheels'' top speed by its track);"
+    SPIN_RATE("<robot> could spin at {0} rad/s (twice the maximum wheel speed divided by the track);"
             + " expected {1} rad/s or less"),
     /** The root element is not that of a scenario. */
     ROOT("the root element is <{0}>; expected <scenario xmlns=\"{1}\">"),
@@ -42,19 +41,19 @@ public enum ProblemKind implements Message.Template {
     START_OVERLAPS("<robot> starts at {0} where it touches or overlaps \"{1}\";"
             + " expected a place with room for the whole platform"),
     /** A command does not contain exactly one obstacle. */
-    OBSTACLE_COUNT("<put> holds {0} obstacles; expected one of {1}"),
+    OBSTACLE_COUNT("<put> contains {0} obstacles; expected one of {1}"),
     /** The file has too many elements. */
     TOO_MANY_ELEMENTS("the file has too many elements; expected {0}"),
     /** The elements are nested too deep. */
     TOO_DEEP("the elements are nested too deep; expected {0}"),
     /** Two elements have the same id. */
-    DUPLICATE_ID("id of <{0}> is \"{1}\", which the one in line {2} has already; expected each id once"),
+    DUPLICATE_ID("id of <{0}> is \"{1}\", which the element in line {2} already has; expected unique ids"),
     /** The world has too many obstacles and points. */
-    TOO_MANY_PARTS("<world> holds too much; expected {0} obstacles and points together"),
+    TOO_MANY_PARTS("<world> has too many obstacles and points; expected {0} in total"),
     /** The robot has too many sensors. */
     TOO_MANY_SENSORS("<robot> has too many sensors; expected {0}"),
     /** An obstacle has the id of the enclosing wall. */
-    RESERVED_ID("id of <{0}> is \"{1}\"; expected any other: it names the wall round the world"),
+    RESERVED_ID("id of <{0}> is \"{1}\"; expected another id, because this is the name of the wall around the world"),
     /** Too many obstacles move. */
     TOO_MANY_MOVING("<{0}> \"{1}\" is moving obstacle number {2}; expected {3} (maxMoving of <world>)"),
     /** The file is not in the encoding that it names. */
@@ -64,7 +63,7 @@ public enum ProblemKind implements Message.Template {
     /** The file has a document type declaration. */
     DOCTYPE("the file has a DOCTYPE; expected none"),
     /** The file exceeds a limit of the XML parser. */
-    PARSER_LIMIT("the file goes beyond a limit of the XML parser"),
+    PARSER_LIMIT("the file exceeds a limit of the XML parser"),
     /** The file is not XML. */
     NOT_XML("this is not XML; expected a document that begins with <{0}>"),
     /** The file is not XML after a certain text. */
@@ -84,11 +83,11 @@ public enum ProblemKind implements Message.Template {
     /** The path is a folder. */
     FOLDER("this is a folder; expected a {0}"),
     /** The path is neither a regular file nor a folder. */
-    IRREGULAR_FILE("this is no regular file; expected a {0}"),
+    IRREGULAR_FILE("this is not a regular file; expected a {0}"),
     /** The file is too large. */
     TOO_MANY_BYTES("the file has {0}; expected at most {1}"),
     /** No scenario of that name is part of the program. */
-    NOT_SHIPPED("no such scenario ships with the program"),
+    NOT_SHIPPED("the program contains no such scenario"),
     /** A scenario that is part of the program cannot be read. */
     UNREADABLE_RESOURCE("the scenario cannot be read from the program''s own files"),
     /** The file is empty. */
@@ -97,8 +96,8 @@ public enum ProblemKind implements Message.Template {
     MORE("and {0} more problems"),
     /** The scenario cannot be saved. */
     NOT_SAVED("the scenario cannot be saved: {0}"),
-    /** The written scenario would not read back the same. */
-    NOT_REPRODUCIBLE("it would not read back the same");
+    /** Reading the written file would give a different scenario. */
+    NOT_REPRODUCIBLE("reading the saved file would give a different scenario");
 
     private final String english;
 

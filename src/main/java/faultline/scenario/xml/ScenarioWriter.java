@@ -19,7 +19,7 @@ public final class ScenarioWriter {
     /**
      * Writes a scenario file, completely or not at all.
      *
-     * @param scenario the content, which is checked to read back the same
+     * @param scenario the content; it is checked that reading the file gives the same content
      * @param file the file; an existing one is replaced
      * @param comments the comments that a person has put into the file
      * @throws IOException if the file cannot be written, or the content is beyond the limits of the format
@@ -29,7 +29,7 @@ public final class ScenarioWriter {
     }
 
     /**
-     * {@return the bytes of a scenario file, which are checked to read back the same}
+     * {@return the bytes of a scenario file; it is checked that reading them gives the same scenario}
      *
      * @param scenario the content
      * @param comments the comments that a person has put into the file

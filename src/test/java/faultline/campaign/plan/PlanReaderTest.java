@@ -34,10 +34,10 @@ class PlanReaderTest {
             <faults><fault sensor="frnt" kind="off" at="1"/></faults> | plan.xml:3:49: sensor of <fault> is "frnt"; expected one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "front"? (in room)
             <faults><fault sensor="front" kind="any of off stick" at="1"/></faults> | plan.xml:3:63: kind of <fault> is "stick"; expected off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"? (in room)
             <set attribute="robot/@x" value="4"/> | plan.xml:3:38: <robot> starts at 4,1.2 outside of the enclosed world; expected x from 0 to 3 and y from 0 to 2 (in room)
-            <faults/> | plan.xml:3:10: <faults> holds no fault; expected one or more <fault> or <healthy>
-            <fault sensor="front"/> | plan.xml:3:24: <campaign> may not hold <fault>; expected description, worlds, seeds, set, variants, faults, masks; did you mean "faults"?
+            <faults/> | plan.xml:3:10: <faults> contains no fault; expected one or more <fault> or <healthy>
+            <fault sensor="front"/> | plan.xml:3:24: <campaign> must not contain <fault>; expected description, worlds, seeds, set, variants, faults, masks; did you mean "faults"?
             <seeds count="0"/> | plan.xml:3:19: count of <seeds> is "0"; expected a whole number from 1 to 10000000
-            <set attribute="robot/@speed" value="0.1 0.2" name="run"/> | plan.xml:1:57: two columns of runs.csv would be called "run"; expected each name once (set another with the attribute name)
+            <set attribute="robot/@speed" value="0.1 0.2" name="run"/> | plan.xml:1:57: two columns of runs.csv would have the name "run"; expected unique names (set another with the attribute name)
             <masks sensors="front left"><mask on="rear"/></masks> | plan.xml:3:46: on of <mask> is "rear"; expected some of front, left
             """)
     void everyMistakeIsReportedAtItsPlace(String element, String problem) {

@@ -48,6 +48,6 @@ class LineReaderTest {
         Path device = Path.of("/dev/zero");
         assumeTrue(Files.exists(device));
         IOException refusal = assertThrows(IOException.class, () -> new LineReader(device).close());
-        assertEquals("/dev/zero: this is no regular file; expected a table", refusal.getMessage());
+        assertEquals("/dev/zero: this is not a regular file; expected a table", refusal.getMessage());
     }
 }

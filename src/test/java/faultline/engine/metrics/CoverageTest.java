@@ -99,7 +99,7 @@ class CoverageTest {
     }
 
     @Test
-    void aRobotThatFollowsTheTableIsJudgedByTheTable() {
+    void theCoverageOfARobotThatFollowsTheTableIsThatOfTheTable() {
         visit(square(1.5 - WANTED));
         assertEquals(1, share());
     }

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
 
-/** Measures the coverage by sampling all walls: the judge of {@link Coverage}. */
+/** Measures the coverage by sampling all walls: the reference implementation of {@link Coverage}. */
 final class EagerCoverage {
 
     /** The robot's path is looked at in one point of each cell of this side, metres. */

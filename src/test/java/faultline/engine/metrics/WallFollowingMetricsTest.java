@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Runs in a square room of 4 m, judged from ground truth. */
+/** Runs in a square room of 4 m, measured from ground truth. */
 class WallFollowingMetricsTest {
 
     private static RunResult run(ControllerSpec controller, double duration, SimulationSetup.TimedCommand... timeline) {
@@ -53,7 +53,7 @@ class WallFollowingMetricsTest {
     }
 
     @Test
-    void beforeAWallIsMetThereIsNothingToJudge() {
+    void beforeTheRobotReachesAWallThereIsNothingToMeasure() {
         RunResult result = runFollower(1);
         assertTrue(result.coverage().isEmpty() && result.distanceRms().isEmpty());
     }

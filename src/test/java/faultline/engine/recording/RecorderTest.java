@@ -114,7 +114,7 @@ class RecorderTest {
                     .filter(transition -> transition.tick() <= TICKS)
                     .toList();
             List<Moment> moments = moments(room, TICKS);
-            assertTrue(seen.size() >= 8, "too few to judge by: " + seen.size());
+            assertTrue(seen.size() >= 8, "too few for this test: " + seen.size());
             assertEquals(moments.get(TICKS).transitions(), seen.size());
             for (RunEvent.StateChanged transition : seen) {
                 Moment at = moments.get((int) transition.tick());

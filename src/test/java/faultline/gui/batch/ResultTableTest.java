@@ -109,7 +109,7 @@ class ResultTableTest {
         runOnEdt(() -> table.addRows(List.of(List.of(ResultCell.of("run", "1"), ResultCell.of("failure", "no file")))));
         assertEquals(List.of("", "no file"), column(1));
         assertEquals(
-                "Reason of failure",
+                "Reason for failure",
                 callOnEdt(() -> table.getColumnModel().getColumn(1).getHeaderValue()));
     }
 

@@ -14,7 +14,6 @@ import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
-import faultline.engine.session.SessionView;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.scenario.Scenario;
@@ -68,13 +67,11 @@ class ComparisonControllerTest {
 
     private void open(Path file) {
         runOnEdt(() -> new DocumentStore(workspace).open(file));
-        Await.until(
-                "the scenario",
-                () -> workspace.session().map(SessionView::frame).isPresent());
+        SessionFrames.awaitScenario(workspace);
     }
 
     private Optional<RunComparison> update() {
-        return workspace.session().map(SessionView::frame).flatMap(controller::update);
+        return SessionFrames.poll(workspace).flatMap(controller::update);
     }
 
     private void waitFor(String what, Predicate<Optional<RunComparison>> condition) {
@@ -89,9 +86,7 @@ class ComparisonControllerTest {
     }
 
     private long tick() {
-        return workspace
-                .session()
-                .map(SessionView::frame)
+        return SessionFrames.poll(workspace)
                 .map(frame -> frame.snapshot().tick())
                 .orElse(-1L);
     }
@@ -136,8 +131,7 @@ class ComparisonControllerTest {
         runDifferently();
         assertEquals(OptionalLong.of(CHANGED), divergence());
         ReferenceRun reference = callOnEdt(() -> update().orElseThrow().run());
-        SessionFrame frame =
-                callOnEdt(() -> workspace.session().map(SessionView::frame).orElseThrow());
+        SessionFrame frame = SessionFrames.frame(workspace);
         assertTrue(LongStream.range(0, CHANGED)
                 .allMatch(tick -> reference.hashTrace().hashAt(tick)
                         == frame.recording().hashTrace().hashAt(tick)));

@@ -12,7 +12,6 @@ import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
-import faultline.engine.session.SessionView;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
@@ -108,23 +107,11 @@ class ControllerChoiceTest {
     }
 
     private String state() {
-        return workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .frame()
-                .telemetry()
-                .state()
-                .name();
+        return SessionFrames.frame(workspace).frame().telemetry().state().name();
     }
 
     private long tick() {
-        return callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .snapshot()
-                .tick());
+        return SessionFrames.tick(workspace);
     }
 
     @Test
@@ -157,22 +144,12 @@ class ControllerChoiceTest {
         runOnEdt(() -> run.navigator().seek(150));
         waitFor("the third session", () -> sessionCount == 3);
         assertEquals(150, tick());
-        long hash = callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .frame()
-                .trajectoryHash());
+        long hash = SessionFrames.trajectoryHash(workspace);
         runOnEdt(() -> run.navigator().seek(100));
         waitFor("the fourth session", () -> sessionCount == 4);
         runOnEdt(() -> run.navigator().seek(150));
         waitFor("the fifth session", () -> sessionCount == 5);
-        assertEquals(hash, callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .frame()
-                .trajectoryHash()));
+        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
         Path journal = folder.resolve("journal.xml");
         runOnEdt(() -> documentStore.saveJournal(journal));
         waitFor("the journal", () -> journals.equals(List.of(journal)));

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.session.SessionView;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
@@ -310,7 +309,7 @@ class CrashRecoveryTest {
     private void edit() {
         runOnEdt(() -> send(new Command.MoveObstacle("pole", ELSEWHERE)));
         Await.until("the edit", () -> {
-            workspace.session().map(SessionView::frame);
+            SessionFrames.poll(workspace);
             return workspace.isChanged();
         });
     }

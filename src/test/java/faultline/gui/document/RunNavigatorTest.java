@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.session.SessionFrame;
-import faultline.engine.session.SessionView;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -57,9 +56,7 @@ class RunNavigatorTest {
             edits.setUndoListener(undone::add);
             documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));
         });
-        Await.until(
-                "the scenario",
-                () -> workspace.session().map(SessionView::frame).isPresent());
+        SessionFrames.awaitScenario(workspace);
         original = pole();
         stepTo(10);
         edit(new Command.MoveObstacle("pole", FIRST));
@@ -102,15 +99,7 @@ class RunNavigatorTest {
         runOnEdt(edits::undo);
         waitForPole(FIRST);
         runOnEdt(run::restart);
-        Await.until(
-                "the restart",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == 0);
+        SessionFrames.awaitTick(workspace, 0);
         runOnEdt(edits::undo);
         waitForPole(original);
         Await.until("both reports", () -> undone.size() == 2);
@@ -126,15 +115,7 @@ class RunNavigatorTest {
         Await.until("the save", () -> !workspace.isChanged());
         assertEquals(SECOND, pole(Scenario.load(file).setup().world().obstacles()));
         runOnEdt(run::restart);
-        Await.until(
-                "the restart",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == 0);
+        SessionFrames.awaitTick(workspace, 0);
         assertEquals(SECOND, pole());
     }
 
@@ -142,15 +123,7 @@ class RunNavigatorTest {
     void allEditsCanBeUndoneAfterARestartFromAnEarlierTick() {
         seek(5);
         runOnEdt(run::restart);
-        Await.until(
-                "the restart",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == 0);
+        SessionFrames.awaitTick(workspace, 0);
         runOnEdt(edits::undo);
         waitForPole(FIRST);
         runOnEdt(edits::undo);
@@ -172,16 +145,10 @@ class RunNavigatorTest {
         runOnEdt(edits::undo);
         waitForPole(original);
         runOnEdt(edits::undo);
-        Await.until(
+        SessionFrames.awaitFrame(
+                workspace,
                 "the platform as it was",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .robot()
-                                .length()
-                        != 0.2);
+                frame -> frame.snapshot().robot().length() != 0.2);
         assertEquals(Optional.empty(), callOnEdt(edits::undoName));
     }
 
@@ -196,10 +163,7 @@ class RunNavigatorTest {
             runOnEdt(edits::undo);
         }
         waitForPole(original);
-        assertTrue(callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
+        assertTrue(callOnEdt(() -> SessionFrames.frame(workspace)
                 .snapshot()
                 .robot()
                 .sensor("left")
@@ -226,19 +190,8 @@ class RunNavigatorTest {
             edits.send(new Command.SwitchSensor("left", false));
             run.step();
         });
-        Await.until(
-                "the arrival and one tick",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == 16);
-        assertFalse(callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
+        SessionFrames.awaitTick(workspace, 16);
+        assertFalse(callOnEdt(() -> SessionFrames.frame(workspace)
                 .snapshot()
                 .robot()
                 .sensor("left")
@@ -257,15 +210,7 @@ class RunNavigatorTest {
         assertEquals(Optional.empty(), callOnEdt(workspace::task));
         assertEquals(30, tick());
         runOnEdt(run::step);
-        Await.until(
-                "the run to go on",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == 31);
+        SessionFrames.awaitTick(workspace, 31);
         assertEquals(SECOND, pole());
     }
 
@@ -277,23 +222,14 @@ class RunNavigatorTest {
             workspace.cancelTask();
         });
         runOnEdt(run::step);
-        Await.until(
-                "the run to go on",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == 31);
+        SessionFrames.awaitTick(workspace, 31);
         assertEquals(before, callOnEdt(workspace::file));
         assertEquals(SECOND, pole());
     }
 
     private void edit(Command command) {
         Optional<String> before = callOnEdt(edits::undoName);
-        SessionFrame frame =
-                callOnEdt(() -> workspace.session().map(SessionView::frame).orElseThrow());
+        SessionFrame frame = SessionFrames.frame(workspace);
         runOnEdt(() -> {
             edits.beginGesture();
             edits.send(command);
@@ -301,65 +237,38 @@ class RunNavigatorTest {
         });
         Await.until(
                 "the edit after " + before,
-                () -> workspace.session().map(SessionView::frame).orElseThrow() != frame
+                () -> SessionFrames.frame(workspace) != frame
                         && edits.undoName().isPresent());
     }
 
     private void seek(long tick) {
         runOnEdt(() -> run.navigator().seek(tick));
-        Await.until(
-                "tick " + tick,
-                () -> workspace.task().isEmpty()
-                        && workspace
-                                        .session()
-                                        .map(SessionView::frame)
-                                        .orElseThrow()
-                                        .snapshot()
-                                        .tick()
-                                == tick);
+        Await.until("tick " + tick, () -> workspace.task().isEmpty() && SessionFrames.tick(workspace) == tick);
     }
 
     private void stepTo(long tick) {
         for (long now = tick(); now < tick; now++) {
             runOnEdt(run::step);
         }
-        Await.until(
-                "tick " + tick,
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == tick);
+        SessionFrames.awaitTick(workspace, tick);
         runOnEdt(() -> edits.runAdvanced(tick));
     }
 
     private long tick() {
-        return callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .snapshot()
-                .tick());
+        return SessionFrames.tick(workspace);
     }
 
     /** Waits until the results of commands have edited the scenario. */
     private void waitForEdited(Pose pose) {
         Await.until("the scenario's pole at " + pose, () -> {
-            workspace.session().map(SessionView::frame);
+            SessionFrames.poll(workspace);
             return pole(workspace.scenario().orElseThrow().setup().world().obstacles())
                     .equals(pose);
         });
     }
 
     private Pose pole() {
-        return callOnEdt(() -> pole(workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .snapshot()
-                .obstacles()));
+        return callOnEdt(() -> pole(SessionFrames.frame(workspace).snapshot().obstacles()));
     }
 
     private static Pose pole(List<Obstacle> obstacles) {
@@ -371,13 +280,10 @@ class RunNavigatorTest {
     }
 
     private void waitForPole(Pose pose) {
-        Await.until("the pole at " + pose, () -> pole(workspace
-                        .session()
-                        .map(SessionView::frame)
-                        .orElseThrow()
-                        .snapshot()
-                        .obstacles())
-                .equals(pose));
+        Await.until(
+                "the pole at " + pose,
+                () -> pole(SessionFrames.frame(workspace).snapshot().obstacles())
+                        .equals(pose));
     }
 
     /** Forwards events to the undo controller, as the window does. */

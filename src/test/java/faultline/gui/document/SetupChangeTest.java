@@ -57,9 +57,7 @@ class SetupChangeTest {
             workspace.addListener(new Forwarder());
             documentStore.open(Path.of("scenarios/office.xml"));
         });
-        Await.until(
-                "the scenario",
-                () -> workspace.session().map(SessionView::frame).isPresent());
+        SessionFrames.awaitScenario(workspace);
         original = callOnEdt(() -> workspace.scenario().orElseThrow().setup());
         stepTo(TICKS);
     }
@@ -100,15 +98,8 @@ class SetupChangeTest {
                 "the run to go on",
                 () -> workspace.session().map(SessionView::status).orElseThrow().running());
         long tick = tick();
-        Await.until(
-                "more ticks",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        > tick);
+        SessionFrames.awaitFrame(
+                workspace, "more ticks", frame -> frame.snapshot().tick() > tick);
     }
 
     @Test
@@ -154,7 +145,7 @@ class SetupChangeTest {
     }
 
     private Pose pose(String obstacle) {
-        return workspace.session().map(SessionView::frame).orElseThrow().snapshot().obstacles().stream()
+        return SessionFrames.frame(workspace).snapshot().obstacles().stream()
                 .filter(now -> now.id().equals(obstacle))
                 .findFirst()
                 .orElseThrow()
@@ -222,33 +213,15 @@ class SetupChangeTest {
         for (long now = tick(); now < tick; now++) {
             runOnEdt(run::step);
         }
-        Await.until(
-                "tick " + tick,
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == tick);
+        SessionFrames.awaitTick(workspace, tick);
     }
 
     private long tick() {
-        return callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .snapshot()
-                .tick());
+        return SessionFrames.tick(workspace);
     }
 
     private long hash() {
-        return callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .frame()
-                .trajectoryHash());
+        return SessionFrames.trajectoryHash(workspace);
     }
 
     private static long hashOf(SimulationSetup setup) {
@@ -265,7 +238,7 @@ class SetupChangeTest {
     }
 
     private List<Fault> faultsOfLeft() {
-        return callOnEdt(() -> workspace.session().map(SessionView::frame).orElseThrow().snapshot().sensors().stream()
+        return callOnEdt(() -> SessionFrames.frame(workspace).snapshot().sensors().stream()
                 .filter(sensor -> sensor.spec().id().equals("left"))
                 .findFirst()
                 .orElseThrow()

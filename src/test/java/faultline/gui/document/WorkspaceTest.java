@@ -153,15 +153,7 @@ class WorkspaceTest {
             send(new Command.SwitchSensor("left", false));
             run.step();
         });
-        waitFor(
-                "the tick",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == 1);
+        SessionFrames.awaitTick(workspace, 1);
         runOnEdt(run::restart);
         waitFor("the second session", () -> sessionCount == 2);
         assertEquals(0, frame().snapshot().tick());
@@ -169,15 +161,10 @@ class WorkspaceTest {
         assertTrue(frame().snapshot().robot().sensor("left").orElseThrow().on());
         assertTrue(callOnEdt(workspace::isChanged));
         runOnEdt(run::step);
-        waitFor("the switch", () -> !workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .snapshot()
-                .robot()
-                .sensor("left")
-                .orElseThrow()
-                .on());
+        SessionFrames.awaitFrame(
+                workspace,
+                "the switch",
+                frame -> !frame.snapshot().robot().sensor("left").orElseThrow().on());
     }
 
     @Test
@@ -207,15 +194,8 @@ class WorkspaceTest {
             run.setSpeed(Double.POSITIVE_INFINITY);
             run.toggleRunning();
         });
-        waitFor(
-                "some time",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        > 50);
+        SessionFrames.awaitFrame(
+                workspace, "some time", frame -> frame.snapshot().tick() > 50);
         runOnEdt(() -> send(new Command.SetPlatform(0.3, 0.2, 0.5)));
         runOnEdt(run::toggleRunning);
         waitFor("the pause", () -> !workspace
@@ -226,16 +206,8 @@ class WorkspaceTest {
         Path journal = folder.resolve("journal.xml");
         runOnEdt(() -> documentStore.saveJournal(journal));
         waitFor("the journal", () -> journals.equals(List.of(journal)));
-        waitFor(
-                "the last frame",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .robot()
-                                .length()
-                        == 0.3);
+        SessionFrames.awaitFrame(
+                workspace, "the last frame", frame -> frame.snapshot().robot().length() == 0.3);
         String hash = Scenario.load(journal).run().trajectoryHash();
         assertEquals(String.format("%016x", frame().frame().trajectoryHash()), hash);
     }
@@ -306,15 +278,7 @@ class WorkspaceTest {
         });
         waitFor("the other file", () -> workspace.file().equals(Optional.of(other)));
         runOnEdt(run::step);
-        waitFor(
-                "a tick",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == 1);
+        SessionFrames.awaitTick(workspace, 1);
         assertFalse(obstacle(frame().snapshot().obstacles()).pose().equals(ELSEWHERE));
     }
 
@@ -327,7 +291,7 @@ class WorkspaceTest {
     }
 
     private SessionFrame frame() {
-        return callOnEdt(() -> workspace.session().map(SessionView::frame).orElseThrow());
+        return SessionFrames.frame(workspace);
     }
 
     private static Obstacle obstacle(List<Obstacle> obstacles) {
@@ -339,7 +303,7 @@ class WorkspaceTest {
 
     private void waitFor(String what, Callable<Boolean> condition) {
         Await.until(what, () -> {
-            workspace.session().map(SessionView::frame);
+            SessionFrames.poll(workspace);
             return condition.call();
         });
     }

@@ -12,13 +12,13 @@ import faultline.engine.ControllerMode;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.TraceFormat;
 import faultline.engine.metrics.TraceWriter;
-import faultline.engine.session.SessionView;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.TaskProgress;
 import faultline.gui.document.Workspace;
@@ -93,34 +93,16 @@ class ExportControllerTest {
             documentStore = new DocumentStore(workspace);
             documentStore.open(Path.of("scenarios/office.xml"));
         });
-        Await.until(
-                "the scenario",
-                () -> workspace.session().map(SessionView::frame).isPresent());
+        SessionFrames.awaitScenario(workspace);
         stepTo(STEPS);
     }
 
     private void stepTo(int tick) {
-        for (long i = callOnEdt(() -> workspace
-                        .session()
-                        .map(SessionView::frame)
-                        .orElseThrow()
-                        .snapshot()
-                        .tick());
-                i < tick;
-                i++) {
+        for (long i = SessionFrames.tick(workspace); i < tick; i++) {
             runOnEdt(run::step);
         }
-        Await.until(
-                "the last tick",
-                () -> workspace
-                                .session()
-                                .map(SessionView::frame)
-                                .orElseThrow()
-                                .snapshot()
-                                .tick()
-                        == tick);
-        runOnEdt(() -> canvas.setFrame(
-                workspace.session().map(SessionView::frame).orElseThrow().frame()));
+        SessionFrames.awaitTick(workspace, tick);
+        runOnEdt(() -> canvas.setFrame(SessionFrames.frame(workspace).frame()));
     }
 
     @AfterEach

@@ -12,12 +12,12 @@ import faultline.control.GainRule;
 import faultline.control.Threshold;
 import faultline.control.Thresholds;
 import faultline.control.WallSide;
-import faultline.engine.session.SessionView;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.ScenarioEditor;
@@ -74,14 +74,12 @@ class ControllerPanelTest {
     /** Waits for a frame whose controller meets a condition, and shows every frame on the way. */
     private void await(String what, Predicate<ControllerSpec> condition) {
         Await.until(what, () -> {
-            workspace.session().map(SessionView::frame).ifPresent(frame -> {
+            SessionFrames.poll(workspace).ifPresent(frame -> {
                 undo.pendingEdits().setRobot(frame.snapshot().robot());
                 panel.setSettings(
                         frame.controller(), workspace.scenario().orElseThrow().setup());
             });
-            return workspace
-                    .session()
-                    .map(SessionView::frame)
+            return SessionFrames.poll(workspace)
                     .filter(frame -> condition.test(frame.controller()))
                     .isPresent();
         });
@@ -224,17 +222,15 @@ class ControllerPanelTest {
     void aChangeOfTheDriveIsSimulatedAgainAndUndone() {
         double before = shown("Turn rate, °/s");
         type("Turn rate, °/s", before + 20);
-        Await.until("the run is simulated again", () -> workspace
-                .session()
-                .map(SessionView::frame)
-                .filter(frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) > before + 19)
-                .isPresent());
+        SessionFrames.awaitFrame(
+                workspace,
+                "the run is simulated again",
+                frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) > before + 19);
         runOnEdt(undo::undo);
-        Await.until("the old turn rate", () -> workspace
-                .session()
-                .map(SessionView::frame)
-                .filter(frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) < before + 1)
-                .isPresent());
+        SessionFrames.awaitFrame(
+                workspace,
+                "the old turn rate",
+                frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) < before + 1);
     }
 
     /** Clears what was pending when a session starts, as the window does. */

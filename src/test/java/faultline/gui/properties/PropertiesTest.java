@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.FollowerState;
 import faultline.engine.metrics.Expectation;
-import faultline.engine.session.SessionView;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
@@ -16,6 +15,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
@@ -118,11 +118,10 @@ class PropertiesTest {
                 new Expectation(List.of(new Expectation.VisitedState(FollowerState.FOLLOW))));
         runOnEdt(() -> new ScenarioEditor(run, undo).edit("edit.properties", after::applyTo, before::applyTo));
         await(workspace, after);
-        Await.until("the world has its new size", () -> workspace
-                .session()
-                .map(SessionView::frame)
-                .filter(frame -> frame.snapshot().width() == 14)
-                .isPresent());
+        SessionFrames.awaitFrame(
+                workspace,
+                "the world has its new size",
+                frame -> frame.snapshot().width() == 14);
         runOnEdt(undo::undo);
         await(workspace, before);
         runOnEdt(undo::redo);

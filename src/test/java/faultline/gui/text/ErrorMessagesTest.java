@@ -61,8 +61,8 @@ class ErrorMessagesTest {
                         "brak dostępu"),
                 Arguments.of(
                         new MessageException("", WriteProblem.READ_ONLY.with(), null),
-                        "the file may not be written",
-                        "nie wolno zapisywać tego pliku"));
+                        "writing to the file is not permitted",
+                        "zapis do tego pliku nie jest dozwolony"));
     }
 
     @ParameterizedTest

@@ -71,7 +71,7 @@ class ProblemTranslationTest {
                         "to nie jest poprawny XML, za \"<a\", wewnątrz <world> z wiersza 3"),
                 Arguments.of(
                         ProblemKind.NOT_SAVED.with(ProblemKind.NOT_REPRODUCIBLE.with()),
-                        "nie można zapisać scenariusza: po wczytaniu byłby inny"));
+                        "nie można zapisać scenariusza: zapisany plik dałby po wczytaniu inny scenariusz"));
     }
 
     @ParameterizedTest

@@ -7,11 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.engine.session.SessionView;
-import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.UndoController;
 import faultline.sensor.Fault;
@@ -50,9 +49,7 @@ class LaneActionsTest {
             new DocumentStore(workspace).open(Path.of("scenarios/mirror.xml"));
             return created;
         });
-        Await.until(
-                "the scenario",
-                () -> workspace.session().map(SessionView::frame).isPresent());
+        SessionFrames.awaitScenario(workspace);
         runOnEdt(() -> {
             undo = new UndoController(run::send, () -> {});
             editor = new TimelineEditor(workspace, run, undo);

@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
 import faultline.engine.session.SessionFrame;
-import faultline.engine.session.SessionView;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
@@ -53,9 +53,7 @@ class TimeBarTest {
             slider = ComponentFinder.findAll(bar, JSlider.class).findFirst().orElseThrow();
             new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
         });
-        Await.until(
-                "the scenario",
-                () -> workspace.session().map(SessionView::frame).isPresent());
+        SessionFrames.awaitScenario(workspace);
         for (int i = 0; i < TICKS; i++) {
             runOnEdt(run::step);
         }
@@ -75,23 +73,13 @@ class TimeBarTest {
 
     @Test
     void releasingTheThumbSeeksExactlyAndKeepsTheFuture() {
-        long hash = callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .frame()
-                .trajectoryHash());
+        long hash = SessionFrames.trajectoryHash(workspace);
         runOnEdt(() -> slider.setValue(15));
         waitForTick(15);
         assertEquals(TICKS, callOnEdt(slider::getMaximum));
         runOnEdt(() -> slider.setValue(TICKS));
         waitForTick(TICKS);
-        assertEquals(hash, callOnEdt(() -> workspace
-                .session()
-                .map(SessionView::frame)
-                .orElseThrow()
-                .frame()
-                .trajectoryHash()));
+        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
     }
 
     @Test
@@ -147,7 +135,7 @@ class TimeBarTest {
     void aRunThatIsSavedShowsItsEndBeforeItsFirstTick() {
         runOnEdt(run::restart);
         waitForTick(0);
-        runOnEdt(() -> bar.setFrame(workspace.session().map(SessionView::frame).orElseThrow(), 1200, 0.02));
+        runOnEdt(() -> bar.setFrame(SessionFrames.frame(workspace), 1200, 0.02));
         assertEquals(List.of("0.00 s", "24.00 s"), callOnEdt(() -> ComponentFinder.findAll(bar, JLabel.class)
                 .map(label -> label.getText().strip())
                 .toList()));
@@ -155,7 +143,7 @@ class TimeBarTest {
 
     private void waitForTick(long tick) {
         Await.until("tick " + tick, () -> {
-            SessionFrame frame = workspace.session().map(SessionView::frame).orElseThrow();
+            SessionFrame frame = SessionFrames.frame(workspace);
             bar.setFrame(frame, run.navigator().furthestTick(), DT);
             return frame.snapshot().tick() == tick;
         });

@@ -209,7 +209,7 @@ class EditsRobotTest {
     void anObstacleGetsAMotionPathByClicks() {
         click(4.7, 2.5);
         waitForSelection("chair-2");
-        driver.choose("drawWay");
+        driver.choose("drawWaypoints");
         click(6.5, 2.5);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         waitForObstacle(
@@ -221,7 +221,7 @@ class EditsRobotTest {
     @Test
     void theSpeedOnAMotionPathIsSetAndUndone() {
         anObstacleGetsAMotionPathByClicks();
-        EventQueue.invokeLater(() -> driver.chooseOnEdt("waySpeed"));
+        EventQueue.invokeLater(() -> driver.chooseOnEdt("motionSpeed"));
         JDialog dialog = driver.dialog("Speed of moving obstacles");
         JTextField field =
                 ComponentFinder.findAll(dialog, JTextField.class).findFirst().orElseThrow();

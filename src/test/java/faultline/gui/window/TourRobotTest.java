@@ -72,7 +72,7 @@ class TourRobotTest {
         waitForStep("3 of 4: Plan a fault from 20 s to 40 s");
         assertTrue(isShowing(LaneView.class), "the tour shows the lanes that it explains");
         press("Next");
-        waitForStep("4 of 4: Compare with the robot as if it were healthy");
+        waitForStep("4 of 4: Compare with a healthy robot");
         driver.robot().waitFor("the last button closes", () -> button("Close").isFocusOwner());
         driver.robot().pressKeys(KeyEvent.VK_SHIFT, KeyEvent.VK_TAB);
         press("Back");

@@ -48,7 +48,7 @@ class VerdictRobotTest {
     }
 
     @Test
-    void theRunPausesAtItsEndAndIsJudged() throws IOException {
+    void theRunPausesAtItsEndAndShowsItsVerdict() throws IOException {
         Path scenario = Files.writeString(
                 folder.resolve("short.xml"),
                 Files.readString(Path.of("scenarios/collision-on-purpose.xml"))

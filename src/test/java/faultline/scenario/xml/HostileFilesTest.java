@@ -142,8 +142,7 @@ class HostileFilesTest {
         String points = OPEN + "<world width=\"6\" height=\"4\"><wall id=\"w\" x=\"0\" y=\"0\" points=\""
                 + "1,1 ".repeat(3_000_000) + "\"/></world><robot x=\"1\" y=\"1\"/></scenario>";
         assertEquals(
-                "points of <wall> holds more points than are left of the 100000 "
-                        + "obstacles and points that a file may hold",
+                "points of <wall> has too many points; expected at most 100000 " + "obstacles and points in the file",
                 problemIn(points).split(": ", 2)[1]);
         String id = OPEN + "<world width=\"6\" height=\"4\"><circle radius=\"1\" x=\"3\" y=\"3\" id=\""
                 + "i".repeat(12_000_000) + "\"/></world><robot x=\"1\" y=\"1\"/></scenario>";
@@ -170,7 +169,7 @@ class HostileFilesTest {
             circles.append("<circle id=\"c").append(i).append("\" x=\"3\" y=\"3\" radius=\"0.1\"/>");
         }
         assertEquals(
-                "<world> holds too much; expected 100000 obstacles and points together",
+                "<world> has too many obstacles and points; expected 100000 in total",
                 problemIn(circles + "</world><robot x=\"1\" y=\"1\"/></scenario>")
                         .split(": ", 2)[1]);
     }
@@ -178,7 +177,7 @@ class HostileFilesTest {
     @Test
     void nothingOfAnotherNamespaceHasAnyEffect() throws IOException {
         assertEquals(
-                "file.xml:1:154: <world> may not hold <xi:include "
+                "file.xml:1:154: <world> must not contain <xi:include "
                         + "xmlns=\"http://www.w3.org/2001/XInclude\">; expected rectangle, circle, "
                         + "ellipse, polygon, wall, plan",
                 problemIn(OPEN
@@ -201,7 +200,7 @@ class HostileFilesTest {
                 "name of <scenario> is \"" + "n".repeat(60) + "...\"; expected at most 10000 characters",
                 problemIn(named.formatted("n".repeat(16_000_000))).split(": ", 2)[1]);
         assertEquals(
-                "<description> holds 16000000 characters; expected at most 100000",
+                "<description> contains 16000000 characters; expected at most 100000",
                 problemIn(described.formatted("d".repeat(16_000_000))).split(": ", 2)[1]);
         assertEquals(List.of(), SampleScenario.problems(named.formatted("n".repeat(10_000))));
         assertEquals(
@@ -221,7 +220,7 @@ class HostileFilesTest {
     @Test
     void anElementThatMustBeEmptyHoldsNoWhiteSpace() throws IOException {
         assertEquals(
-                "file.xml:1:99: <motor> holds the text \" \"; expected nothing",
+                "file.xml:1:99: <motor> contains the text \" \"; expected nothing",
                 problemIn(OPEN
                         + "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\">"
                         + "<motor>\n</motor></robot></scenario>"));

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** Files of up to 16 MB that are made to be slow: each is judged in 10 seconds of processor time and 512 MB. */
+/** Files of up to 16 MB that are made to be slow: each is checked within 10 seconds of processor time and 512 MB. */
 class HugeFilesTest {
 
     private static final double MAX_SECONDS = 10;
@@ -63,7 +63,7 @@ class HugeFilesTest {
     }
 
     /** Returns the problems of a file, of which no more than a hundred are listed. */
-    private static List<Problem> judge(String text) {
+    private static List<Problem> problemsOf(String text) {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         assertTrue(bytes.length <= ScenarioLimits.MAX_BYTES, bytes.length + " bytes");
         long start = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
@@ -79,32 +79,32 @@ class HugeFilesTest {
         return problems;
     }
 
-    /** Judges all files; a process of its own has the limited memory. */
-    static final class Judge {
+    /** Checks all files; the test runs it in a separate process with limited memory. */
+    static final class FileCheck {
 
-        private Judge() {}
+        private FileCheck() {}
 
         public static void main(String[] args) {
             assertEquals(
                     "file.xml: and 69900 more problems",
-                    judge(unknownIds()).get(Problems.MAX_LISTED).toString());
-            assertEquals(Problems.MAX_LISTED + 1, judge(wrongAttributes()).size());
-            assertEquals(Problems.MAX_LISTED + 1, judge(wrongFaults()).size());
+                    problemsOf(unknownIds()).get(Problems.MAX_LISTED).toString());
+            assertEquals(Problems.MAX_LISTED + 1, problemsOf(wrongAttributes()).size());
+            assertEquals(Problems.MAX_LISTED + 1, problemsOf(wrongFaults()).size());
             assertEquals(
                     "<robot> has too many sensors; expected 1000",
-                    judge(sensors(250_000)).get(0).message().toString());
-            assertEquals(List.of(), judge(puts()));
-            System.out.println("judged");
+                    problemsOf(sensors(250_000)).get(0).message().toString());
+            assertEquals(List.of(), problemsOf(puts()));
+            System.out.println("checked");
         }
     }
 
     @Test
-    void everyFileIsJudgedInTimeAndInHalfAGigabyte() throws Exception {
-        ProcessBuilder builder = JavaProcess.builder(Judge.class.getName(), List.of());
+    void everyFileIsCheckedInTimeAndInHalfAGigabyte() throws Exception {
+        ProcessBuilder builder = JavaProcess.builder(FileCheck.class.getName(), List.of());
         builder.command().add(1, "-Xmx512m");
-        Process judge = builder.redirectErrorStream(true).start();
-        assertEquals("judged\n", new String(judge.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
-        assertEquals(0, judge.waitFor());
+        Process process = builder.redirectErrorStream(true).start();
+        assertEquals("checked\n", new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertEquals(0, process.waitFor());
     }
 
     @Test
@@ -119,15 +119,15 @@ class HugeFilesTest {
 
     @Test
     void aRobotHasAThousandSensorsAtMost() {
-        assertEquals(List.of(), judge(sensors(1000)));
+        assertEquals(List.of(), problemsOf(sensors(1000)));
         assertEquals(
                 "<robot> has too many sensors; expected 1000",
-                judge(sensors(1001)).get(0).message().toString());
+                problemsOf(sensors(1001)).get(0).message().toString());
     }
 
     @Test
     void aTinyAngleThatRoundsToZeroIsRefused() {
         String wall = "<wall id=\"w\" x=\"0\" y=\"0\" points=\"2,2 3,3\" specular=\"0." + "0".repeat(330) + "1\"/>";
-        assertTrue(judge(scenario(wall, ROBOT, "")).get(0).toString().contains("specular of <wall> is \"0.000"));
+        assertTrue(problemsOf(scenario(wall, ROBOT, "")).get(0).toString().contains("specular of <wall> is \"0.000"));
     }
 }

@@ -56,32 +56,32 @@ class ProblemsTest {
             collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE"; expected one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP
             collision="false"  | minCoverage="90"   | 29:29: minCoverage of <expect> is "90"; expected a number from 0 to 1
             # Elements and attributes
-            <circle id="pole"  | <circel id="pole"  | 5:50: <world> may not hold <circel>; expected rectangle, circle, ellipse, polygon, wall, plan; did you mean "circle"?
-            <motor             | <engine            | 14:34: <robot> may not hold <engine>; expected motor, sensor
-            <mend at="21"      | <heal at="21"      | 21:35: <timeline> may not hold <heal>; expected fault, mend, switch, tune, move, put, remove, platform, controller
+            <circle id="pole"  | <circel id="pole"  | 5:50: <world> must not contain <circel>; expected rectangle, circle, ellipse, polygon, wall, plan; did you mean "circle"?
+            <motor             | <engine            | 14:34: <robot> must not contain <engine>; expected motor, sensor
+            <mend at="21"      | <heal at="21"      | 21:35: <timeline> must not contain <heal>; expected fault, mend, switch, tune, move, put, remove, platform, controller
             radius="0.02"      | radus="0.02"       | 5:49: <circle> has no attribute "radus"; expected id, x, y, heading, radius; did you mean "radius"?
-            <motor timeConstant="0.05"/> | <motor/><motor/>    | 14:21: <robot> holds a second <motor>; expected one
-            <description>One of each.</description> | <robot x="1" y="1"/> | 13:22: <scenario> holds a second <robot>; expected one
-            One of each.       | One <b/> each.     | 2:24: <description> may not hold <b>; expected text
-            <motor timeConstant="0.05"/> | text              | 13:22: <robot> holds the text "text"; expected elements only: motor, sensor
+            <motor timeConstant="0.05"/> | <motor/><motor/>    | 14:21: <robot> contains a second <motor>; expected one
+            <description>One of each.</description> | <robot x="1" y="1"/> | 13:22: <scenario> contains a second <robot>; expected one
+            One of each.       | One <b/> each.     | 2:24: <description> must not contain <b>; expected text
+            <motor timeConstant="0.05"/> | text              | 13:22: <robot> contains the text "text"; expected elements only: motor, sensor
             # Points
             2,2 2.5,2 2.5,2.5  | 2,2 2.5,2          | 7:57: points of <polygon> is "2,2 2.5,2"; expected 3 or more points as x,y with blanks between them, each number from -100000 to 100000 metres
             2,2 2.5,2 2.5,2.5  | 2,2 2.5;2 2.5,2.5  | 7:65: points of <polygon> is "2.5;2"; expected 3 or more points as x,y with blanks between them, each number from -100000 to 100000 metres
             0,3 1,3            | 0,3                | 8:49: points of <wall> is "0,3"; expected 2 or more points as x,y with blanks between them, each number from -100000 to 100000 metres
             # Ids
-            id="pole"          | id="enclosure"     | 5:55: id of <circle> is "enclosure"; expected any other: it names the wall round the world
-            id="pole"          | id="desk"          | 5:50: id of <circle> is "desk", which the one in line 4 has already; expected each id once
+            id="pole"          | id="enclosure"     | 5:55: id of <circle> is "enclosure"; expected another id, because this is the name of the wall around the world
+            id="pole"          | id="desk"          | 5:50: id of <circle> is "desk", which the element in line 4 already has; expected unique ids
             id="pole"          | id=""              | 5:46: id of <circle> is ""; expected 1 to 100 characters, none of them a comma, a double quote or a control character
-            id="probe"         | id="left"          | 16:51: id of <sensor> is "left", which the one in line 15 has already; expected each id once
+            id="probe"         | id="left"          | 16:51: id of <sensor> is "left", which the element in line 15 already has; expected unique ids
             sensor="front"     | sensor="frnt"      | 20:71: sensor of <fault> is "frnt"; expected one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right, probe; did you mean "front"?
             obstacle="desk"    | obstacle="desc"    | 24:48: obstacle of <move> is "desc"; expected one of the obstacles: desk, pole, sofa, niche, screen, visitor, extra; did you mean "desk"?
-            <circle id="extra" | <circle id="enclosure" | 25:67: id of <circle> is "enclosure"; expected any other: it names the wall round the world
+            <circle id="extra" | <circle id="enclosure" | 25:67: id of <circle> is "enclosure"; expected another id, because this is the name of the wall around the world
             # Sense
             until="20"         | until="10"         | 20:72: until of <fault> is 10; expected a time after at, which is 10
             maxMoving="1"      | maxMoving="0"      | 9:52: <circle> "visitor" is moving obstacle number 1; expected 0 (maxMoving of <world>)
-            points="5,3 5,1"   | points="5,3 5,3.00001" | 10:51: <motion> goes round its way-points in 0.0001 s; expected 0.01 s or more
+            points="5,3 5,1"   | points="5,3 5,3.00001" | 10:51: the loop of <motion> takes 0.0001 s; expected 0.01 s or more
             timeConstant="0.05"| speedConstant="200" | 14:33: <motor> drives its wheels at up to 1200 m/s (speedConstant times maxVoltage); expected 1000 m/s or less
-            <robot x="1" y="1" | <robot x="1" y="1" track="0.000001" | 13:39: <robot> could spin at 1200000 rad/s (twice its wheels' top speed by its track); expected 100000 rad/s or less
+            <robot x="1" y="1" | <robot x="1" y="1" track="0.000001" | 13:39: <robot> could spin at 1200000 rad/s (twice the maximum wheel speed divided by the track); expected 100000 rad/s or less
             <robot x="1"       | <robot x="6.5"     | 13:24: <robot> starts at 6.5,1 outside of the enclosed world; expected x from 0 to 6 and y from 0 to 4
             <robot x="1"       | <robot x="0.1"     | 13:24: <robot> starts at 0.1,1 where it touches or overlaps "enclosure"; expected a place with room for the whole platform
             <robot x="1"       | <robot x="3"       | 13:22: <robot> starts at 3,1 where it touches or overlaps "pole"; expected a place with room for the whole platform

@@ -214,7 +214,7 @@ class ScenarioReaderTest {
     void theShippedScenariosAreInTheProgram() {
         ScenarioException missing = org.junit.jupiter.api.Assertions.assertThrows(
                 ScenarioException.class, () -> Scenario.loadShipped("none.xml"));
-        assertEquals("none.xml: no such scenario ships with the program", missing.getMessage());
+        assertEquals("none.xml: the program contains no such scenario", missing.getMessage());
         assertTrue(missing.problems().get(0).location().equals(SourceLocation.NONE));
     }
 }

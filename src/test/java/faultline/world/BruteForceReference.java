@@ -16,15 +16,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Says what a world must do in a tick by testing every shape, without an index or anything kept from the tick before.
- * Only what depends on nothing but an unchanged obstacle or sensor is kept.
+ * Computes by brute force what a world must do in a tick: it tests every shape, without an index or data of the tick
+ * before. Only data that depends only on an unchanged obstacle or sensor is cached.
  */
-final class BruteForceJudge {
+final class BruteForceReference {
 
-    /** What is kept in reserve when shapes out of reach are left out, metres. */
+    /** The margin with which shapes out of reach are omitted, metres. */
     private static final double MARGIN = 0.01;
 
-    private record Judged(Obstacle obstacle, ObstacleGeometry geometry) {}
+    private record ReferenceObstacle(Obstacle obstacle, ObstacleGeometry geometry) {}
 
     private record Cone(SensorSpec sensor, RigidMotion mount, double cosHalf, double sinHalf) {
 
@@ -46,9 +46,9 @@ final class BruteForceJudge {
     private final double dt;
     private final List<Segment> sides;
     private final List<Cone> cones = new ArrayList<>();
-    private List<Judged> obstacles = List.of();
+    private List<ReferenceObstacle> obstacles = List.of();
 
-    BruteForceJudge(World world, WorldSpec spec, double dt) {
+    BruteForceReference(World world, WorldSpec spec, double dt) {
         this.world = world;
         this.dt = dt;
         double w = spec.width();
@@ -58,16 +58,16 @@ final class BruteForceJudge {
     }
 
     /** Returns the obstacles as they are now. */
-    private List<Judged> obstacles() {
+    private List<ReferenceObstacle> obstacles() {
         List<Obstacle> now = world.obstacles();
-        List<Judged> judged = new ArrayList<>(now.size());
+        List<ReferenceObstacle> references = new ArrayList<>(now.size());
         for (int i = 0; i < now.size(); i++) {
             Obstacle obstacle = now.get(i);
             boolean same = i < obstacles.size() && obstacles.get(i).obstacle() == obstacle;
-            judged.add(same ? obstacles.get(i) : new Judged(obstacle, ObstacleGeometry.of(obstacle)));
+            references.add(same ? obstacles.get(i) : new ReferenceObstacle(obstacle, ObstacleGeometry.of(obstacle)));
         }
-        obstacles = judged;
-        return judged;
+        obstacles = references;
+        return references;
     }
 
     /** Returns the pose after a tick if every static shape is tested for contact. */
@@ -86,9 +86,9 @@ final class BruteForceJudge {
         for (Segment side : sides) {
             stop = firstContact(impact, side, reach, stop);
         }
-        for (Judged judged : obstacles()) {
-            if (!judged.obstacle().isMoving()) {
-                for (ConvexShape part : judged.geometry().parts()) {
+        for (ReferenceObstacle obstacle : obstacles()) {
+            if (!obstacle.obstacle().isMoving()) {
+                for (ConvexShape part : obstacle.geometry().parts()) {
                     stop = firstContact(impact, part, reach, stop);
                 }
             }
@@ -106,7 +106,7 @@ final class BruteForceJudge {
     /** Returns the true readings of all sensors. */
     double[] readings() {
         List<SensorSpec> sensors = world.robot().sensors();
-        List<Judged> judged = obstacles();
+        List<ReferenceObstacle> references = obstacles();
         RigidMotion frame = RigidMotion.of(world.pose());
         double[] readings = new double[sensors.size()];
         for (int i = 0; i < readings.length; i++) {
@@ -115,23 +115,23 @@ final class BruteForceJudge {
             } else if (cones.get(i).sensor() != sensors.get(i)) {
                 cones.set(i, Cone.of(sensors.get(i)));
             }
-            readings[i] = reading(sensors.get(i), cones.get(i).in(frame), judged);
+            readings[i] = reading(sensors.get(i), cones.get(i).in(frame), references);
         }
         return readings;
     }
 
-    private double reading(SensorSpec sensor, Sector sector, List<Judged> judged) {
+    private double reading(SensorSpec sensor, Sector sector, List<ReferenceObstacle> references) {
         Vector2 mount = sensor.mountPosition();
         boolean outside = Math.abs(mount.x()) > world.robot().length() / 2
                 || Math.abs(mount.y()) > world.robot().width() / 2;
-        if (outside && judged.stream().anyMatch(one -> one.geometry().contains(sector.apex()))) {
+        if (outside && references.stream().anyMatch(one -> one.geometry().contains(sector.apex()))) {
             return 0;
         }
         double least = Double.POSITIVE_INFINITY;
         for (Segment side : sides) {
             least = Math.min(least, SectorDistance.nearest(sector, side));
         }
-        for (Judged one : judged) {
+        for (ReferenceObstacle one : references) {
             double angle = one.obstacle().specularAngle();
             for (ConvexShape part : one.geometry().parts()) {
                 double distance = angle < Obstacle.MATT && part instanceof Segment segment
