@@ -123,17 +123,7 @@ public record SimulationSetup(
      * @param tick the tick
      */
     public double timeOf(long tick) {
-        return timeOf(tick, BigDecimal.valueOf(dt));
-    }
-
-    /**
-     * {@return the time of a tick as {@link #timeOf(long)} does, if the length of a tick is converted once for many}
-     *
-     * @param tick the tick
-     * @param dt the length of a tick, seconds
-     */
-    public static double timeOf(long tick, BigDecimal dt) {
-        return dt.multiply(BigDecimal.valueOf(tick)).doubleValue();
+        return BigDecimal.valueOf(dt).multiply(BigDecimal.valueOf(tick)).doubleValue();
     }
 
     /** {@return the number of ticks up to {@link #duration}} */

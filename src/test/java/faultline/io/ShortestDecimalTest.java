@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
 /** Random numbers are written as the JDK writes them; the system property {@code faultline.numbers} sets how many. */
@@ -51,5 +52,33 @@ class ShortestDecimalTest {
                     assertEquals(Double.toString(number), text(number));
                     assertTrue(text(number).length() <= ShortestDecimal.ROOM);
                 });
+    }
+
+    @Test
+    void decimalFractionsReadAsTheJdkWritesThem() {
+        SplittableRandom random = new SplittableRandom(13);
+        for (int i = 0; i < NUMBERS; i++) {
+            int scale = random.nextInt(1, 8);
+            long unscaled = random.nextLong(1L << random.nextInt(1, 49));
+            int end = ShortestDecimal.writeDecimal(unscaled, scale, TEXT, START);
+            assertEquals(
+                    Double.toString(unscaled / StrictMath.pow(10, scale)),
+                    new String(TEXT, START, end - START, StandardCharsets.ISO_8859_1));
+        }
+    }
+
+    @Test
+    void integersReadAsTheJdkWritesThem() {
+        SplittableRandom random = new SplittableRandom(14);
+        LongStream edges = LongStream.iterate(1, power -> power <= Long.MAX_VALUE / 10, power -> 10 * power)
+                .flatMap(power -> LongStream.of(power - 1, power, power + 1));
+        LongStream others = random.longs(NUMBERS).map(bits -> bits >>> 1 + (bits & 0x3F) % 63);
+        LongStream.of(Long.MAX_VALUE).forEach(ShortestDecimalTest::assertIntegerText);
+        LongStream.concat(edges, others).forEach(ShortestDecimalTest::assertIntegerText);
+    }
+
+    private static void assertIntegerText(long integer) {
+        int end = ShortestDecimal.writeInteger(integer, TEXT, START);
+        assertEquals(Long.toString(integer), new String(TEXT, START, end - START, StandardCharsets.ISO_8859_1));
     }
 }

@@ -1,12 +1,10 @@
 package faultline.engine.metrics;
 
 import faultline.engine.Simulation;
-import faultline.engine.SimulationSetup;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
-import java.math.BigDecimal;
 import java.util.List;
 
 /** The columns of every trace: time, motion and state. */
@@ -26,8 +24,8 @@ final class MotionColumns implements ColumnGroup {
             new TraceColumn("collided", "", "true from the first contact on"));
 
     private final boolean exactTimes;
-    /** The length of a tick, seconds; null before the first row. */
-    private BigDecimal dt;
+    /** Null before the first row. */
+    private TickTimes times;
 
     /**
      * Creates the cells of one trace.
@@ -62,9 +60,9 @@ final class MotionColumns implements ColumnGroup {
     }
 
     private double exactTime(Simulation simulation) {
-        if (dt == null) {
-            dt = BigDecimal.valueOf(simulation.setup().dt());
+        if (times == null) {
+            times = TickTimes.of(simulation.setup().dt());
         }
-        return SimulationSetup.timeOf(simulation.ticks(), dt);
+        return times.timeOf(simulation.ticks());
     }
 }

@@ -32,7 +32,11 @@ final class TraceRows {
 
     private final int marks;
     private int rows;
-    private int row;
+    /** Where the next marks of the row go. */
+    private int place;
+    /** Which of the columns changed that the next marks are about. */
+    private long changed;
+
     private int column;
     private int size;
 
@@ -58,10 +62,9 @@ final class TraceRows {
 
     /** Empties a block that has been written, for the rows after the last block of the same trace. */
     void clear() {
-        Arrays.fill(values, 0);
         words.clear();
         rows = 0;
-        row = 0;
+        place = 0;
         size = marks;
     }
 
@@ -71,7 +74,7 @@ final class TraceRows {
         if (bits != above[column]) {
             change(bits);
         }
-        column++;
+        endCell();
     }
 
     /** Appends a cell with a word. */
@@ -82,24 +85,43 @@ final class TraceRows {
             words.add(word);
             change(WORD);
         }
-        column++;
+        endCell();
     }
 
     /** Leaves the next cells as they are in the row above, which must exist. */
     void repeat(int cells) {
-        column += cells;
+        int next = column + cells;
+        for (int mark = column / Long.SIZE; mark < next / Long.SIZE; mark++) {
+            endMarks();
+        }
+        column = next;
     }
 
     private void change(long value) {
         above[column] = value;
         values[size++] = value;
-        values[row + column / Long.SIZE] |= 1L << column;
+        changed |= 1L << column;
+    }
+
+    private void endCell() {
+        column++;
+        if (column % Long.SIZE == 0) {
+            endMarks();
+        }
+    }
+
+    private void endMarks() {
+        values[place++] = changed;
+        changed = 0;
     }
 
     /** Ends a row after its last cell. */
     void endRow() {
+        if (column % Long.SIZE != 0) {
+            endMarks();
+        }
         rows++;
-        row = size;
+        place = size;
         size += marks;
         column = 0;
     }
