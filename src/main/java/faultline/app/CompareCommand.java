@@ -107,7 +107,7 @@ final class CompareCommand {
     /** Returns the commands that show the first controller in the window with each other one as its ghost. */
     private static List<String> windowCommands(Path file, List<String> choices, ControllerOptions options) {
         if (options.truth()) {
-            // The window gives the ground truth to no controller.
+            // The window does not give the ground truth to controllers.
             return List.of();
         }
         String jar = options.jars().stream()

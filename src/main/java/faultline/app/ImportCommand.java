@@ -15,7 +15,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** {@code import}: makes a scenario of an occupancy-grid map. */
+/** {@code import}: makes a scenario from an occupancy-grid map. */
 final class ImportCommand {
 
     private static final List<String> OPTION_NAMES =

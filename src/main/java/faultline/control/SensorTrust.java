@@ -1,6 +1,6 @@
 package faultline.control;
 
-/** How far a controller's diagnosis trusts a sensor. */
+/** The trust of a controller's diagnosis in a sensor. */
 public enum SensorTrust {
     /** It is used. */
     TRUSTED,

@@ -52,7 +52,7 @@ public record Telemetry(
 
     /**
      * {@return the telemetry after a controller that is not part of the program has named a state} If the state is the
-     * same as before, it is no transition.
+     * same as before, there is no transition.
      *
      * @param newState the name of its state
      * @param why the condition that brought it there, empty if it gives none

@@ -25,7 +25,7 @@ public final class ChunkLog<C> {
      *
      * @param chunkSize the number of entries in a chunk
      * @param maxChunks the largest number of chunks that are kept
-     * @param chunkFactory makes an empty chunk
+     * @param chunkFactory the function that makes an empty chunk
      */
     public ChunkLog(int chunkSize, int maxChunks, Supplier<C> chunkFactory) {
         this.chunkSize = chunkSize;

@@ -82,7 +82,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Creates a simulation at tick 0 with a controller in place of the setup's.
+     * Creates a simulation at tick 0 with a controller instead of the setup's.
      *
      * @param setup the setup; its controller is only named in the first telemetry
      * @param controller drives the robot; not closed with the simulation

@@ -88,8 +88,8 @@ final class ThreadedHost implements ControllerHost {
     }
 
     /**
-     * Interrupts the controller. Java cannot stop a thread that does not end by itself; it is a daemon, so the process
-     * can end all the same.
+     * Interrupts the controller. Java cannot stop a thread that ignores this; it is a daemon, so the process can end
+     * all the same.
      */
     private String fateOfThread() {
         executor.shutdownNow();

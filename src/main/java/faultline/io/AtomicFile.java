@@ -63,7 +63,10 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Unlike {@link Files#exists}, throws an exception if there could be no such file, as one with too long a name. */
+    /**
+     * Unlike {@link Files#exists}, throws an exception if such a file cannot exist, for example because its name is too
+     * long.
+     */
     private static boolean exists(Path file) throws IOException {
         try {
             Files.readAttributes(file, BasicFileAttributes.class);

@@ -7,19 +7,19 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Decimal numbers as files hold them, in the same form on every machine. Every number that this class writes reads back
- * to the same bits.
+ * Decimal numbers in files, in the same form on every machine. Reading a number that this class has written gives the
+ * same bits.
  */
 public final class DecimalText {
 
     private static final Pattern DECIMAL =
             Pattern.compile("[+-]?(?:\\d++(?:\\.\\d*+)?+|\\.\\d++)(?:[eE][+-]?\\d{1,4})?+");
-    /** More characters than any double needs. */
+    /** The maximum length of the text; no double needs as many characters. */
     private static final int MAX_LENGTH = 1200;
     /** Numbers beyond this power of ten are written with an exponent. */
     private static final int MAX_PLAIN_EXPONENT = 15;
 
-    /** All exact. */
+    /** All values are exact. */
     private static final double[] POWERS_OF_TEN = {
         1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14
     };

@@ -52,7 +52,7 @@ final class FailureReportingStream extends FilterOutputStream {
         }
     }
 
-    /** Closes the file; that its content cannot be completed does not matter any more. */
+    /** Closes the file; an error in completing its content is ignored. */
     void abandon() {
         try {
             out.close();

@@ -1,6 +1,6 @@
 package faultline.io;
 
-/** A text that is no JSON; the message says what is wrong and at which character. */
+/** Thrown if a text is not JSON; the message states the error and the index of the character. */
 public final class JsonException extends Exception {
 
     private static final long serialVersionUID = 1L;

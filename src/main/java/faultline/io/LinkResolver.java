@@ -94,7 +94,7 @@ public final class LinkResolver {
     }
 
     /**
-     * Returns whether a path names something that is written to as it is: a device, a pipe, or a file that the process
+     * Returns whether a path names something that is written to directly: a device, a pipe, or a file that the process
      * has inherited, such as {@code /dev/stdout}.
      */
     static boolean isStream(Path file) throws IOException {

@@ -29,7 +29,7 @@ public final class MessageText {
     }
 
     /**
-     * {@return a text with a blank in place of every character that could change how the rest is shown: control
+     * {@return a text with a blank instead of every character that could change how the rest is shown: control
      * characters, line separators and the controls of bidirectional text}
      *
      * @param text the text

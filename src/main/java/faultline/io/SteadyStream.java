@@ -8,8 +8,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 
 /**
- * Writes a file and has another thread force it to the disk now and then, so that a long file has not all of it still
- * to come when it is complete. One thread at a time writes.
+ * Writes a file and has another thread force it to the disk regularly, so that a long file does not have all of it
+ * still to come when it is complete. One thread at a time writes.
  */
 final class SteadyStream extends OutputStream {
 

@@ -16,8 +16,8 @@ import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A new file with a random name, which becomes another file or is deleted, at the latest when the process ends. Until
- * then only its owner may read it. What a killed process has left is deleted by the next one that writes to the folder;
- * a lock tells which files are still being written.
+ * then only its owner may read it. The files of a killed process are deleted by the next process that writes to the
+ * folder; a lock shows which files are still being written.
  */
 final class TemporaryFile {
 
@@ -40,7 +40,7 @@ final class TemporaryFile {
                 try {
                     Files.deleteIfExists(file);
                 } catch (IOException e) {
-                    // The process is ending; nobody could be informed.
+                    // The process is ending, so the failure cannot be reported.
                 }
             }
         }
@@ -90,7 +90,7 @@ final class TemporaryFile {
                 }
             }
         } catch (IOException | DirectoryIteratorException e) {
-            // The files can stay; they are in nobody's way.
+            // The files may remain; they have no effect.
         }
     }
 
@@ -124,7 +124,7 @@ final class TemporaryFile {
         try {
             channel.tryLock();
         } catch (IOException e) {
-            // Without a lock, another process may take the file for abandoned after a while without writing.
+            // Without a lock, another process may treat the file as abandoned if nothing is written for some time.
         }
         return channel;
     }
@@ -152,7 +152,7 @@ final class TemporaryFile {
         }
     }
 
-    /** Leaves the file alone, because it has become another one. */
+    /** Keeps the file, because it has become another one. */
     void forget() {
         Unfinished.FILES.remove(path);
     }

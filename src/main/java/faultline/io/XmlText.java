@@ -1,6 +1,6 @@
 package faultline.io;
 
-/** Converts text to what XML 1.0 can hold. */
+/** Converts text to characters that are allowed in XML 1.0. */
 public final class XmlText {
 
     private XmlText() {}
@@ -51,7 +51,7 @@ public final class XmlText {
     }
 
     /**
-     * {@return a text for use between double quotes; it reads back to the same characters, including white space}
+     * {@return a text for use between double quotes; reading it gives the same characters, including white space}
      *
      * @param text the text
      */

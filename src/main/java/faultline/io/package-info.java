@@ -1,6 +1,6 @@
 /**
- * Text and file utilities that know nothing of robots: decimal numbers that read back exactly, quoted text for
- * messages, spelling suggestions, and files that are replaced whole or not at all. Pure functions or short blocking
- * calls, safe on any thread.
+ * Text and file utilities that do not depend on robots: decimal numbers that are read back exactly, quoted text for
+ * messages, spelling suggestions, and files that are replaced atomically. Pure functions or short blocking calls, safe
+ * on any thread.
  */
 package faultline.io;

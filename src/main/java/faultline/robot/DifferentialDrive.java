@@ -17,7 +17,7 @@ public final class DifferentialDrive {
      *
      * @param from q = [x, y, theta]
      * @param velocity [v, omega]
-     * @param dt seconds
+     * @param dt the time, seconds
      * @return the new pose; its heading is not normalised
      */
     public static Pose advance(Pose from, Velocity velocity, double dt) {

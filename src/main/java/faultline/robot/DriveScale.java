@@ -1,31 +1,31 @@
 package faultline.robot;
 
 /**
- * How the true drive differs from what the controller believes. The controller never sees it; with odometry from
- * commands alone these are the systematic errors of Borenstein and Feng (IEEE Transactions on Robotics and Automation
- * 12, 1996): unequal wheels and an uncertain wheelbase.
+ * The difference between the true drive and the model of the controller. The controller never sees it; with odometry
+ * from commands alone these are the systematic errors of Borenstein and Feng (IEEE Transactions on Robotics and
+ * Automation 12, 1996): unequal wheels and an uncertain wheelbase.
  *
- * @param left the true speed of the left wheels by the believed one
- * @param right the true speed of the right wheels by the believed one
- * @param track the true distance between the wheels by the believed one
+ * @param left the true speed of the left wheels divided by that of the model
+ * @param right the true speed of the right wheels divided by that of the model
+ * @param track the true distance between the wheels divided by that of the model
  */
 public record DriveScale(double left, double right, double track) {
 
     /** A drive as the controller believes it to be. */
     public static final DriveScale NONE = new DriveScale(1, 1, 1);
 
-    /** The least factor allowed. */
+    /** The minimum factor. */
     public static final double MIN = 0.1;
 
-    /** The greatest factor allowed. */
+    /** The maximum factor. */
     public static final double MAX = 10;
 
     /**
      * Creates a drive scale.
      *
-     * @param left the true speed of the left wheels by the believed one
-     * @param right the true speed of the right wheels by the believed one
-     * @param track the true distance between the wheels by the believed one
+     * @param left the true speed of the left wheels divided by that of the model
+     * @param right the true speed of the right wheels divided by that of the model
+     * @param track the true distance between the wheels divided by that of the model
      * @throws IllegalArgumentException if a factor is outside its limits
      */
     public DriveScale {

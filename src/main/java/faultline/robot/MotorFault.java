@@ -13,7 +13,7 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.NoDrive, 
      */
     double apply(double volts);
 
-    /** {@return the kind of this fault, as files and windows name it} */
+    /** {@return the kind of this fault, by its name in files and windows} */
     MotorFaultKind kind();
 
     /** {@return the number of this fault in the kind's unit; 0 if the kind has none} */
@@ -22,7 +22,7 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.NoDrive, 
     }
 
     /**
-     * A share of the voltage has an effect, so the wheels turn slower: file kind {@code weak}.
+     * Only a share of the voltage has an effect, so the wheels turn slower: file kind {@code weak}.
      *
      * @param value the share
      */
@@ -52,7 +52,8 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.NoDrive, 
     }
 
     /**
-     * The voltage must overcome friction first, and only the rest of it has an effect: file kind {@code dead-band}.
+     * A part of the voltage is needed to overcome friction, and only the rest has an effect: file kind
+     * {@code dead-band}.
      *
      * @param value half the width of the band, volts
      */

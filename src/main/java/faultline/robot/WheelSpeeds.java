@@ -3,8 +3,8 @@ package faultline.robot;
 /**
  * The speeds of the two sides' wheels at the rim.
  *
- * @param left metres per second, positive ahead
- * @param right metres per second, positive ahead
+ * @param left the speed of the left wheels, metres per second, positive ahead
+ * @param right the speed of the right wheels, metres per second, positive ahead
  */
 public record WheelSpeeds(double left, double right) {
 
@@ -14,8 +14,8 @@ public record WheelSpeeds(double left, double right) {
     /**
      * Creates wheel speeds.
      *
-     * @param left metres per second, positive ahead
-     * @param right metres per second, positive ahead
+     * @param left the speed of the left wheels, metres per second, positive ahead
+     * @param right the speed of the right wheels, metres per second, positive ahead
      * @throws IllegalArgumentException if a speed is not finite
      */
     public WheelSpeeds {

@@ -69,7 +69,7 @@ public final class RunSummary {
         return HexFormat.of().toHexDigits(result.trajectoryHash());
     }
 
-    /** An obstacle may have the id that stands for no obstacle. */
+    /** An obstacle may have the id that means "no obstacle". */
     private static String formatObstacle(Collision collision) {
         return collision.obstacle().equals("none") ? "\"none\"" : collision.obstacle();
     }
@@ -100,7 +100,7 @@ public final class RunSummary {
                 : Optional.empty();
     }
 
-    /** Formats an event if a sensor is not trusted any more or is trusted again; suspicions are left out. */
+    /** Formats an event if a sensor is no longer trusted or is trusted again; suspicions are omitted. */
     private static Optional<String> formatHealth(RunEvent event) {
         if (!(event instanceof RunEvent.HealthChanged change)) {
             return Optional.empty();
@@ -114,7 +114,9 @@ public final class RunSummary {
         return Optional.of(health.sensor() + " " + verdict + " at " + DecimalText.format(change.time()));
     }
 
-    /** Formats a number as a formatter does; loading that class takes a twentieth of the time of a short run. */
+    /**
+     * Formats a number like {@code java.util.Formatter}, whose loading takes a twentieth of the time of a short run.
+     */
     static String formatNumber(double value, int digits) {
         return Double.isFinite(value)
                 ? new BigDecimal(Double.toString(value))

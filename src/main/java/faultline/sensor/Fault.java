@@ -53,7 +53,7 @@ public sealed interface Fault
     /**
      * {@return the optics of the sensor with this fault}
      *
-     * @param spec without it
+     * @param spec the sensor without it
      */
     default SensorSpec optics(SensorSpec spec) {
         return spec;
@@ -73,7 +73,7 @@ public sealed interface Fault
     }
 
     /**
-     * The sensor always reports one distance: file kind {@code stuck}.
+     * The sensor always reports the same distance: file kind {@code stuck}.
      *
      * @param value the reported distance, metres, not negative; nothing if it is beyond the range
      */

@@ -1,6 +1,6 @@
 package faultline.sensor;
 
-/** Faults of the signal, which change a distance on its way from the detector to the controller. */
+/** Faults of the signal, which change a distance between the detector and the controller. */
 public final class SignalFault {
 
     private SignalFault() {}

@@ -12,7 +12,7 @@ final class SetupVariations {
 
     private SetupVariations() {}
 
-    /** Returns a setup with an obstacle in place of the one with the same id. */
+    /** Returns a setup with an obstacle instead of the one with the same id. */
     static SimulationSetup with(SimulationSetup base, Obstacle changed) {
         return base.withWorld(base.world()
                 .withObstacles(base.world().obstacles().stream()

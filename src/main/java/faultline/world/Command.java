@@ -368,8 +368,8 @@ public sealed interface Command {
     }
 
     /**
-     * Changes the controller or its settings. A controller of the same kind goes on from its state; another one starts
-     * in its initial state.
+     * Changes the controller or its settings. A controller of the same kind continues from its state; another one
+     * starts in its initial state.
      *
      * @param controller the new settings
      */

@@ -206,7 +206,8 @@ final class MotionStep {
 
     /**
      * Slides an obstacle, already rotated, along a straight line to a pose at which it would overlap the body, until it
-     * touches the body. The body is at rest meanwhile. Returns false if they overlap before the obstacle slides.
+     * touches the body. The body is at rest during this motion. Returns false if they overlap before the obstacle
+     * slides.
      */
     boolean slideUntilContact(PlacedObstacle placed, Pose target) {
         Pose start = placed.obstacle().pose();

@@ -79,7 +79,7 @@ final class RingList extends AbstractList<List<Vector2>> implements RandomAccess
         return new Vector2(xs[side], ys[side]);
     }
 
-    /** Returns the side that goes on where a side ends. */
+    /** Returns the side that begins where a side ends. */
     int next(int side) {
         return next[side];
     }

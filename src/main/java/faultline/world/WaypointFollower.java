@@ -28,7 +28,7 @@ final class WaypointFollower {
     private double y;
     private int nextWaypoint;
 
-    /** Creates a follower at a position, on its way to the first way-point. */
+    /** Creates a follower at a position, moving to the first way-point. */
     WaypointFollower(WaypointPath path, Vector2 start) {
         this.path = path;
         x = start.x();
@@ -54,7 +54,7 @@ final class WaypointFollower {
         return path.speed();
     }
 
-    /** Returns the parts of the path in the next seconds if nothing is in the way. */
+    /** Returns the parts of the path in the next seconds if nothing blocks it. */
     List<Leg> legs(double time) {
         List<Leg> legs = new ArrayList<>();
         WaypointFollower scout = new WaypointFollower(path, new Vector2(x, y));
@@ -63,7 +63,7 @@ final class WaypointFollower {
         return legs;
     }
 
-    /** Moves along the path for some seconds as if nothing were in the way. */
+    /** Moves along the path for some seconds as if nothing blocked it. */
     void advance(double time) {
         travel(time, null);
     }

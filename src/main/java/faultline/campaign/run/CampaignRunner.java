@@ -17,7 +17,7 @@ import java.util.function.BooleanSupplier;
 /** Makes a part of a campaign. Several threads make the runs, and the calling thread writes the rows in order. */
 public final class CampaignRunner {
 
-    /** The greatest number of threads that a user may ask for. */
+    /** The maximum number of threads that a user may ask for. */
     public static final int MAX_JOBS = 1024;
 
     /** The number of runs per thread that may be finished before the next one in the table. */

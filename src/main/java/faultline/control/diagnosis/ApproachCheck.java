@@ -12,7 +12,7 @@ final class ApproachCheck {
 
     private static final int POINTS = 7;
 
-    /** The least distance over which the rate is measured, metres. */
+    /** The minimum distance over which the rate is measured, metres. */
     private static final double MIN_DISTANCE = 0.08;
 
     /** The margin by which the rate must exceed that of an object beside the path. */

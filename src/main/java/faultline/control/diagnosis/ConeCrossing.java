@@ -1,10 +1,10 @@
 package faultline.control.diagnosis;
 
 /**
- * Tells whether the robot's motion can have brought a surface into a sensor's cone and out of it again. A surface that
- * stands still comes in and leaves at a border of the cone, at a moment at which this border moves towards it or away
- * from it. If it leaves where it came in, the cone has swung back in between; if at the other border, the cone has
- * swept its own width.
+ * Determines whether the robot's motion can have brought a surface into a sensor's cone and out of it again. A surface
+ * that does not move enters and leaves at a border of the cone, at a moment at which this border moves towards it or
+ * away from it. If it leaves at the border where it entered, the cone has turned back in between. If it leaves at the
+ * other border, the cone has swept its own width.
  */
 final class ConeCrossing {
 

@@ -37,7 +37,7 @@ public final class DeadReckoning {
      * @param leftVolts the voltage on the side next to the wall
      * @param rightVolts the voltage on the other side
      * @param dt the length of a tick, seconds
-     * @param ticks how many
+     * @param ticks the number of ticks
      */
     void advance(RobotSpec robot, double leftVolts, double rightVolts, double dt, long ticks) {
         MotorSpec motor = robot.motor();

@@ -121,7 +121,7 @@ public final class EvidenceGrid {
      *
      * @param column the first cell's column, not wrapped
      * @param row the cells' row, not wrapped
-     * @param since the oldest moment that counts; older ones may be left out
+     * @param since the oldest moment that counts; older ones may be omitted
      * @param asked a bit for each source
      * @param latest receives the latest moment for one cell after the other; no longer than {@link #SIZE}
      * @return whether some may have been seen since then
@@ -135,7 +135,7 @@ public final class EvidenceGrid {
      *
      * @param column the first cell's column, not wrapped
      * @param row the cells' row, not wrapped
-     * @param since the oldest moment that counts; older ones may be left out
+     * @param since the oldest moment that counts; older ones may be omitted
      * @param asked a bit for each source
      * @param latest receives the latest moment for one cell after the other; no longer than {@link #SIZE}
      * @return whether there may be surfaces seen since then

@@ -2,10 +2,13 @@ package faultline.control.diagnosis;
 
 import faultline.sensor.Reading;
 
-/** Looks for surfaces that the front sensor misses: another sensor predicts or meets them. */
+/** Finds surfaces that the front sensor misses: another sensor predicts or sees them. */
 final class MissedSurfaces {
 
-    /** A slower robot turns on the spot, where surfaces may come near, metres per second. */
+    /**
+     * The minimum speed of a robot that drives, metres per second. A slower robot turns on the spot, where surfaces may
+     * come near.
+     */
     private static final double DRIVING = 0.06;
 
     private final InspectedSensor[] sensors;

@@ -14,7 +14,7 @@ final class NearSurfaceCheck {
     /** The same as a share of the wanted distance from the wall, where that is less. */
     private static final double NEAR_SHARE = 0.56;
 
-    /** The number of measurements that must agree, so that a single wrong reading is no surface. */
+    /** The number of measurements that must agree, so that a single wrong reading is not taken as a surface. */
     private static final int MEASUREMENTS = 3;
 
     /** Measurements that differ by less than this from one inspection to the next agree, metres. */

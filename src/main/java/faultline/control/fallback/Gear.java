@@ -4,8 +4,8 @@ import faultline.control.diagnosis.MountedCone;
 import faultline.control.diagnosis.SensorDiagnosis;
 
 /**
- * Which end of the robot goes first. A robot whose trusted sensors all look back sees more of its way if it drives
- * backwards: it need not turn around to look ahead.
+ * The direction in which the robot drives. If all trusted sensors look back, they see more of the path when the robot
+ * drives backwards, and it does not have to turn around to see it.
  */
 enum Gear {
     FORWARDS(0, 1),
@@ -13,10 +13,10 @@ enum Gear {
 
     private static final double QUARTER = StrictMath.PI / 2;
 
-    /** Sensors look ahead up to this bearing on either side, radians. */
+    /** The maximum bearing of a sensor that looks ahead, on either side, radians. */
     private static final double AHEAD = StrictMath.toRadians(60);
 
-    /** One that faces the wall looks no farther back than this from square to it, radians. */
+    /** The maximum angle by which a sensor that faces the wall looks back from the perpendicular, radians. */
     private static final double BESIDE = StrictMath.toRadians(20);
 
     private final double turn;
@@ -41,7 +41,7 @@ enum Gear {
         return cone.bearing() >= -AHEAD && cone.bearing() <= QUARTER + BESIDE;
     }
 
-    /** Returns the direction of the end that goes first, for a heading, radians. */
+    /** Returns the direction of motion for a heading, radians. */
     double leading(double heading) {
         return heading + turn;
     }

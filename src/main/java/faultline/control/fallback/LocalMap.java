@@ -5,9 +5,9 @@ import faultline.control.diagnosis.SensorDiagnosis;
 import java.util.Arrays;
 
 /**
- * The surroundings as trusted sensors recently saw them: for each place, the distance to the nearest surface, and
- * whether a sensor has seen it free. Distances are computed by two chamfer sweeps over a window of cells (Borgefors
- * 1986).
+ * A map of the surroundings that trusted sensors have recently seen: for each place, the distance to the nearest
+ * surface, and whether a sensor has seen it free. Distances are computed by two chamfer sweeps over a window of cells
+ * (Borgefors 1986).
  */
 final class LocalMap {
 
@@ -40,7 +40,7 @@ final class LocalMap {
     private double y;
 
     /**
-     * Updates this map from the evidence; what is older than a memory does not count. Places near the robot are free
+     * Updates this map from the evidence; older evidence than a limit does not count. Places near the robot are free
      * unless a surface was seen there, because no sensor can see them.
      */
     void refresh(SensorDiagnosis diagnosis, int bodySource, int memory, double bodyRadius) {
@@ -72,7 +72,7 @@ final class LocalMap {
         }
     }
 
-    /** Computes distances from zeros, of which there are none before a row. */
+    /** Computes distances from zeros; there are none before a given row. */
     private static void sweep(int[] d, int firstRow) {
         for (int r = Math.max(1, firstRow); r < WINDOW - 1; r++) {
             int before = d[r * WINDOW];
@@ -126,10 +126,10 @@ final class LocalMap {
     /**
      * Returns the direction of the nearest surface within some angle of a direction.
      *
-     * @param towards radians
-     * @param within radians
-     * @param limit metres
-     * @return radians; not a number if there is none
+     * @param towards the direction, radians
+     * @param within the maximum angle from it, radians
+     * @param limit the maximum distance, metres
+     * @return the direction, radians; not a number if there is none
      */
     double bearingOfSurface(double towards, double within, double limit) {
         double best = limit * limit;

@@ -11,11 +11,11 @@ import faultline.robot.Velocity;
 
 /**
  * Follows a wall on the left with the local map. It drives only where trusted sensors have recently seen free space;
- * otherwise it turns so that one of them sees what is in the way.
+ * otherwise it turns until one of them sees the path.
  */
 public final class MapFollower {
 
-    /** How long a sighting counts, on the motion clock. */
+    /** The time for which an observation counts, on the motion clock. */
     private static final int MEMORY = 1000;
 
     /** The time between two plans, in seconds. */
@@ -24,7 +24,7 @@ public final class MapFollower {
     /** The same while it scans, in seconds: a scan ends as soon as enough has been seen. */
     private static final double SCAN_PLANNING = 0.04;
 
-    /** How far ahead along the wall it looks, metres. */
+    /** The distance that it looks ahead along the wall, metres. */
     private static final double LOOK_AHEAD = 0.2;
 
     /** The free margin around the robot, metres. */
@@ -33,10 +33,13 @@ public final class MapFollower {
     /** Ground within this of the turning circle is taken to be free, because no sensor can see it, metres. */
     private static final double NEAR = 0.05;
 
-    /** The distance to the wall is less than wanted by this, because surfaces are enlarged to whole cells, metres. */
+    /**
+     * The amount by which the distance to the wall is less than wanted, because surfaces are enlarged to whole cells,
+     * metres.
+     */
     private static final double COARSENESS = 0.04;
 
-    /** Surfaces that are farther away than wanted by more than this are not the wall, metres. */
+    /** The amount by which the wall may be farther away than wanted, metres; surfaces beyond it are not the wall. */
     private static final double NEAR_WALL = 0.35;
 
     /** After this distance without a wall the robot searches, metres. */
@@ -57,7 +60,7 @@ public final class MapFollower {
      */
     private static final double SCAN_MARGIN = StrictMath.toRadians(20);
 
-    /** A square that contains a lap around a pole at the wanted distance is wider than the lap by this, metres. */
+    /** The margin of a square that contains a lap around a pole at the wanted distance, metres. */
     private static final double LAP_MARGIN = 0.4;
 
     private static final double ASIDE = StrictMath.toRadians(35);
@@ -71,8 +74,8 @@ public final class MapFollower {
     private static final double STEERING = 2.5;
 
     /**
-     * The rate of a turn on the spot to a direction that is known to be free, as a multiple of the robot's turn rate:
-     * nothing need be seen meanwhile.
+     * The rate of a turn on the spot to a direction that is known to be free, as a multiple of the robot's turn rate.
+     * It can be high because nothing has to be seen during the turn.
      */
     private static final double RETURN_RATE = 2;
 
@@ -113,7 +116,7 @@ public final class MapFollower {
     /**
      * Begins to drive, with the wall on the left.
      *
-     * @param atWall whether the robot is at the wall already
+     * @param atWall whether the robot is already at the wall
      */
     public void begin(boolean atWall) {
         gear = Gear.of(diagnosis);
@@ -217,8 +220,8 @@ public final class MapFollower {
     }
 
     /**
-     * Takes the surface on the left for the wall once the robot has turned back: in a narrow dead end the wall by which
-     * it came in stays the nearest, and would lead it in again.
+     * Selects the surface on the left as the wall once the robot has turned back. In a narrow dead end the wall along
+     * which it entered is still the nearest, and would lead it in again.
      */
     private void leaveDeadEnd() {
         double turn = wall - direction;
@@ -311,7 +314,7 @@ public final class MapFollower {
         return Math.min(multiple * robot.turnRate(), 2 * robot.motor().maxSpeed() / robot.track());
     }
 
-    /** Ends a scan, or continues it if it has shown what it was for but another place is still unknown. */
+    /** Ends a scan, or continues it if its place has been seen but another place is still unknown. */
     private void endScan() {
         scan.end();
         double known = knownAhead();
@@ -322,13 +325,13 @@ public final class MapFollower {
             startScan();
             return;
         }
-        // Everything visible has been seen: what is still unknown counts as a surface.
+        // Everything visible has been seen, so unknown places now count as surfaces.
         double far = known + radius();
         diagnosis.markUnseen(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
         diagnosis.markUnseen(heading.unknownX(), heading.unknownY());
     }
 
-    /** {@return whether the robot has made no progress since it took over, or for a long time} */
+    /** {@return whether the robot has made no progress since this follower started, or for a long time} */
     public boolean isStuck() {
         return stuck;
     }

@@ -3,16 +3,16 @@ package faultline.control.fallback;
 import faultline.control.diagnosis.DeadReckoning;
 
 /**
- * Detects by dead reckoning that a robot makes no progress: in the time that it takes to drive many times across a
- * square it has not left that square. This covers turning on the spot, being enclosed, and small laps, around a pole or
- * around nothing.
+ * Detects by dead reckoning that a robot makes no progress: it has not left a square in the time that it takes to drive
+ * across it many times. This covers turning on the spot, being enclosed, and small laps, around a pole or around
+ * nothing.
  */
 final class NoProgressDetector {
 
-    /** The time that counts, as a number of drives across the square. */
+    /** The period, as a number of drives across the square. */
     private static final int CROSSINGS = 15;
 
-    /** The number of positions that are kept of that time. */
+    /** The number of positions that are stored for that period. */
     private static final int SAMPLES = 60;
 
     private final double[] xs = new double[SAMPLES];
@@ -29,7 +29,7 @@ final class NoProgressDetector {
     /**
      * Adds the position and returns whether the robot makes no progress.
      *
-     * @param at where it is
+     * @param at the position
      * @param side the side of the square, metres
      * @param speed the speed that it drives at, metres per second
      * @param dt the time since the last call, seconds

@@ -12,7 +12,8 @@ import java.util.List;
  * <p>Both moments are taken at the same reading, on either side of the nearest one. If the wall comes into range and
  * leaves it again, that reading is the range, which is exactly the paper's rule; a level nearer to the wall separates
  * the walls of a corner. Between two samples the moment is interpolated. Time is that of the spin clock, which runs as
- * fast as the robot turns, in units of the constant rate, so that the acceleration of the spin does not matter.
+ * fast as the robot turns, in units of the constant rate, so that the result does not depend on the acceleration of the
+ * spin.
  */
 final class EdgeTimer {
 
@@ -52,7 +53,7 @@ final class EdgeTimer {
     }
 
     /**
-     * Starts a new spin. By the paper's rule every sample counts by itself.
+     * Starts a new spin. With the paper's rule every sample counts separately.
      *
      * @param newMargin how far above the nearest reading the timing level is, as a share of that reading
      * @param noise the standard deviation of the readings' noise, metres
@@ -94,7 +95,7 @@ final class EdgeTimer {
 
     /**
      * Adds a sample before the sensor has come to the wall, and keeps the beginning of the falling side. The distance
-     * that the robot still rolls may bring a wall nearer; that is no fall.
+     * that the robot still rolls may bring a wall nearer; this is not counted as a fall.
      */
     void addApproachSample(double clock, double reading, double rolled) {
         highestReading -= rolled;

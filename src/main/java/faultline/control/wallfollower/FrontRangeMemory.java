@@ -4,7 +4,7 @@ import faultline.sensor.Reading;
 
 /**
  * Remembers the last reading of the front sensor. A thin object leaves the cone at its edge when it is near, although
- * it is still in the robot's way; for a while dead reckoning replaces the reading.
+ * it still blocks the robot's path; until the robot has passed it, dead reckoning replaces the reading.
  */
 final class FrontRangeMemory {
 
@@ -42,7 +42,7 @@ final class FrontRangeMemory {
         latestTarget.advance(rolled, turn);
         nearest.advance(rolled, turn);
         if (front.detects()) {
-            // It can leave the cone only at its edge; an edge beyond the robot's side is no danger.
+            // It can leave the cone only at its edge; an edge beyond the robot's side is not dangerous.
             boolean inTheWay = front.reading() * StrictMath.sin(front.halfCone()) < halfWidth + MIN_CLEARANCE;
             latestTarget.set(inTheWay ? front.reading() : Reading.NOTHING);
             if (inTheWay && front.reading() <= nearest.distance) {

@@ -1,8 +1,8 @@
 package faultline.control.wallfollower;
 
 /**
- * Estimates the noise of a sensor's readings. The third difference of four readings hardly depends on smooth motion,
- * even in a spin past a wall, and its variance is twenty times that of the noise: 1 + 9 + 9 + 1.
+ * Estimates the noise of a sensor's readings. The third difference of four readings is almost independent of smooth
+ * motion, even in a spin past a wall, and its variance is twenty times that of the noise: 1 + 9 + 9 + 1.
  */
 final class NoiseEstimator {
 

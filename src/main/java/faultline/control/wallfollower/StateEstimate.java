@@ -82,8 +82,8 @@ final class StateEstimate {
     }
 
     /**
-     * Returns whether an obstacle in the way, seen or remembered, will be within the guarded radius of the robot's
-     * centre when the robot has stopped.
+     * Returns whether an obstacle ahead, seen or remembered, will be within the guarded radius of the robot's centre
+     * when the robot has stopped.
      */
     boolean isFrontTargetWithinTurningCircle() {
         return frontMemory.nearest() + front.mountPosition().x() - stoppingDistance() <= guardedRadius();

@@ -15,7 +15,7 @@ final class WallStates {
     /** A bend too tight for the turn rate slows the robot down, but not below this share of its speed. */
     private static final double MIN_SPEED_SHARE = 0.3;
 
-    /** A robot that is this much farther away than wanted is on its way to the wall, metres. */
+    /** The distance error above which the robot is still approaching the wall, metres. */
     private static final double DISTANCE_TOLERANCE = 0.02;
 
     /** A slant below this moves the sensor's mounting by less than 0.2 mm, radians. */
@@ -123,9 +123,9 @@ final class WallStates {
     }
 
     /**
-     * Corrects the tracker on the way to a new wanted distance, which is more slanted than any other part of FOLLOW:
-     * the sensor's mounting swings away from the wall. Beyond the cone the reading depends on the slant itself, so the
-     * heading is that of dead reckoning.
+     * Corrects the tracker during the approach to a new wanted distance, which is more slanted than any other part of
+     * FOLLOW: the sensor's mounting swings away from the wall. Beyond the cone the reading depends on the slant itself,
+     * so the heading is that of dead reckoning.
      */
     private void approach(double foot, boolean beyondCone) {
         double swing = estimate.sideMountOffset() * (1 - StrictMath.cos(tracker.heading()));

@@ -38,7 +38,7 @@ final class CellNumbers {
         return size == 0;
     }
 
-    /** Gives a cell a number, not negative, in place of any other. */
+    /** Gives a cell a number, not negative, instead of any other. */
     void put(long key, int value) {
         int slot = slot(key);
         if (values[slot] == NONE) {

@@ -71,7 +71,7 @@ final class Coverage {
         return visited.isEmpty();
     }
 
-    /** Returns the share so far, in [0, 1]; empty if nothing was passed. May be called again and again in a run. */
+    /** Returns the share so far, in [0, 1]; empty if nothing was passed. May be called repeatedly during a run. */
     OptionalDouble share() {
         if (!pending.isEmpty()) {
             places = places == null ? new PlaceMap(walls, distance, SPACING, JOIN_DISTANCE) : places;

@@ -56,7 +56,7 @@ public final class HeadlessRun {
     }
 
     /**
-     * {@return the result of a run to its duration with a given controller in place of the setup's}
+     * {@return the result of a run to its duration with a given controller instead of the setup's}
      *
      * @param setup the setup
      * @param controller drives the robot; not closed with the run
@@ -74,7 +74,7 @@ public final class HeadlessRun {
                 new WallFollowingMetrics(setup));
     }
 
-    /** Runs a simulation that a function starts, with metrics of its own. */
+    /** Runs a simulation that a function starts, with separate metrics. */
     static RunResult run(
             SimulationSetup setup,
             Function<CommandListener, Simulation> start,

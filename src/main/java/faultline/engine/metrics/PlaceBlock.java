@@ -19,13 +19,13 @@ final class PlaceBlock {
 
     private static final int OCCUPIED = -2;
 
-    /** The greatest number of places of a block near other walls. */
+    /** The maximum number of places of a block near other walls. */
     static final int SHORT = 64;
 
     /** The walls that may be too near are found for this number of places at once. */
     private static final int AHEAD = 8;
 
-    /** The greatest number of places of a block alone. */
+    /** The maximum number of places of a block alone. */
     static final int LONG = 4096;
 
     /** More than the error of a distance, metres. */
@@ -35,7 +35,7 @@ final class PlaceBlock {
     private final int from;
     private final int size;
     private final Vector2 centre;
-    /** Neighbouring places are no farther apart than this, metres. */
+    /** The maximum distance between neighbouring places, metres. */
     private final double step;
 
     private final double radius;

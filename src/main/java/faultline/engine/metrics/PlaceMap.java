@@ -17,8 +17,8 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * The places from which walls can be followed at a distance, as far as they have been asked for: a wall is sampled when
- * a point or a piece of path comes near it. Places near to each other belong to one piece.
+ * The places from which walls can be followed at a distance, computed on demand: a wall is sampled when a point or a
+ * piece of path is near it. Places close to each other belong to one piece.
  */
 final class PlaceMap {
 

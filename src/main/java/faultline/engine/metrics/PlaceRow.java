@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 
 /**
  * Places at a distance from one wall, in a row along it. Whether they are nearer to another wall is not considered.
- * Places are computed when they are asked for, because a wall may be very long.
+ * Places are computed on demand, because a wall may be very long.
  */
 sealed interface PlaceRow {
 

@@ -5,12 +5,12 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 
-/** Takes the measures of a run while it goes on; they are those that a run without a window ends with. */
+/** Measures a run while it is in progress. At the end the measures equal those of a run without a window. */
 public final class RunMeter implements TickObserver {
 
     private final SimulationSetup setup;
     private final WallFollowingMetrics wall;
-    /** Null until the robot meets a wall, because finding the ways along walls takes long in large worlds. */
+    /** Null until the robot reaches a wall, because finding the paths along walls takes long in large worlds. */
     private CarryOnMetrics laps;
 
     /**

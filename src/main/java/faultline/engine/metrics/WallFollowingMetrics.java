@@ -21,7 +21,7 @@ final class WallFollowingMetrics implements TickObserver {
     /** The distance from the ends of a wall beyond which it counts as straight, metres. */
     static final double STRAIGHT_MARGIN = 0.5;
 
-    /** With more walls than this, finding the places to pass would hold up a run that is watched. */
+    /** The maximum number of walls for which the places to pass are found during a run that is shown. */
     private static final int MAX_LIVE_WALLS = 5000;
 
     /** A list, because a set would need the slow start of {@code equals} and {@code hashCode} of a record. */
@@ -29,7 +29,7 @@ final class WallFollowingMetrics implements TickObserver {
             ControllerFactory.states(ControllerSpec.WallFollowing.DEFAULT);
 
     private final boolean isWallFollower;
-    /** Whether a state that the built-in follower does not have counts as following. */
+    /** Whether states that the built-in follower does not have count as following. */
     private final boolean hasOwnStates;
 
     private final double distance;
@@ -72,12 +72,12 @@ final class WallFollowingMetrics implements TickObserver {
         }
     }
 
-    /** Returns whether the walls are too many to say how much of them was followed while the run goes on. */
+    /** Returns whether there are too many walls to compute the coverage during the run. */
     boolean isLarge() {
         return walls.size() > MAX_LIVE_WALLS;
     }
 
-    /** Returns {@link #coverage} while the run goes on; empty also if the walls are too many. */
+    /** Returns {@link #coverage} during the run; empty also if there are too many walls. */
     OptionalDouble liveCoverage() {
         return coverage.isEmpty() || isLarge() ? OptionalDouble.empty() : coverage();
     }
@@ -99,7 +99,7 @@ final class WallFollowingMetrics implements TickObserver {
         return followError.root();
     }
 
-    /** The mean of squared errors; those that are not numbers are left out. */
+    /** The mean of squared errors; those that are not numbers are omitted. */
     private static final class MeanSquare {
         private double sum;
         private long count;

@@ -6,7 +6,7 @@ import faultline.engine.RobotPath;
 /** Keeps frames at evenly spaced ticks; if there are too many, every second one is dropped. */
 final class KeyframeRecorder {
 
-    /** The greatest number of frames: about 3 MB in a simple room. */
+    /** The maximum number of frames: about 3 MB in a simple room. */
     static final int MAX_FRAMES = 1024;
 
     private Frame[] frames = new Frame[MAX_FRAMES];

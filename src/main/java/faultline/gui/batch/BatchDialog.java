@@ -301,7 +301,10 @@ final class BatchDialog extends JDialog {
                         () -> saved = saved || run == ended));
     }
 
-    /** Writes a file or a folder; meanwhile no run is started, because it would delete what is being copied. */
+    /**
+     * Writes a file or a folder. No run is started during that time, because it would delete files that are being
+     * copied.
+     */
     private void write(Path target, Callable<Path> work, Runnable onWritten) {
         writing = true;
         start.setEnabled(false);

@@ -33,7 +33,7 @@ final class BatchResults {
     private final List<List<String>> rows = new ArrayList<>();
     private final List<String> shownColumns;
     private final List<String> labelColumns;
-    /** The numbers of columns as far as they have been asked for, NaN for none. */
+    /** The numbers of the columns that have been requested, NaN for none. */
     private final Map<String, List<Double>> numbers = new HashMap<>();
 
     BatchResults(CampaignPlan plan) {

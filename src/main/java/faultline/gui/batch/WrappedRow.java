@@ -7,7 +7,7 @@ import java.awt.Insets;
 import javax.swing.JPanel;
 import javax.swing.JRootPane;
 
-/** A row of buttons at its end, which takes several rows in a window that is too narrow for one. */
+/** A row of buttons, aligned at its end, which wraps to several rows in a narrow window. */
 final class WrappedRow extends JPanel {
 
     private static final int GAP = 8;

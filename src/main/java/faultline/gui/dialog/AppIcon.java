@@ -22,7 +22,7 @@ public final class AppIcon {
                 .toList();
     }
 
-    /** Returns the icon in a size, pixels. */
+    /** Returns the icon in a given size, pixels. */
     public static BufferedImage createImage(int size) {
         BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
         Antialiasing.paint(image.createGraphics(), g -> {

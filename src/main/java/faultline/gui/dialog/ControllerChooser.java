@@ -91,7 +91,7 @@ public final class ControllerChooser implements WorkspaceListener {
         return new ControllerDialog(Messages.get(key + ".title"), now).showDialog(owner);
     }
 
-    /** Selects the controller of all runs from the next session on. */
+    /** Selects the controller of the next session and all later ones. */
     public void select(ControllerSelection chosen) {
         choice = chosen;
         workspace.setControllerChoice(setup -> chosen.applyTo(setup, scenarioName, this::showErrorLine));
@@ -106,7 +106,7 @@ public final class ControllerChooser implements WorkspaceListener {
         }
     }
 
-    /** Shows the newest line of those that come faster than they can be shown. */
+    /** Shows the newest line, because lines may arrive faster than they can be shown. */
     private void showErrorLine(String line) {
         if (unshownLine.getAndSet(line) == null) {
             EventQueue.invokeLater(() -> note.accept(unshownLine.getAndSet(null)));
@@ -167,7 +167,7 @@ public final class ControllerChooser implements WorkspaceListener {
             try {
                 times.put(file, Files.getLastModifiedTime(file));
             } catch (IOException notThere) {
-                // It is being written.
+                // The file is being written.
             }
         }
         return times;

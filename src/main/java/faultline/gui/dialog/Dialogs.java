@@ -55,7 +55,7 @@ public final class Dialogs {
         return open.isPresent();
     }
 
-    /** Reports why a task failed. */
+    /** Shows the reason why a task failed. */
     public void showFailure(TaskKind task, Path file, Throwable cause) {
         if (cause instanceof ScenarioException exception
                 && exception.problems().stream()

@@ -78,7 +78,7 @@ public final class FileController {
         documentStore.open(file);
     }
 
-    /** Opens a file, given what reads it, and discards unsaved changes. */
+    /** Opens a file with a given reader, and discards unsaved changes. */
     public void openWithoutAsking(Path file, Callable<Scenario> reader) {
         documentStore.open(file, reader);
     }
@@ -101,7 +101,7 @@ public final class FileController {
         ImportForm.showDialog(parent, file).ifPresent(this::openNew);
     }
 
-    /** Opens a scenario that ships with the program. */
+    /** Opens a scenario that is part of the program. */
     public void openShipped(String name) {
         runIfChangesHandled(() -> documentStore.openShipped(name));
     }
@@ -111,7 +111,7 @@ public final class FileController {
         runIfChangesHandled(() -> documentStore.create(scenario));
     }
 
-    /** Opens a scenario that can be made again, so that it does not count as unsaved; discards unsaved changes. */
+    /** Opens a generated scenario, which does not count as unsaved; discards unsaved changes. */
     public void openGeneratedWithoutAsking(Scenario scenario) {
         documentStore.openGenerated(scenario);
     }
@@ -207,7 +207,7 @@ public final class FileController {
 
     /** Runs an action that would lose unsaved changes, after asking whether to save them. */
     public void runIfChangesHandled(Runnable action) {
-        // A number committed just now is still on its way to the run and not yet counted as a change.
+        // A number that was just committed has not reached the run yet and does not count as a change.
         boolean changed = commitPendingEdit.getAsBoolean() || workspace.isChanged();
         if (!changed) {
             action.run();

@@ -31,7 +31,7 @@ final class FileDialogs {
         loadClasses();
     }
 
-    /** Creates a file chooser soon after the start, so that the first one that is shown does not take long. */
+    /** Creates a file chooser soon after the start, so that the first dialog opens fast. */
     private void loadClasses() {
         Timer timer = new Timer(LOADING_DELAY_MILLIS, event -> new EscapableFileChooser(folder));
         timer.setRepeats(false);

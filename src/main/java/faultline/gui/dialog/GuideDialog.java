@@ -50,7 +50,7 @@ final class GuideDialog extends JDialog {
         }
     }
 
-    /** Shows another page at the same place of the text; the layout has an event of its own. */
+    /** Shows another page at the same position in the text; the layout is done in a separate event. */
     private void replacePage(GuidePage page) {
         JViewport viewport = (JViewport) pane.getParent();
         double share = (double) viewport.getViewPosition().y / viewport.getViewSize().height;
@@ -75,7 +75,7 @@ final class GuideDialog extends JDialog {
         });
     }
 
-    /** Creates the dialog, lays it out and shows it, each in an event of its own, so that none takes long. */
+    /** Creates the dialog, lays it out and shows it, each in a separate event, so that no event takes long. */
     private static void showPage(Window owner, GuidePage page) {
         GuideDialog dialog = new GuideDialog(owner, page);
         EventQueue.invokeLater(() -> {

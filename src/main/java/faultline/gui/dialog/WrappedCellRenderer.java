@@ -8,7 +8,7 @@ import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.table.TableCellRenderer;
 
-/** Shows the texts of a table in as many lines as they need. */
+/** Wraps the texts of a table's cells. */
 final class WrappedCellRenderer extends JTextArea implements TableCellRenderer {
 
     private WrappedCellRenderer() {

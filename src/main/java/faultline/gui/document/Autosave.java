@@ -32,7 +32,9 @@ public final class Autosave implements AutoCloseable {
         timer.start();
     }
 
-    /** Writes the unsaved edits, or deletes the recovery file if there are none, unless that has been done already. */
+    /**
+     * Writes the unsaved edits, or deletes the recovery file if there are none. Does nothing if the file is up to date.
+     */
     void saveUnsavedEdits() {
         Scenario unsaved = workspace.isChanged() ? workspace.scenario().orElseThrow() : null;
         if (!lastWriteSucceeded || !Objects.equals(unsaved, lastWritten)) {
@@ -53,7 +55,7 @@ public final class Autosave implements AutoCloseable {
         }
     }
 
-    /** Writes edits, null for none, unless newer ones are to be written or the window has been closed. */
+    /** Writes edits, null for none, unless newer ones are waiting or the window has been closed. */
     synchronized void write(Path origin, Scenario unsaved) throws IOException {
         if (closed || !Objects.equals(unsaved, lastWritten)) {
             return;

@@ -6,7 +6,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 
-/** Runs slow work on threads of its own and passes the outcome to the event dispatch thread. */
+/** Runs slow work on background threads and passes the outcome to the event dispatch thread. */
 public final class BackgroundTasks {
 
     /** The threads that keep the program from exiting. */
@@ -15,7 +15,7 @@ public final class BackgroundTasks {
     private BackgroundTasks() {}
 
     /**
-     * Starts work that ends with the program. Its result, or what it has thrown instead, is passed to one of the
+     * Starts work that ends with the program. Its result, or the exception that it has thrown, is passed to one of the
      * consumers on the event dispatch thread.
      */
     public static <T> void run(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {

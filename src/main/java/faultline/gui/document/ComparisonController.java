@@ -84,7 +84,7 @@ public final class ComparisonController implements WorkspaceListener {
         RunComparison run(TaskProgress progress) throws ScenarioException;
     }
 
-    /** Starts a task in place of the pending one. */
+    /** Starts a task instead of the pending one. */
     private void start(Path name, ReplayTask replay) {
         cancelPendingTask();
         TaskProgress progress = new TaskProgress();

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
  * A controller that the user has chosen for runs of the window.
  *
  * @param text a name or a command, empty for the scenario's own controller
- * @param jars files with controllers in Java
+ * @param jars the jar files with controllers in Java
  */
 public record ControllerSelection(String text, List<Path> jars) {
 
@@ -35,9 +35,10 @@ public record ControllerSelection(String text, List<Path> jars) {
     /**
      * Returns a setup with this controller. Any thread may call it.
      *
-     * @param setup names another controller
-     * @param scenarioName for a controller in another process
-     * @param errors receives each line that such a controller writes to standard error, on a thread of its own
+     * @param setup the setup with another controller
+     * @param scenarioName the name of the scenario, for a controller in another process
+     * @param errors the consumer of each line that such a controller writes to standard error, called on a separate
+     *     thread
      */
     public SimulationSetup applyTo(SimulationSetup setup, String scenarioName, Consumer<String> errors) {
         if (isScenarios()) {
@@ -49,7 +50,7 @@ public record ControllerSelection(String text, List<Path> jars) {
                 jars, () -> ControllerChoice.apply(text, setup, new ProcessControllerSource(text, terms)));
     }
 
-    /** Returns the files that the controller consists of, as far as the selection names them. */
+    /** Returns the files of the controller that the selection names. */
     public List<Path> files() {
         return Stream.concat(jars.stream(), words().flatMap(ControllerSelection::file))
                 .toList();

@@ -23,7 +23,7 @@ public final class DocumentStore {
         open(file, () -> Scenario.load(file));
     }
 
-    /** Opens a scenario file, given what reads it. */
+    /** Opens a scenario file with a given reader. */
     public void open(Path file, Callable<Scenario> reader) {
         start(file, () -> {
             Scenario scenario = reader.call();
@@ -44,7 +44,7 @@ public final class DocumentStore {
         start(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, null, scenario));
     }
 
-    /** Opens a scenario that has no file and that can be made again, so that it does not count as changed. */
+    /** Opens a generated scenario that has no file; it does not count as changed. */
     public void openGenerated(Scenario scenario) {
         start(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, scenario, scenario));
     }
@@ -119,7 +119,7 @@ public final class DocumentStore {
         });
     }
 
-    /** Marks a scenario as saved; what has been edited since it was captured stays unsaved. */
+    /** Marks a scenario as saved; later edits remain unsaved. */
     void markSaved(ScenarioDocument document, Path file, Scenario scenario) {
         document.savedTo(file, scenario);
         workspace.fire(listener -> listener.scenarioSaved(file));

@@ -179,7 +179,7 @@ public final class RecoveryStore {
         if (Files.exists(lockFile)) {
             return !isLocked(lockFile);
         }
-        // An earlier version has written it, which did not lock.
+        // It was written by an earlier version, which did not lock files.
         return ProcessHandle.of(Long.parseLong(name.group(1)))
                 .filter(alive -> hasStartTime(alive, Long.parseLong(name.group(2))))
                 .isEmpty();
@@ -192,7 +192,7 @@ public final class RecoveryStore {
         } catch (OverlappingFileLockException e) {
             return true;
         } catch (IOException e) {
-            // Nobody else could use it either.
+            // No other process could read it either.
             return false;
         }
     }

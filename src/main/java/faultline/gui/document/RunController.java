@@ -30,7 +30,7 @@ public final class RunController implements WorkspaceListener {
 
     @Override
     public void scenarioOpened() {
-        // They were meant for the previous scenario.
+        // The requests were sent to the previous scenario.
         deferredRequests.clear();
     }
 
@@ -42,7 +42,7 @@ public final class RunController implements WorkspaceListener {
         });
     }
 
-    /** Pauses the run at the scenario's duration, where it is judged; the user may resume it there. */
+    /** Pauses the run at the scenario's duration, where its verdict is shown; the user may resume it there. */
     private static void pauseAtEnd(OpenDocument open) {
         open.session().pauseAt(open.document().edited().setup().ticks());
     }
@@ -94,7 +94,7 @@ public final class RunController implements WorkspaceListener {
 
     /**
      * Changes the edited scenario, but not the length of its tick. If that changes its setup, the run is simulated
-     * again up to the present tick, asynchronously, with the commands that it was sent; a running one then resumes.
+     * again up to the present tick, asynchronously, with the commands that it was sent; if it was running, it resumes.
      */
     public void change(UnaryOperator<Scenario> change) {
         workspace.openDocument().ifPresent(now -> {

@@ -28,9 +28,9 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     /**
-     * Moves the run to the end of a tick, not negative, asynchronously, and pauses it there, as it was left there: with
-     * the commands that were executed before the next tick. Later commands are executed again at their ticks, unless
-     * another command is executed before.
+     * Moves the run to the end of a tick, not negative, asynchronously, and pauses it there, in the state in which it
+     * was there before: with the commands that were executed before the next tick. Later commands are executed again at
+     * their ticks, unless another command is executed before.
      */
     public void seek(long tick) {
         endResimulation();

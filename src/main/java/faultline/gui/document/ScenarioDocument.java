@@ -48,7 +48,7 @@ final class ScenarioDocument {
         return Optional.ofNullable(saved);
     }
 
-    /** Returns the scenario as edited by all commands, including those that a moved run has still ahead. */
+    /** Returns the scenario as edited by all commands, including those that are later than the tick of a moved run. */
     Scenario edited() {
         if (edited == null) {
             edited = initial.withSetup(editor.setup());

@@ -27,7 +27,7 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
 
     private final SimulationSetup base;
     private final List<Journal.Entry> entries = new ArrayList<>();
-    /** The number of entries that the run has passed. */
+    /** The number of entries that the run has executed. */
     private int position;
     /** By id, null if removed: an obstacle that is placed again takes its old position in the order. */
     private final Map<String, Obstacle> obstacles;
@@ -48,7 +48,7 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
         base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), obstacle));
     }
 
-    /** Applies an executed command. Commands that the run had not passed when it was executed are dropped. */
+    /** Applies an executed command. Commands that the run had not executed at that time are dropped. */
     void add(CommandResult result) {
         moveTo(result.tick() - 1, position);
         if (position < entries.size()) {
@@ -73,7 +73,7 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
         }
     }
 
-    /** Returns the edited setup. Changes that leave the robot no room at its start pose are left out. */
+    /** Returns the edited setup. Changes that leave no room for the robot at its start pose are omitted. */
     SimulationSetup setup() {
         SetupEditor result = new SetupEditor(base);
         result.obstacles.putAll(obstacles);
@@ -85,7 +85,10 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
                 .withTimeline(timeline());
     }
 
-    /** Returns the timeline with the commands that belong to a time. Two of one tick that cancel out are left out. */
+    /**
+     * Returns the timeline with the commands that belong to a time. Two commands of one tick that cancel each other are
+     * omitted.
+     */
     List<SimulationSetup.TimedCommand> timeline() {
         SetupEditor scratch = new SetupEditor(base);
         List<Journal.Entry> timed = new ArrayList<>();
@@ -120,7 +123,7 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
         return result;
     }
 
-    /** Returns the executed commands, including those that a moved run has still ahead. */
+    /** Returns the executed commands, including those that are later than the tick of a moved run. */
     List<Journal.Entry> entries() {
         return List.copyOf(entries);
     }

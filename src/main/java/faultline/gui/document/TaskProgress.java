@@ -3,7 +3,7 @@ package faultline.gui.document;
 import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 
-/** How far a task has come, and whether it has been cancelled. Safe for use by any thread. */
+/** The progress of a task, and whether it has been cancelled. Safe for use by any thread. */
 public final class TaskProgress {
 
     private static final double UNKNOWN = -1;

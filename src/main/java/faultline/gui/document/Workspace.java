@@ -58,8 +58,8 @@ public final class Workspace implements AutoCloseable {
     }
 
     /**
-     * Sets what puts another controller in the place of the scenario's in all runs from the next session on. The
-     * scenario itself stays as it is.
+     * Sets the function that replaces the scenario's controller in the next session and all later ones. The scenario
+     * itself does not change.
      */
     public void setControllerChoice(UnaryOperator<SimulationSetup> choice) {
         controllerChoice = choice;
@@ -70,14 +70,14 @@ public final class Workspace implements AutoCloseable {
         return controllerChoice.apply(setup);
     }
 
-    /** Starts a task that makes a document in place of the open one. It cancels the active task. */
+    /** Starts a task that makes a document to replace the open one. It cancels the active task. */
     void start(WorkspaceTask newTask, Callable<OpenDocument> maker) {
         cancelActiveTask();
         task = newTask;
         BackgroundTasks.run(maker, made -> taskDone(newTask, made), failure -> taskFailed(newTask, failure));
     }
 
-    /** Cancels the active task; everything stays as it is. */
+    /** Cancels the active task without other effects. */
     public void cancelTask() {
         cancelActiveTask();
         finishTask();
@@ -106,7 +106,7 @@ public final class Workspace implements AutoCloseable {
             return;
         }
         if (ended.kind() == TaskKind.RESTART) {
-            // The scenario may have been saved to another file meanwhile.
+            // The scenario may have been saved to another file in the meantime.
             document().ifPresent(made.document()::takeFileOf);
         }
         closeSession();

@@ -5,9 +5,9 @@ import java.nio.file.Path;
 /**
  * A background task of the workspace.
  *
- * @param kind what it does
+ * @param kind the kind of task
  * @param name the file that it works on, or the name of a scenario without a file
- * @param progress how far it has come
+ * @param progress its progress
  */
 public record WorkspaceTask(TaskKind kind, Path name, TaskProgress progress) {
 

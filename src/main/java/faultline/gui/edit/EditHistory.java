@@ -26,7 +26,7 @@ final class EditHistory {
 
     /**
      * Adds an edit that is done. One of the same gesture as the last edit is merged into it; one without effect is
-     * dropped. Returns whether the edit has become an entry of its own.
+     * dropped. Returns whether the edit has become a separate entry.
      */
     boolean add(Edit edit) {
         List<CommandEdit> ahead = editsAhead();

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.BiFunction;
 
 /**
- * The commands that were sent to the run and do not show in a frame yet, and what the robot, its controller and the
+ * The commands that were sent to the run and have no effect in a frame yet, and what the robot, its controller and the
  * obstacles will be after them. The run answers a command when a frame that shows its effect is published, so commands
  * that have been answered are forgotten with the next frame, whether they were executed or refused. Event dispatch
  * thread only.
@@ -37,7 +37,7 @@ public final class PendingEdits {
         return () -> batch.answered = true;
     }
 
-    /** Forgets all commands, because the run that they were sent to is gone. */
+    /** Forgets all commands, because the run that they were sent to has ended. */
     void clear() {
         batches.clear();
     }

@@ -5,7 +5,7 @@ import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import java.util.function.UnaryOperator;
 
-/** Changes the scenario itself, with undo. The run is simulated again where that changes it. */
+/** Changes the scenario itself, with undo. The run is simulated again if a change affects it. */
 public final class ScenarioEditor {
 
     private final RunController run;
@@ -21,8 +21,8 @@ public final class ScenarioEditor {
      * Changes the scenario. Changes with the same name in quick succession form one edit.
      *
      * @param key the key of the edit's name
-     * @param change makes the change
-     * @param inverse reverts it and nothing else
+     * @param change the change
+     * @param inverse the change that reverts only this change
      */
     public void edit(String key, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
         undo.addSetupEdit(() -> Messages.get(key), key, () -> run.change(inverse), () -> run.change(change));

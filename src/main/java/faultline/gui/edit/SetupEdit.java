@@ -17,7 +17,7 @@ record SetupEdit(Supplier<String> nameSource, int gestureId, Runnable undoAction
         return nameSource.get();
     }
 
-    /** Returns one edit in place of this one and a later one of the same gesture. */
+    /** Returns one edit that replaces this one and a later one of the same gesture. */
     SetupEdit mergedWith(SetupEdit later) {
         return new SetupEdit(later.nameSource, gestureId, undoAction, later.redoAction);
     }

@@ -45,9 +45,9 @@ public final class ShapeHandles {
     }
 
     /**
-     * Returns an obstacle after the handle with an index in {@link #positions} was dragged to a point, metres. Of a
-     * rectangle the opposite corner or side stays, of a circle or an ellipse the centre, of other shapes all other
-     * points.
+     * Returns an obstacle after the handle with an index in {@link #positions} was dragged to a point, metres. The
+     * opposite corner or side of a rectangle, the centre of a circle or an ellipse, and all other points of other
+     * shapes stay in place.
      */
     public static Obstacle dragHandle(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
         return obstacle.shape().accept(HANDLES).drag(obstacle, handle, to, snap);
@@ -112,7 +112,7 @@ public final class ShapeHandles {
 
         @Override
         public Handles visit(ObstacleShape.PlanShape shape) {
-            // It is moved and rotated as a whole; its thousands of corners have no handles.
+            // A plan is moved and rotated as a whole; its thousands of corners have no handles.
             return new CornerHandles(List.of(), points -> shape);
         }
     };
@@ -136,7 +136,7 @@ public final class ShapeHandles {
             return with(
                     obstacle,
                     new ObstacleShape.RectangleShape(w, h),
-                    // Finely, so that the opposite side of a rotated rectangle stays.
+                    // Rounded finely, so that the opposite side of a rotated rectangle stays in place.
                     obstacle.pose()
                             .withPosition(Rounding.roundFinely(obstacle.pose().position(), middle)));
         }

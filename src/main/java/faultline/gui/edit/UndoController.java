@@ -40,9 +40,9 @@ public final class UndoController {
     /**
      * Creates a controller without edits.
      *
-     * @param channel sends commands to the run, to be executed together, and passes their results to a callback, on the
-     *     event dispatch thread
-     * @param onStateChange called whenever what can be undone or redone changes
+     * @param channel the channel that sends commands to the run, to be executed together, and passes their results to a
+     *     callback on the event dispatch thread
+     * @param onStateChange the callback for changes of the undo and redo state
      */
     public UndoController(BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel, Runnable onStateChange) {
         this(channel, onStateChange, () -> System.nanoTime() / 1_000_000);
@@ -57,12 +57,12 @@ public final class UndoController {
         this.clock = clock;
     }
 
-    /** Returns the commands that do not show in a frame yet. */
+    /** Returns the commands that have no effect in a frame yet. */
     public PendingEdits pendingEdits() {
         return pendingEdits;
     }
 
-    /** Sets the listener that is called with the number of edits that must be redone by hand after an earlier edit. */
+    /** Sets the listener that is called with the number of edits that must be redone manually after an earlier edit. */
     public void setForkListener(IntConsumer listener) {
         forkListener = listener;
     }
@@ -140,10 +140,10 @@ public final class UndoController {
     /**
      * Records a change of the setup that has been made. Changes with equal targets in quick succession form one edit.
      *
-     * @param name returns the name that menus show, in the current language
-     * @param target what was changed
-     * @param undoAction restores the old setup
-     * @param redoAction sets the new setup
+     * @param name the supplier of the name that menus show, in the current language
+     * @param target the changed object
+     * @param undoAction the action that restores the old setup
+     * @param redoAction the action that sets the new setup
      */
     public void addSetupEdit(Supplier<String> name, Object target, Runnable undoAction, Runnable redoAction) {
         assert EventQueue.isDispatchThread();
@@ -184,7 +184,7 @@ public final class UndoController {
             }
             history.addChange(results.get(0).tick(), edit, done);
         } else {
-            // The world refused: the edit stays as it was.
+            // The world refused the command, so the edit does not change.
             history.mark(edit, !done);
             onStateChange.run();
         }
@@ -192,7 +192,7 @@ public final class UndoController {
 
     /**
      * Follows the run to another tick, where the commands for the next one have been executed; later edits can be
-     * redone, and are redone when the run comes to them.
+     * redone, and are redone automatically when the run reaches them.
      */
     public void runRepositioned(long tick) {
         // A change of the setup repositions the run itself, and the next one may continue it.

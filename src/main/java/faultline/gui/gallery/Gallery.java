@@ -55,7 +55,7 @@ public final class Gallery extends JDialog {
      * @param onOpen called with the file name of the selected example
      * @param atStart whether the gallery is shown at start
      * @param atStartChanged called when the user changes that
-     * @param onTour called when the user asks for the tour, after the gallery is closed
+     * @param onTour the callback for a request of the tour, called after the gallery is closed
      */
     public Gallery(
             Window owner, Consumer<String> onOpen, boolean atStart, Consumer<Boolean> atStartChanged, Runnable onTour) {

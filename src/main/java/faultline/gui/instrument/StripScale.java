@@ -28,9 +28,9 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
 
     static final int FONT_SIZE = 11;
     private static final int BOTTOM_MARGIN = 20;
-    /** The least height of a plot below several rows of a legend, pixels. */
+    /** The minimum height of a plot below several rows of a legend, pixels. */
     private static final int MIN_PLOT_HEIGHT = 45;
-    /** The least width of a plot beside a legend, pixels. */
+    /** The minimum width of a plot beside a legend, pixels. */
     private static final int MIN_PLOT_WIDTH = 100;
 
     /** Returns the scale of a chart, with a legend beside the data or without; width and height in pixels. */
@@ -54,7 +54,10 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
         return new StripScale(signal, data, new Plot(area, time, values), ids, names);
     }
 
-    /** Returns the legend above the plot; to the right of it, if it is too high for that; as much as has room. */
+    /**
+     * Returns the legend above the plot, or to the right of it if it is too high. Rows for which there is no room are
+     * omitted.
+     */
     private static LegendPlace legend(StripContent content, int width, int height) {
         TextStyle style = TextStyle.plain(FONT_SIZE, Color.BLACK);
         List<LegendEntry> entries = LegendEntry.of(content.signal(), content.reference() != null);

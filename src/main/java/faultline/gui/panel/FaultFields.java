@@ -86,7 +86,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     /**
      * Adds the fields to a form.
      *
-     * @param form has a {@link java.awt.GridBagLayout}
+     * @param form the form, which has a {@link java.awt.GridBagLayout}
      * @param row the first of four rows
      * @param gap the gap above the first row, pixels
      */
@@ -166,7 +166,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
                 .setAccessibleDescription(problem.isVisible() ? problem.getText() : null);
     }
 
-    /** Returns whether a distance that the sensor reports, or up to which it sees, is more than its range. */
+    /** Returns whether the reported distance or the new range of the sensor exceeds its range. */
     private boolean isBeyondRange() {
         return (selected() == FaultKind.STUCK || selected() == FaultKind.SHORT_RANGE) && value.doubleValue() > range;
     }

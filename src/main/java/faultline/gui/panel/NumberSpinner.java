@@ -88,7 +88,7 @@ public final class NumberSpinner extends JSpinner {
 
             @Override
             public void focusLost(FocusEvent event) {
-                // The field reverts the text after this; a temporary loss leaves it as it is.
+                // The field reverts the text after this; a temporary loss of the focus does not.
                 if (!event.isTemporary() && text.getFocusLostBehavior() == JFormattedTextField.COMMIT_OR_REVERT) {
                     noteRefusal();
                 }
@@ -210,7 +210,7 @@ public final class NumberSpinner extends JSpinner {
         return doubleValue() != before;
     }
 
-    /** Leaves invalid text in the field when the focus moves on, so that the user sees what is wrong. */
+    /** Leaves invalid text in the field when the focus moves on, so that the user sees the error. */
     public NumberSpinner keepInvalidText() {
         textField().setFocusLostBehavior(JFormattedTextField.COMMIT);
         return this;

@@ -29,7 +29,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
 
     private static final int NONE = -1;
 
-    /** Returns the verdict on a run, empty while the run goes on. */
+    /** Returns the verdict on a run, empty while the run is in progress. */
     public static Optional<RunVerdict> of(SessionFrame frame, SessionStatus status, Scenario scenario) {
         if (status.failure().isPresent()) {
             return Optional.of(new RunVerdict(

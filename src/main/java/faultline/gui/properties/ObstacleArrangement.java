@@ -37,7 +37,7 @@ enum ObstacleArrangement {
         return this == SPREAD_X || this == SPREAD_Y ? 3 : 2;
     }
 
-    /** Returns the commands that arrange obstacles; those that are in place are left out. */
+    /** Returns the commands that arrange obstacles; those that are in place are omitted. */
     List<Command> commands(List<Obstacle> obstacles) {
         List<Command> moves = new ArrayList<>();
         if (obstacles.size() < minCount()) {

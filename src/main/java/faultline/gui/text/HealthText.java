@@ -15,13 +15,14 @@ public final class HealthText {
         return finding == SensorFinding.NONE ? "" : Messages.get("finding." + finding);
     }
 
-    /** Returns the name of a rung, or the controller's own name for it if it is none of the ladder. */
+    /** Returns the name of a rung, or the controller's own name for it if it is not part of the ladder. */
     public static String rung(String rung) {
         return textOr("rung." + rung, rung);
     }
 
     /**
-     * Returns the position of a rung in the ladder, or the controller's own name for it if it is none of the ladder.
+     * Returns the position of a rung in the ladder, or the controller's own name for it if it is not part of the
+     * ladder.
      */
     public static String rungPosition(String rung) {
         return textOr("run.rung." + rung, rung);

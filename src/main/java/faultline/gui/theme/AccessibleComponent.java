@@ -4,7 +4,7 @@ import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 
-/** A component with painting of its own that screen readers find; a plain {@link JComponent} is hidden from them. */
+/** A custom-painted component that screen readers find; a plain {@link JComponent} is hidden from them. */
 public abstract class AccessibleComponent extends JComponent {
 
     private final transient AccessibleRole role;

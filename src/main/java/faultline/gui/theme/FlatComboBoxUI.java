@@ -61,7 +61,7 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
         return new Dimension(size.width + 2 * INDENT, size.height + 6);
     }
 
-    /** A list with the border of menus, in place of Swing's black line. */
+    /** A list with the border of menus, instead of Swing's black line. */
     private static final class FlatPopup extends BasicComboPopup {
 
         FlatPopup(JComboBox<Object> box) {

@@ -69,7 +69,7 @@ public final class UiText {
         if (component instanceof JScrollPane || component instanceof JTable || component instanceof JList) {
             for (String key : List.of("ctrl PAGE_UP", "ctrl PAGE_DOWN")) {
                 KeyStroke stroke = KeyStroke.getKeyStroke(key);
-                // A scroll pane with keys of its own would become a stop of the Tab key.
+                // A scroll pane with key bindings would get the focus by the Tab key.
                 if (!(component instanceof JScrollPane)) {
                     ((JComponent) component)
                             .getInputMap(JComponent.WHEN_FOCUSED)

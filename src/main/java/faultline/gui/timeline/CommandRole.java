@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * What a command means on the time line. Each kind of command has a visitor's method of its own here, so that a new one
+ * What a command means on the time line. Each kind of command has a separate visitor method here, so that a new one
  * does not compile without a role.
  *
  * @param lane the lane

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
 
 /**
  * The places of lanes and items: see {@link Lane}. Items of a lane that overlap in time lie one below the other, in
- * rows of their own.
+ * separate rows.
  */
 final class LaneLayout {
 
@@ -22,7 +22,7 @@ final class LaneLayout {
     private static final int MIN_WIDTH = 4;
     /** The greatest height of a lane, in heights of a row without overlapping items. */
     private static final int MAX_HEIGHT = 4;
-    /** The greatest number of rows of a lane. */
+    /** The maximum number of rows of a lane. */
     private static final int MAX_ROWS = 8;
 
     private final List<Lane> lanes;

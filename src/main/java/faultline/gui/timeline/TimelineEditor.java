@@ -26,9 +26,9 @@ public final class TimelineEditor {
     /**
      * Creates an editor.
      *
-     * @param workspace holds the scenario
-     * @param run simulates it again
-     * @param undo records the changes
+     * @param workspace the workspace with the scenario
+     * @param run the controller of the run, which simulates the scenario again
+     * @param undo the controller that records the changes
      */
     public TimelineEditor(Workspace workspace, RunController run, UndoController undo) {
         this.workspace = workspace;
@@ -66,7 +66,7 @@ public final class TimelineEditor {
     }
 
     /**
-     * Returns the controller that the scenario has at a time; empty if it is not one of the program, which cannot be
+     * Returns the controller that the scenario has at a time; empty if it is an external controller, which cannot be
      * changed during a run.
      */
     Optional<ControllerSpec.BuiltIn> controllerAt(double time) {
@@ -100,7 +100,7 @@ public final class TimelineEditor {
         clipboard = model().items().get(index);
     }
 
-    /** Returns the item that was copied last; empty if none was. */
+    /** Returns the item that was copied last; empty if there is none. */
     Optional<TimelineItem> clipboard() {
         return Optional.ofNullable(clipboard);
     }

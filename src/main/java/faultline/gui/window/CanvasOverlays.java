@@ -42,7 +42,7 @@ final class CanvasOverlays implements LayoutManager {
         canvas.add(card);
     }
 
-    /** Moves the components out of the way of the robot in the frame that the canvas shows. */
+    /** Moves the components so that they do not cover the robot in the frame that the canvas shows. */
     void update() {
         if (banner.isVisible() || card != null && card.isVisible()) {
             layoutContainer(canvas);

@@ -15,10 +15,10 @@ import javax.swing.SwingUtilities;
 final class FocusAreas {
 
     private final List<Container> areas;
-    /** The area that has been asked for and has not got the focus yet, null for none. */
+    /** The area that has been requested and does not have the focus yet, null for none. */
     private Container pending;
 
-    /** Creates the areas in the order of F6; those that are not showing are left out when the focus moves. */
+    /** Creates the areas in the order of F6; those that are not showing are omitted when the focus moves. */
     FocusAreas(List<Container> areas) {
         this.areas = List.copyOf(areas);
     }

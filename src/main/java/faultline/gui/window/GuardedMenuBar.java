@@ -9,7 +9,7 @@ import javax.swing.KeyStroke;
 /**
  * A menu bar whose accelerators do not act on keys that are being typed into a text component; otherwise a space in a
  * field would start the run. Accelerators that are shown in the menu but bound elsewhere are not handled here either,
- * because they would act twice. A character that is typed while Ctrl is held is not taken for the character alone.
+ * because they would act twice. A character that is typed while Ctrl is pressed is not treated as the character alone.
  */
 final class GuardedMenuBar extends JMenuBar {
 

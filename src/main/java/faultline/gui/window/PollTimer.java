@@ -14,7 +14,10 @@ final class PollTimer {
 
     static final int BUSY_MILLIS = 16;
     static final int RESTING_MILLIS = 500;
-    /** The number of polls without a change after which the timer rests: enough for what is updated now and then. */
+    /**
+     * The number of polls without a change after which the timer rests; enough for values that are updated
+     * occasionally.
+     */
     static final int POLLS_BEFORE_REST = 60;
 
     private static final long USER_EVENTS = AWTEvent.KEY_EVENT_MASK
@@ -29,7 +32,7 @@ final class PollTimer {
     private final AWTEventListener waker = event -> wake();
     private int quietPolls;
 
-    /** Creates a stopped timer; {@code poll} returns whether something has changed or is under way. */
+    /** Creates a stopped timer; {@code poll} returns whether something has changed or is in progress. */
     PollTimer(BooleanSupplier poll) {
         this.poll = poll;
         timer.setInitialDelay(0);
@@ -55,7 +58,7 @@ final class PollTimer {
         }
     }
 
-    /** Polls often from now on. */
+    /** Switches to frequent polling. */
     void wake() {
         quietPolls = 0;
         if (isResting()) {

@@ -94,7 +94,7 @@ final class StatusBar extends JPanel {
         return format("x %.3f  y %.3f  θ %.1f°", pose.x(), pose.y(), degrees);
     }
 
-    /** Shows why the run failed, permanently, or why a command was refused, for a while. */
+    /** Shows permanently why the run failed, or temporarily why a command was refused. */
     private void showNote(SessionStatus status) {
         status.failure().ifPresent(this::showNote);
         if (status.refusals() != shownRefusals) {

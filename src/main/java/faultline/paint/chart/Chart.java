@@ -5,10 +5,10 @@ import java.util.List;
 /**
  * A chart: series and their axes.
  *
- * @param title above the chart; may be empty
+ * @param title the title above the chart; may be empty
  * @param x the horizontal axis
  * @param y the vertical axis
- * @param series from the lowest to the topmost
+ * @param series the series, from the lowest to the topmost
  */
 public record Chart(String title, Axis x, Axis y, List<Series> series) {
     /** Copies the list. */

@@ -12,7 +12,7 @@ public final class Histogram {
     private static final int MIN_BARS = 5;
     private static final int MAX_BARS = 40;
 
-    /** The least value at the top, so that all ticks are whole numbers. */
+    /** The minimum value at the top, so that all ticks are whole numbers. */
     private static final double MIN_HEIGHT = 5;
 
     private static final double MIN_RELATIVE_SPAN = 0.05;

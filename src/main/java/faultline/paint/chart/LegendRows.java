@@ -71,7 +71,7 @@ public record LegendRows<E>(List<List<E>> rows, Function<E, String> name, ToDoub
                 .orElse(0);
     }
 
-    /** Returns the first rows; what follows them is left out. */
+    /** Returns the first rows; what follows them is omitted. */
     public LegendRows<E> first(int count) {
         return new LegendRows<>(rows.subList(0, Math.min(count, rows.size())), name, textWidth);
     }

@@ -37,7 +37,7 @@ public record PlotPainter(Surface surface, Plot plot) {
         });
     }
 
-    /** Paints the ticks of both axes with their values; values for which there is no room are left out. */
+    /** Paints the ticks of both axes with their values; values for which there is no room are omitted. */
     public void paintTicks(TickStyle style) {
         LineStyle mark = LineStyle.solid(style.text().colour(), 1);
         double widest = plot.horizontal().ticks().stream()

@@ -10,7 +10,7 @@ import java.awt.geom.Rectangle2D;
 /** Paints a grid with nice steps that depend on the zoom. */
 final class GridPainter {
 
-    /** The least distance between major lines, pixels. */
+    /** The minimum distance between major lines, pixels. */
     private static final double MIN_MAJOR_SPACING = 80;
 
     private GridPainter() {}

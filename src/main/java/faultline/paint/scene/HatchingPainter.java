@@ -12,9 +12,9 @@ import java.awt.Stroke;
 final class HatchingPainter {
 
     private static final Stroke LINE_STROKE = DrawContext.solidStroke(1);
-    /** The least distance between two arcs, and between the ends of two rays, pixels. */
+    /** The minimum distance between two arcs, and between the ends of two rays, pixels. */
     private static final double MIN_STEP = 8;
-    /** The greatest number of arcs of a cone, however large it is on the screen. */
+    /** The maximum number of arcs of a cone, however large it is on the screen. */
     private static final int MAX_ARCS = 24;
 
     private static final int MAX_GAPS = 12;

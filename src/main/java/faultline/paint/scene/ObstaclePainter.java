@@ -32,7 +32,7 @@ public record ObstaclePainter(boolean named, Font font) {
     private static final Stroke SPECULAR_STROKE = DrawContext.solidStroke(5);
     private static final Stroke HIGHLIGHT_STROKE = DrawContext.solidStroke(2);
     private static final int MOVING_ALPHA = 120;
-    /** The least size of an obstacle that its name does not hide, pixels. */
+    /** The minimum size of an obstacle that its name does not hide, pixels. */
     private static final double MIN_SIZE_FOR_NAME = 30;
 
     private static final double NAME_GAP = 10;
@@ -77,7 +77,7 @@ public record ObstaclePainter(boolean named, Font font) {
     }
 
     /**
-     * Returns whether an obstacle is painted as a dot: it is hardly larger than a pixel, so that a dot shows as much as
+     * Returns whether an obstacle is painted as a dot: it is about as small as a pixel, so that a dot shows as much as
      * its outline.
      */
     public boolean isDot(Camera camera, Obstacle obstacle) {

@@ -16,7 +16,7 @@ import java.util.function.IntFunction;
 /** Paints the path of the robot, or a section of it, so that a cached picture of the path can grow. */
 public final class PathPainter {
 
-    /** Points nearer than this to the last one are left out, pixels. */
+    /** Points nearer than this to the last one are omitted, pixels. */
     private static final double THINNING = 0.7;
     /** The reach of the line beyond its middle, pixels. */
     private static final double LINE_MARGIN = 2;
@@ -28,8 +28,8 @@ public final class PathPainter {
     private PathPainter() {}
 
     /**
-     * Paints a section of a path from a point on, until about {@code most} points are drawn; points that are left out
-     * cost less. Lines outside the clip, pixels, are left out.
+     * Paints a section of a path from a point on, until about {@code most} points are drawn; points that are omitted
+     * cost less. Lines outside the clip, pixels, are omitted.
      */
     public static PaintedSection paint(
             DrawContext context, RobotPath path, PathStyle style, int from, int most, Rectangle clip) {

@@ -26,7 +26,7 @@ import java.util.stream.IntStream;
  */
 public final class PlanView {
 
-    /** Points of a line nearer than this to the last one are left out, pixels. */
+    /** Points of a line nearer than this to the last one are omitted, pixels. */
     private static final double THINNING = 0.5;
 
     private static final int ARC_POINTS = 24;
@@ -83,7 +83,7 @@ public final class PlanView {
                 .toList();
     }
 
-    /** Draws a line through points of the world, metres; points that almost coincide are left out. */
+    /** Draws a line through points of the world, metres; points that almost coincide are omitted. */
     public void drawLine(List<Vector2> points, LineStyle style) {
         List<Vector2> thinned = new ArrayList<>();
         for (Vector2 point : points) {

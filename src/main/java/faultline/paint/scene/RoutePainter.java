@@ -29,7 +29,7 @@ final class RoutePainter {
     private static final double SPEED_POSITION = 0.35;
 
     private static final double ARROW_SIZE = 6;
-    /** The least length of a leg with an arrow, pixels. */
+    /** The minimum length of a leg with an arrow, pixels. */
     private static final double MIN_LEG_LENGTH = 24;
 
     private RoutePainter() {}

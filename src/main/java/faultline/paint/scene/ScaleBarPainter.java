@@ -11,7 +11,7 @@ import java.awt.geom.Path2D;
 /** Paints a scale bar of a nice length in the lower right corner, below the band around a world that just fits. */
 final class ScaleBarPainter {
 
-    /** The least length of the bar, pixels; it is less than two and a half times as long. */
+    /** The minimum length of the bar, pixels; it is less than two and a half times as long. */
     private static final double MIN_LENGTH = 60;
 
     private static final double MARGIN_RIGHT = 24;

@@ -28,9 +28,9 @@ final class SensorPainter {
     private static final int HATCH_ALPHA = 150;
     /** Between the arc and the label, pixels. */
     private static final double LABEL_GAP = 4;
-    /** The least length of a labelled cone, pixels. */
+    /** The minimum length of a labelled cone, pixels. */
     private static final double MIN_LABELLED_RADIUS = 25;
-    /** The least difference between true and reported distance that is shown, pixels. */
+    /** The minimum difference between true and reported distance that is shown, pixels. */
     private static final double MIN_READING_DIFFERENCE = 2;
 
     private SensorPainter() {}

@@ -25,7 +25,7 @@ public record GraphicsSurface(Graphics2D graphics) implements Surface {
         enableAntialiasing(graphics);
     }
 
-    /** Sets the rendering hints of all pictures: antialiasing, and pure strokes, which do not jump while they move. */
+    /** Sets the rendering hints of all pictures: antialiasing, and pure strokes, which move smoothly. */
     public static void enableAntialiasing(Graphics2D graphics) {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -42,7 +42,7 @@ public record GraphicsSurface(Graphics2D graphics) implements Surface {
         }
     }
 
-    /** Whole pixels have no edges to smooth, and filling them without smoothing is several times faster. */
+    /** Rectangles of whole pixels need no antialiasing, and filling them without it is several times faster. */
     private void fillPixels(Shape pixels) {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
         graphics.fill(pixels);

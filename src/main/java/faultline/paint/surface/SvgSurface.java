@@ -87,7 +87,7 @@ public final class SvgSurface implements Surface {
     @Override
     public void drawText(String text, Vector2 at, TextStyle style) {
         if (Subscripts.split(text).size() > 1 && style.anchor() != TextStyle.Anchor.START) {
-            // Some viewers anchor each part of a text with subscripts by itself.
+            // Some viewers anchor each part of a text with subscripts separately.
             double shift =
                     style.estimateWidth(text.replace("_", "")) * style.anchor().ordinal() / 2;
             appendStyledText(

@@ -29,7 +29,7 @@ public final class AttributeReader {
     /** Stands in for an id that could not be read; no file can hold it. */
     private static final String INVALID_ID = "\0";
 
-    /** A valid outline in place of points that could not be read. */
+    /** A valid outline instead of points that could not be read. */
     private static final List<Vector2> PLACEHOLDER_POINTS = List.of(Vector2.ZERO, new Vector2(1, 0), new Vector2(0, 1));
 
     private final XmlElement node;
@@ -43,7 +43,7 @@ public final class AttributeReader {
      * Creates a reader of one element's attributes.
      *
      * @param node the element
-     * @param problems collects what is wrong
+     * @param problems the list to which problems are added
      */
     public AttributeReader(XmlElement node, Problems problems) {
         this.node = node;

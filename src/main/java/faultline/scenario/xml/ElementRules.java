@@ -20,7 +20,7 @@ public final class ElementRules {
      *
      * @param node the element
      * @param allowed the names of the allowed children
-     * @param problems collects what is wrong
+     * @param problems the list to which problems are added
      */
     public static void checkChildren(XmlElement node, Collection<String> allowed, Problems problems) {
         String stripped = XmlText.strip(node.text());
@@ -56,7 +56,7 @@ public final class ElementRules {
      * {@return the text of an element that must not contain anything else}
      *
      * @param node the element
-     * @param problems collects what is wrong
+     * @param problems the list to which problems are added
      */
     public static String readText(XmlElement node, Problems problems) {
         new AttributeReader(node, problems).reportUnknownAndMissing();
@@ -71,7 +71,7 @@ public final class ElementRules {
      *
      * @param node the element
      * @param names the names of children of which there may be only one each
-     * @param problems collects what is wrong
+     * @param problems the list to which problems are added
      */
     public static void checkAtMostOne(XmlElement node, List<String> names, Problems problems) {
         if (node.children().size() < 2) {

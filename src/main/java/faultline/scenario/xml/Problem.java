@@ -8,7 +8,7 @@ import faultline.io.MessageText;
  *
  * @param file the file as the user named it
  * @param location where in the file, {@link SourceLocation#NONE} for the whole file
- * @param message what is wrong, the value given, and what is allowed
+ * @param message the error, the given value, and the allowed values
  */
 public record Problem(String file, SourceLocation location, Message message) {
 

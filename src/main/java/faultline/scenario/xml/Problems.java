@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 /** Collects the problems of one file, so that they are reported together. */
 public final class Problems {
 
-    /** The greatest number of problems that are listed. */
+    /** The maximum number of problems that are listed. */
     static final int MAX_LISTED = 100;
 
     private final String file;

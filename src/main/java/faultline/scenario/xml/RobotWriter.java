@@ -7,7 +7,7 @@ import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import java.util.List;
 
-/** Writes the robot. Sensors that equal the standard ones are left out. */
+/** Writes the robot. Sensors that equal the standard ones are omitted. */
 final class RobotWriter {
 
     private RobotWriter() {}

@@ -13,7 +13,7 @@ import org.xml.sax.ext.DefaultHandler2;
 
 /**
  * The comments of a file, so that saving does not lose what a person has written. A comment stays before the element
- * that follows it, wherever that element is written; if the element is gone, the comment moves to the end of its
+ * that follows it, wherever that element is written; if the element was removed, the comment moves to the end of its
  * parent.
  */
 public final class XmlComments {

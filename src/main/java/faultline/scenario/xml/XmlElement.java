@@ -8,8 +8,8 @@ import java.util.stream.Stream;
 /**
  * An element of a file, before its content is interpreted.
  *
- * @param name without prefix in our namespace, with its prefix in another one
- * @param location the end of its start tag
+ * @param name the name, without prefix in our namespace, with its prefix in another one
+ * @param location the location of the end of its start tag
  * @param attributes the given values by name, in the order of the file, without defaults
  * @param children the children, in the order of the file
  * @param text all text directly inside it
@@ -21,7 +21,7 @@ public record XmlElement(
      * {@return the root element of a file; empty, with a problem, if the file is not well-formed}
      *
      * @param bytes the content of the file
-     * @param problems collects what is wrong
+     * @param problems the list to which problems are added
      * @param format the format of the file
      */
     public static Optional<XmlElement> parse(byte[] bytes, Problems problems, XmlFormat format) {

@@ -88,7 +88,7 @@ record LayerImage<C extends LayerContent<C>>(
         return graphics;
     }
 
-    /** Returns this image on its way to another content or view; empty if a new image is cheaper. */
+    /** Returns this image in transition to another content or view; empty if a new image is cheaper. */
     Optional<LayerImage<C>> adaptTo(C wanted, LayerView wantedView) {
         if (!view.equals(wantedView)) {
             return view.offsetTo(wantedView).map(by -> moved(by, wantedView));

@@ -30,7 +30,7 @@ public final class CanvasListeners {
         notes.forEach(listener -> listener.accept(sentence));
     }
 
-    /** Reports that the user asks for a menu at a position on the canvas. */
+    /** Reports that the user requests a menu at a position on the canvas. */
     public void fireMenuRequested(Point at) {
         menus.forEach(listener -> listener.accept(at));
     }

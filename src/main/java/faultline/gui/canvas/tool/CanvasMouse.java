@@ -18,7 +18,7 @@ import javax.swing.SwingUtilities;
 /**
  * Handles the mouse. The wheel zooms at the cursor and the middle button pans. The left button uses the active tool, or
  * starts the gesture that {@link GesturePicker} picks: moving, rotating, resizing, selecting or panning. The right
- * button rotates, or asks for a menu.
+ * button rotates, or requests a menu.
  */
 public final class CanvasMouse extends MouseAdapter {
 

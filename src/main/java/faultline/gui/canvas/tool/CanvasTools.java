@@ -229,7 +229,7 @@ public final class CanvasTools {
         context.listeners().addNoteListener(listener);
     }
 
-    /** Adds a listener that is called with a position on the canvas when the user asks for a menu. */
+    /** Adds a listener that is called with a position on the canvas when the user requests a menu. */
     public void addMenuListener(Consumer<Point> listener) {
         context.listeners().addMenuListener(listener);
     }

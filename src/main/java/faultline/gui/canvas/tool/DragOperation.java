@@ -168,7 +168,7 @@ public sealed interface DragOperation {
      */
     record ChangeCone(SensorSpec spec, Supplier<SensorSnapshot> current) implements DragOperation {
 
-        /** In a narrower cone the mouse could hardly tell the two edges apart; a field of the panel can set one. */
+        /** In a narrower cone the two edges are too close for the mouse; a field of the panel can set such a cone. */
         private static final double MIN_DEGREES = 1;
 
         private static final double MAX_DEGREES = 179;

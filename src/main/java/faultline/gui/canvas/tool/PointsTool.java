@@ -14,7 +14,7 @@ import java.util.function.Predicate;
  */
 public final class PointsTool implements Tool {
 
-    /** The least distance between points of a freehand drawing, pixels. */
+    /** The minimum distance between points of a freehand drawing, pixels. */
     private static final double FREEHAND_SPACING = 12;
 
     private final ToolContext context;

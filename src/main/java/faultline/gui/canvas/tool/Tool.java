@@ -4,8 +4,8 @@ import faultline.geometry.Vector2;
 import faultline.paint.surface.DrawContext;
 
 /**
- * What the left button does in place of selecting and moving, until it is done. Positions are in the world, metres, and
- * snapped.
+ * A function of the left button that replaces selecting and moving until it is finished. Positions are in the world,
+ * metres, and snapped.
  */
 public interface Tool {
 
