@@ -36,8 +36,19 @@ public record Expectation(List<Condition> conditions) {
                 .toList();
     }
 
-    /** A condition on the result of a run. */
+    /**
+     * A condition on the result of a run. Code that depends on the kind of condition implements
+     * {@link ConditionVisitor}, so that a new kind does not compile until it is handled everywhere.
+     */
     public sealed interface Condition {
+
+        /**
+         * {@return what the method of a visitor for this kind of condition returns}
+         *
+         * @param visitor the visitor
+         * @param <R> the visitor's result type
+         */
+        <R> R accept(ConditionVisitor<R> visitor);
 
         /**
          * {@return a sentence on what the run did not hold; empty if the condition is met}
@@ -56,11 +67,58 @@ public record Expectation(List<Condition> conditions) {
     }
 
     /**
+     * An operation with one method for each kind of condition.
+     *
+     * @param <R> the result type
+     */
+    public interface ConditionVisitor<R> {
+        /**
+         * {@return the result for a {@link Collides}}
+         *
+         * @param condition the condition to visit
+         */
+        R visit(Collides condition);
+
+        /**
+         * {@return the result for a {@link MinCoverage}}
+         *
+         * @param condition the condition to visit
+         */
+        R visit(MinCoverage condition);
+
+        /**
+         * {@return the result for a {@link MaxDistanceRms}}
+         *
+         * @param condition the condition to visit
+         */
+        R visit(MaxDistanceRms condition);
+
+        /**
+         * {@return the result for a {@link VisitedState}}
+         *
+         * @param condition the condition to visit
+         */
+        R visit(VisitedState condition);
+
+        /**
+         * {@return the result for a {@link FinalState}}
+         *
+         * @param condition the condition to visit
+         */
+        R visit(FinalState condition);
+    }
+
+    /**
      * Whether the robot collides.
      *
      * @param wanted whether it is expected to
      */
     public record Collides(boolean wanted) implements Condition {
+
+        @Override
+        public <R> R accept(ConditionVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
 
         @Override
         public Optional<String> unmet(RunOutcome result) {
@@ -87,6 +145,11 @@ public record Expectation(List<Condition> conditions) {
     public record MinCoverage(double share) implements Condition {
 
         @Override
+        public <R> R accept(ConditionVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+
+        @Override
         public Optional<String> unmet(RunOutcome result) {
             return result.coverage().orElse(0) >= share
                     ? Optional.empty()
@@ -102,6 +165,11 @@ public record Expectation(List<Condition> conditions) {
      * @param metres the root mean square of the error, in metres
      */
     public record MaxDistanceRms(double metres) implements Condition {
+
+        @Override
+        public <R> R accept(ConditionVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
 
         @Override
         public Optional<String> unmet(RunOutcome result) {
@@ -122,6 +190,11 @@ public record Expectation(List<Condition> conditions) {
     public record VisitedState(ControllerState state) implements Condition {
 
         @Override
+        public <R> R accept(ConditionVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+
+        @Override
         public Optional<String> unmet(RunOutcome result) {
             return result.visitedStates().contains(state)
                     ? Optional.empty()
@@ -139,6 +212,11 @@ public record Expectation(List<Condition> conditions) {
      * @param state the state
      */
     public record FinalState(ControllerState state) implements Condition {
+
+        @Override
+        public <R> R accept(ConditionVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
 
         @Override
         public Optional<String> unmet(RunOutcome result) {

@@ -1,6 +1,5 @@
 package faultline.gui.properties;
 
-import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.engine.metrics.Expectation;
 import faultline.gui.panel.FormConstraints;
@@ -80,33 +79,8 @@ final class ExpectationForm extends JPanel {
         rms.setWorldValue(USUAL_RMS);
         finalBox.setSelected(false);
         states.values().forEach(box -> box.setSelected(false));
-        others = expectation.conditions().stream().filter(this::isForeign).toList();
-        expectation.conditions().forEach(this::show);
-    }
-
-    private boolean isForeign(Expectation.Condition condition) {
-        ControllerState state = condition instanceof Expectation.VisitedState visited
-                ? visited.state()
-                : condition instanceof Expectation.FinalState last ? last.state() : FollowerState.SEARCH;
-        return !(state instanceof FollowerState);
-    }
-
-    private void show(Expectation.Condition condition) {
-        if (condition instanceof Expectation.Collides collision) {
-            contact.setValue(collision.wanted() ? ContactChoice.EXPECTED : ContactChoice.NONE);
-        } else if (condition instanceof Expectation.MinCoverage least) {
-            coverageBox.setSelected(true);
-            coverage.setWorldValue(least.share());
-        } else if (condition instanceof Expectation.MaxDistanceRms most) {
-            rmsBox.setSelected(true);
-            rms.setWorldValue(most.metres());
-        } else if (condition instanceof Expectation.VisitedState visited
-                && visited.state() instanceof FollowerState state) {
-            states.get(state).setSelected(true);
-        } else if (condition instanceof Expectation.FinalState last && last.state() instanceof FollowerState state) {
-            finalBox.setSelected(true);
-            finalState.setValue(state);
-        }
+        others = new ArrayList<>(expectation.conditions());
+        others.removeIf(condition -> condition.accept(new ConditionFields()));
     }
 
     /** Returns the expectation of the fields. */
@@ -137,5 +111,48 @@ final class ExpectationForm extends JPanel {
     /** Commits numbers being typed and returns whether all fields are valid. */
     boolean commit() {
         return coverage.commitValidEdit() && rms.commitValidEdit();
+    }
+
+    /** Shows a condition in its fields, and returns whether there are fields for it. */
+    private final class ConditionFields implements Expectation.ConditionVisitor<Boolean> {
+
+        @Override
+        public Boolean visit(Expectation.Collides condition) {
+            contact.setValue(condition.wanted() ? ContactChoice.EXPECTED : ContactChoice.NONE);
+            return true;
+        }
+
+        @Override
+        public Boolean visit(Expectation.MinCoverage condition) {
+            coverageBox.setSelected(true);
+            coverage.setWorldValue(condition.share());
+            return true;
+        }
+
+        @Override
+        public Boolean visit(Expectation.MaxDistanceRms condition) {
+            rmsBox.setSelected(true);
+            rms.setWorldValue(condition.metres());
+            return true;
+        }
+
+        @Override
+        public Boolean visit(Expectation.VisitedState condition) {
+            if (condition.state() instanceof FollowerState state) {
+                states.get(state).setSelected(true);
+                return true;
+            }
+            return false;
+        }
+
+        @Override
+        public Boolean visit(Expectation.FinalState condition) {
+            if (condition.state() instanceof FollowerState state) {
+                finalBox.setSelected(true);
+                finalState.setValue(state);
+                return true;
+            }
+            return false;
+        }
     }
 }

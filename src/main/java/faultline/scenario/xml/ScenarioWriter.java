@@ -77,22 +77,39 @@ public final class ScenarioWriter {
         if (expect.equals(Expectation.NONE)) {
             return;
         }
+        ConditionAttributes attributes = new ConditionAttributes(new LinkedHashMap<>());
+        expect.conditions().forEach(condition -> condition.accept(attributes));
         out.beginElement("expect");
-        Map<String, String> attributes = new LinkedHashMap<>();
-        for (Expectation.Condition condition : expect.conditions()) {
-            if (condition instanceof Expectation.Collides collision) {
-                attributes.put("collision", Boolean.toString(collision.wanted()));
-            } else if (condition instanceof Expectation.MinCoverage coverage) {
-                attributes.put("minCoverage", DecimalText.format(coverage.share()));
-            } else if (condition instanceof Expectation.MaxDistanceRms rms) {
-                attributes.put("maxDistanceRms", DecimalText.format(rms.metres()));
-            } else if (condition instanceof Expectation.VisitedState visited) {
-                attributes.merge("states", visited.state().name(), (all, next) -> all + " " + next);
-            } else if (condition instanceof Expectation.FinalState last) {
-                attributes.put("finalState", last.state().name());
-            }
-        }
-        attributes.forEach(out::attribute);
+        attributes.values.forEach(out::attribute);
         out.endElement();
+    }
+
+    /** Collects the attributes of conditions. */
+    private record ConditionAttributes(Map<String, String> values) implements Expectation.ConditionVisitor<String> {
+
+        @Override
+        public String visit(Expectation.Collides condition) {
+            return values.put("collision", Boolean.toString(condition.wanted()));
+        }
+
+        @Override
+        public String visit(Expectation.MinCoverage condition) {
+            return values.put("minCoverage", DecimalText.format(condition.share()));
+        }
+
+        @Override
+        public String visit(Expectation.MaxDistanceRms condition) {
+            return values.put("maxDistanceRms", DecimalText.format(condition.metres()));
+        }
+
+        @Override
+        public String visit(Expectation.VisitedState condition) {
+            return values.merge("states", condition.state().name(), (all, next) -> all + " " + next);
+        }
+
+        @Override
+        public String visit(Expectation.FinalState condition) {
+            return values.put("finalState", condition.state().name());
+        }
     }
 }
