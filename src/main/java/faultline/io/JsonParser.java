@@ -20,6 +20,9 @@ public final class JsonParser {
         }
     };
 
+    /** What some languages write for numbers that JSON does not have. */
+    private static final List<String> NOT_FINITE = List.of("NaN", "Infinity");
+
     private static final int MAX_DEPTH = 64;
 
     private final String text;
@@ -76,6 +79,11 @@ public final class JsonParser {
         if (text.startsWith("null", next)) {
             next += 4;
             return NULL;
+        }
+        for (String word : NOT_FINITE) {
+            if (text.startsWith(word, next)) {
+                throw problem(word + " is no number in JSON");
+            }
         }
         throw problem(next == text.length() ? "the text ends before a value" : "there is no value");
     }

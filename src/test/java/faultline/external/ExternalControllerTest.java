@@ -107,7 +107,7 @@ class ExternalControllerTest {
             read l; echo '{"type":"ready","protocol":2}'                   | speaks protocol 2 before the first tick; expected 1
             read l; echo R; read l; exec 0<&-; sleep 60                    | has not answered for 0.5 s at tick 0
             read l; echo R; exec 0<&-; sleep 60                            | closed its standard input at tick 0
-            read l; echo R; read l; sleep 0.2; echo '{"type":"drive","tick":0,"left_v":NaN,"right_v":1}' | wrote no JSON at tick 0: "{"type":"drive","tick":0,"left_v":NaN,"right_v":1}" (there is no value at character 35); write messages for people to standard error
+            read l; echo R; read l; sleep 0.2; echo '{"type":"drive","tick":0,"left_v":NaN,"right_v":1}' | wrote no JSON at tick 0: "{"type":"drive","tick":0,"left_v":NaN,"right_v":1}" (NaN is no number in JSON at character 35); write messages for people to standard error
             sleep 60                                                       | has not answered for 0.5 s before the first tick
             exit 3                                                         | ended with exit code 3 before the first tick
             """)

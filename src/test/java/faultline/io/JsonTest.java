@@ -46,7 +46,8 @@ class JsonTest {
             1e+              | a digit is missing at character 4
             tru              | there is no value at character 1
             1 2              | there is text after the value at character 3
-            NaN              | there is no value at character 1
+            NaN              | NaN is no number in JSON at character 1
+            [1,Infinity]     | Infinity is no number in JSON at character 4
             """)
     void aTextThatIsNoJsonIsReportedWithItsPlace(String text, String message) {
         String given = text.replace("\\\\", "\\");
