@@ -2,6 +2,7 @@ package faultline.app;
 
 import faultline.floorplan.FloorPlan;
 import faultline.floorplan.FloorPlanScenario;
+import faultline.floorplan.MapDescription;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.io.DecimalText;
@@ -60,9 +61,9 @@ final class ImportCommand {
         if (resolution.isEmpty()) {
             throw new UsageException("an image needs --resolution M, the side of a pixel in metres");
         }
-        BigDecimal side = number("--resolution", resolution.get(), "a number of metres above 0");
-        if (side.signum() <= 0 || side.compareTo(MAX_COORDINATE) > 0) {
-            throw UsageException.ofValue("--resolution", resolution.get(), "a number of metres above 0");
+        BigDecimal side = number("--resolution", resolution.get(), MapDescription.RESOLUTIONS);
+        if (!MapDescription.isResolution(side)) {
+            throw UsageException.ofValue("--resolution", resolution.get(), MapDescription.RESOLUTIONS);
         }
         return FloorPlan.readImage(map, side, options);
     }

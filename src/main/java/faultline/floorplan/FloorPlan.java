@@ -16,6 +16,12 @@ import java.util.Locale;
  */
 public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCells solid, List<GridRing> rings) {
 
+    /** A scenario holds 100 000 points and obstacles; the plan itself is one of them. */
+    private static final int MAX_SEGMENTS = 99_999;
+
+    /** The longest outlines that are traced to be straightened, so that time and memory are bounded. */
+    private static final int MAX_SMOOTHED = 2_000_000;
+
     /**
      * Creates a floor plan from a copy of the rings.
      *
@@ -93,19 +99,37 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
     }
 
     private static FloorPlan read(MapDescription description, Options options) throws IOException {
-        return trace(description, description.classify(MapImageReader.read(description.image())), options);
+        try {
+            return trace(description, description.classify(MapImageReader.read(description.image())), options);
+        } catch (OutOfMemoryError e) {
+            throw new FloorPlanException(
+                    description.image() + ": the map needs more memory than the program has; start it with more");
+        }
     }
 
     /** Traces classified cells. */
-    static FloorPlan trace(MapDescription description, OccupancyGrid grid, Options options) {
+    static FloorPlan trace(MapDescription description, OccupancyGrid grid, Options options) throws FloorPlanException {
+        description.requireSize(grid.width(), grid.height());
         SolidCells solid = grid.solidCells(options.unknownIsSolid()).withoutSpecks(options.minCells());
+        requireSegments(description, solid.cornerCount(), options.smoothing() > 0 ? MAX_SMOOTHED : MAX_SEGMENTS);
         List<GridRing> rings = OutlineTracer.trace(solid);
         if (options.smoothing() > 0) {
             rings = rings.stream()
                     .map(ring -> OutlineSimplifier.simplify(ring, options.smoothing()))
                     .toList();
         }
-        return new FloorPlan(description, grid, solid, rings);
+        FloorPlan plan = new FloorPlan(description, grid, solid, rings);
+        requireSegments(description, plan.segmentCount(), MAX_SEGMENTS);
+        return plan;
+    }
+
+    private static void requireSegments(MapDescription description, long count, long allowed)
+            throws FloorPlanException {
+        if (count > allowed) {
+            throw new FloorPlanException(description.image() + ": the map has " + count
+                    + " wall segments; expected at most " + allowed
+                    + "; drop specks, straighten outlines or use a coarser image");
+        }
     }
 
     /** {@return the number of wall segments of all outlines} */

@@ -10,10 +10,7 @@ package faultline.floorplan;
  */
 public record FreeDisc(int column, int row, double clearance) {
 
-    /**
-     * A value greater than every squared distance in a map, and small enough that sums with squared distances are
-     * exact.
-     */
+    /** A value beyond every border between two parabolas, in cells. */
     private static final double FAR = 1e12;
 
     /**
@@ -26,26 +23,52 @@ public record FreeDisc(int column, int row, double clearance) {
      */
     public static FreeDisc largest(OccupancyGrid grid, SolidCells solid) {
         int width = grid.width() + 2;
-        int height = grid.height() + 2;
-        double[] squared = new double[width * height];
+        short[] distances = columnDistances(grid, solid);
+        DistanceTransform transform = new DistanceTransform(width);
+        FreeDisc best = new FreeDisc(0, 0, 0);
+        double bestSquared = 0;
         for (int row = 0; row < grid.height(); row++) {
+            double largest = 0;
             for (int column = 0; column < grid.width(); column++) {
-                boolean free = grid.state(column, row) != CellState.UNKNOWN && !solid.isSolid(column, row);
-                squared[(row + 1) * width + column + 1] = free ? FAR : 0;
+                double distance = distances[row * grid.width() + column];
+                transform.set(column + 1, distance * distance);
+                largest = Math.max(largest, distance * distance);
+            }
+            if (largest <= bestSquared) {
+                // No disc is larger than the distances in its own column.
+                continue;
+            }
+            transform.apply();
+            for (int column = 0; column < grid.width(); column++) {
+                double squared = transform.get(column + 1);
+                if (squared > bestSquared) {
+                    bestSquared = squared;
+                    best = new FreeDisc(column, row, Math.sqrt(squared));
+                }
             }
         }
-        DistanceTransform transform = new DistanceTransform(Math.max(width, height));
-        for (int column = 0; column < width; column++) {
-            transform.apply(squared, column, width, height);
+        return best;
+    }
+
+    /**
+     * Returns for each cell the distance to the nearest cell of its column that is not free. Greater distances than the
+     * map is wide are cut off there: the cells beyond its sides are nearer.
+     */
+    private static short[] columnDistances(OccupancyGrid grid, SolidCells solid) {
+        int width = grid.width();
+        short[] distances = new short[width * grid.height()];
+        short limit = (short) Math.min(width, Short.MAX_VALUE - 1);
+        for (int i = 0; i < distances.length; i++) {
+            boolean free =
+                    grid.state(i % width, i / width) != CellState.UNKNOWN && !solid.isSolid(i % width, i / width);
+            int below = i < width ? 0 : distances[i - width];
+            distances[i] = (short) (free ? Math.min(limit, below + 1) : 0);
         }
-        for (int row = 0; row < height; row++) {
-            transform.apply(squared, row * width, 1, width);
+        for (int i = distances.length - 1; i >= 0; i--) {
+            int above = i + width < distances.length ? distances[i + width] : 0;
+            distances[i] = (short) Math.min(distances[i], above + 1);
         }
-        int best = 0;
-        for (int i = 1; i < squared.length; i++) {
-            best = squared[i] > squared[best] ? i : best;
-        }
-        return new FreeDisc(Math.max(0, best % width - 1), Math.max(0, best / width - 1), Math.sqrt(squared[best]));
+        return distances;
     }
 
     /** The one-dimensional transform: the lower envelope of one parabola per sample. */
@@ -53,22 +76,30 @@ public record FreeDisc(int column, int row, double clearance) {
         private final int[] vertices;
         private final double[] borders;
         private final double[] values;
+        private final double[] results;
 
-        DistanceTransform(int longest) {
-            vertices = new int[longest];
-            borders = new double[longest + 1];
-            values = new double[longest];
+        /** Creates a transform of samples that are 0 until they are set. */
+        DistanceTransform(int count) {
+            vertices = new int[count];
+            borders = new double[count + 1];
+            values = new double[count];
+            results = new double[count];
         }
 
-        void apply(double[] data, int offset, int step, int count) {
-            for (int i = 0; i < count; i++) {
-                values[i] = data[offset + i * step];
-            }
+        void set(int index, double value) {
+            values[index] = value;
+        }
+
+        double get(int index) {
+            return results[index];
+        }
+
+        void apply() {
             int last = 0;
             vertices[0] = 0;
             borders[0] = -FAR;
             borders[1] = FAR;
-            for (int i = 1; i < count; i++) {
+            for (int i = 1; i < values.length; i++) {
                 double border = intersection(i, vertices[last]);
                 while (border <= borders[last]) {
                     border = intersection(i, vertices[--last]);
@@ -78,12 +109,12 @@ public record FreeDisc(int column, int row, double clearance) {
                 borders[last + 1] = FAR;
             }
             int at = 0;
-            for (int i = 0; i < count; i++) {
+            for (int i = 0; i < values.length; i++) {
                 while (borders[at + 1] < i) {
                     at++;
                 }
                 double d = i - vertices[at];
-                data[offset + i * step] = d * d + values[vertices[at]];
+                results[i] = d * d + values[vertices[at]];
             }
         }
 

@@ -1,5 +1,6 @@
 package faultline.floorplan;
 
+import faultline.io.DecimalText;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 
@@ -22,6 +23,13 @@ public record MapDescription(
         boolean negate,
         double occupiedThreshold,
         double freeThreshold) {
+
+    /** The allowed sides of a cell, in words. */
+    public static final String RESOLUTIONS = "a number of metres from 0.000001 to 100000";
+
+    private static final BigDecimal MIN_RESOLUTION = new BigDecimal("0.000001");
+    /** The greatest width and height of a world, metres. */
+    private static final BigDecimal MAX_SIZE = new BigDecimal(100_000);
 
     private static final double DEFAULT_OCCUPIED = 0.65;
     private static final double DEFAULT_FREE = 0.196;
@@ -56,6 +64,27 @@ public record MapDescription(
      */
     public static MapDescription of(Path image, BigDecimal resolution) {
         return new MapDescription(image, resolution, 0, MapMode.TRINARY, false, DEFAULT_OCCUPIED, DEFAULT_FREE);
+    }
+
+    /**
+     * {@return whether a number is allowed as the side of a cell}
+     *
+     * @param metres any number
+     */
+    public static boolean isResolution(BigDecimal metres) {
+        return metres.compareTo(MIN_RESOLUTION) >= 0 && metres.compareTo(MAX_SIZE) <= 0;
+    }
+
+    /** Throws an exception if a map of so many cells is larger than a world may be. */
+    void requireSize(int columns, int rows) throws FloorPlanException {
+        BigDecimal width = resolution.multiply(BigDecimal.valueOf(columns));
+        BigDecimal height = resolution.multiply(BigDecimal.valueOf(rows));
+        if (width.max(height).compareTo(MAX_SIZE) > 0) {
+            throw new FloorPlanException(image + ": the map is "
+                    + DecimalText.formatRounded(width.doubleValue()) + " x "
+                    + DecimalText.formatRounded(height.doubleValue()) + " m large; expected at most " + MAX_SIZE
+                    + " m; the resolution may be wrong");
+        }
     }
 
     /** Classifies the pixels of this map's image. */

@@ -1,5 +1,7 @@
 package faultline.floorplan;
 
+import java.util.BitSet;
+
 /** The brightness of the pixels of a map, row 0 at the top, as in image files. */
 final class MapImage {
 
@@ -9,16 +11,23 @@ final class MapImage {
      */
     static final long MAX_PIXELS = 64_000_000;
 
+    /** The brightness of white in map files. */
+    private static final float WHITE = 255;
+
     private final int width;
     private final int height;
-    private final float[] values;
-    private final boolean[] transparent;
+    private final int max;
+    /** The samples as unsigned numbers, since a large map has tens of millions of them. */
+    private final short[] samples;
 
-    MapImage(int width, int height) {
+    private final BitSet transparent = new BitSet();
+
+    /** Creates an image of black pixels, given the sample of white, 1 to 65535. */
+    MapImage(int width, int height, int max) {
         this.width = width;
         this.height = height;
-        values = new float[width * height];
-        transparent = new boolean[width * height];
+        this.max = max;
+        samples = new short[width * height];
     }
 
     int width() {
@@ -29,19 +38,21 @@ final class MapImage {
         return height;
     }
 
-    /** Sets a pixel: its brightness in [0, 255] and whether it is not fully opaque. */
-    void set(int index, float value, boolean isTransparent) {
-        values[index] = value;
-        transparent[index] = isTransparent;
+    /** Sets a pixel: its sample, 0 for black to that of white, and whether it is not fully opaque. */
+    void set(int index, int sample, boolean isTransparent) {
+        samples[index] = (short) sample;
+        if (isTransparent) {
+            transparent.set(index);
+        }
     }
 
     /** Returns the brightness of a pixel, 0 for black to 255 for white. */
     double value(int column, int rowFromTop) {
-        return values[rowFromTop * width + column];
+        return Short.toUnsignedInt(samples[rowFromTop * width + column]) * WHITE / max;
     }
 
     /** Returns whether a pixel is not fully opaque. */
     boolean isTransparent(int column, int rowFromTop) {
-        return transparent[rowFromTop * width + column];
+        return transparent.get(rowFromTop * width + column);
     }
 }

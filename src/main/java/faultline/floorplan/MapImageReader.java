@@ -6,7 +6,9 @@ import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
+import java.io.BufferedInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
@@ -18,6 +20,10 @@ import javax.imageio.stream.ImageInputStream;
 final class MapImageReader {
 
     private static final long MAX_BYTES = 512L << 20;
+    private static final int BUFFER_BYTES = 1 << 16;
+    private static final int MAX_GREY_BITS = 16;
+    /** The sum of the red, green and blue of white. */
+    private static final int WHITE_SUM = 3 * 255;
 
     private MapImageReader() {}
 
@@ -41,7 +47,9 @@ final class MapImageReader {
             }
             byte[] start = readStart(file);
             if (start.length == 2 && start[0] == 'P' && start[1] >= '1' && start[1] <= '7') {
-                return new PgmReader(file, Files.readAllBytes(file)).read();
+                try (InputStream in = new BufferedInputStream(Files.newInputStream(file), BUFFER_BYTES)) {
+                    return new PgmReader(file, in).read();
+                }
             }
             return readWithImageIo(file);
         } catch (FloorPlanException e) {
@@ -74,7 +82,7 @@ final class MapImageReader {
             try {
                 reader.setInput(in, true, true);
                 requireSize(file, reader.getWidth(0), reader.getHeight(0));
-                return toMapImage(reader.read(0));
+                return toMapImage(file, reader.read(0));
             } finally {
                 reader.dispose();
             }
@@ -88,11 +96,16 @@ final class MapImageReader {
         }
     }
 
-    private static MapImage toMapImage(BufferedImage image) {
-        MapImage map = new MapImage(image.getWidth(), image.getHeight());
+    private static MapImage toMapImage(Path file, BufferedImage image) throws FloorPlanException {
         ColorModel colors = image.getColorModel();
         // getRGB would convert grey values from a linear colour space; the raw values of the file are required.
         boolean grey = !(colors instanceof IndexColorModel) && colors.getNumColorComponents() == 1;
+        if (grey && colors.getComponentSize(0) > MAX_GREY_BITS) {
+            throw new FloorPlanException(file + ": a pixel of the image has " + colors.getComponentSize(0)
+                    + " bits; expected at most " + MAX_GREY_BITS);
+        }
+        int white = grey ? (1 << colors.getComponentSize(0)) - 1 : WHITE_SUM;
+        MapImage map = new MapImage(image.getWidth(), image.getHeight(), white);
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
                 int index = y * image.getWidth() + x;
@@ -101,7 +114,7 @@ final class MapImageReader {
                 } else {
                     int argb = image.getRGB(x, y);
                     int sum = (argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff);
-                    map.set(index, sum / 3f, argb >>> 24 < 255);
+                    map.set(index, sum, argb >>> 24 < 255);
                 }
             }
         }
@@ -109,8 +122,7 @@ final class MapImageReader {
     }
 
     private static void setGrey(MapImage map, int index, Raster raster, ColorModel colors, int x, int y) {
-        float max = (1L << colors.getComponentSize(0)) - 1;
         boolean transparent = colors.hasAlpha() && raster.getSample(x, y, 1) < (1 << colors.getComponentSize(1)) - 1;
-        map.set(index, raster.getSample(x, y, 0) * 255f / max, transparent);
+        map.set(index, raster.getSample(x, y, 0), transparent);
     }
 }

@@ -26,6 +26,9 @@ import java.util.Optional;
 final class MapYamlReader {
 
     private static final long MAX_BYTES = 1 << 20;
+    /** Less than the greatest heading of an obstacle, a million degrees. */
+    private static final double MAX_YAW = 17_000;
+
     private static final List<String> KEYS =
             List.of("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode");
 
@@ -172,12 +175,16 @@ final class MapYamlReader {
     private MapDescription toDescription() throws FloorPlanException {
         Path image = imageFile();
         BigDecimal resolution = number("resolution", "0.05");
-        if (resolution.signum() <= 0) {
-            throw wrong("resolution", "a number of metres above 0");
+        if (!MapDescription.isResolution(resolution)) {
+            throw wrong("resolution", MapDescription.RESOLUTIONS);
         }
         double occupied = share("occupied_thresh", "0.65");
         double free = share("free_thresh", "0.196");
-        return new MapDescription(image, resolution, yaw(), mode(), isNegated(), occupied, free);
+        MapDescription description = new MapDescription(image, resolution, yaw(), mode(), isNegated(), occupied, free);
+        if (!Files.isRegularFile(image)) {
+            throw wrong("image", "the name of an image file, and " + image + " is none");
+        }
+        return description;
     }
 
     private Path imageFile() throws FloorPlanException {
@@ -207,6 +214,9 @@ final class MapYamlReader {
         }
         if (!Arrays.stream(numbers).allMatch(Double::isFinite)) {
             throw wrong("origin", "three numbers, [x, y, yaw] in metres and radians");
+        }
+        if (Math.abs(numbers[2]) > MAX_YAW) {
+            throw wrong("origin", "[x, y, yaw] with a yaw of at most " + DecimalText.format(MAX_YAW) + " radians");
         }
         return numbers[2];
     }

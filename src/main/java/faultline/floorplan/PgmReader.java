@@ -1,21 +1,32 @@
 package faultline.floorplan;
 
+import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Path;
 
 /** Reads portable grey maps, plain (P2) and raw (P5), with up to 16 bits per pixel. */
 final class PgmReader {
 
-    private final Path file;
-    private final byte[] bytes;
-    private int next = 2;
+    private static final int MAX_SAMPLE = 65535;
 
-    PgmReader(Path file, byte[] bytes) {
+    private final Path file;
+    private final InputStream in;
+    /** The number of bytes before the next one. */
+    private long position;
+
+    /** The next byte, or -1 at the end of the file. */
+    private int next;
+
+    PgmReader(Path file, InputStream in) throws IOException {
         this.file = file;
-        this.bytes = bytes;
+        this.in = in;
+        next = in.read();
     }
 
-    MapImage read() throws FloorPlanException {
-        char format = (char) bytes[1];
+    MapImage read() throws IOException {
+        advance();
+        char format = (char) next;
+        advance();
         if (format != '2' && format != '5') {
             throw new FloorPlanException(file + ": the format of the image is P" + format + "; expected P2 or P5");
         }
@@ -23,10 +34,10 @@ final class PgmReader {
         int height = readHeaderNumber("the height");
         int max = readHeaderNumber("the maximum value");
         MapImageReader.requireSize(file, width, height);
-        if (max < 1 || max > 65535) {
-            throw new FloorPlanException(file + ": the maximum value is " + max + "; expected 1 to 65535");
+        if (max < 1 || max > MAX_SAMPLE) {
+            throw new FloorPlanException(file + ": the maximum value is " + max + "; expected 1 to " + MAX_SAMPLE);
         }
-        MapImage image = new MapImage(width, height);
+        MapImage image = new MapImage(width, height, max);
         if (format == '2') {
             readPlain(image, max);
         } else {
@@ -35,55 +46,68 @@ final class PgmReader {
         return image;
     }
 
-    private void readPlain(MapImage image, int max) throws FloorPlanException {
+    private void advance() throws IOException {
+        next = in.read();
+        position++;
+    }
+
+    private void readPlain(MapImage image, int max) throws IOException {
         for (int i = 0; i < image.width() * image.height(); i++) {
             set(image, i, readHeaderNumber("pixel " + (i + 1)), max);
         }
     }
 
-    private void readRaw(MapImage image, int max) throws FloorPlanException {
-        next++; // exactly one blank ends the header
+    private void readRaw(MapImage image, int max) throws IOException {
+        advance(); // exactly one blank ends the header
         int bytesEach = max < 256 ? 1 : 2;
         int count = image.width() * image.height();
-        if (bytes.length - next < (long) count * bytesEach) {
-            throw new FloorPlanException(file + ": the image ends after " + Math.max(0, bytes.length - next)
-                    + " bytes of pixels, " + (long) count * bytesEach + " are needed");
-        }
+        long start = position;
         for (int i = 0; i < count; i++) {
-            int value = bytes[next++] & 0xff;
+            int value = nextRaw(start, count, bytesEach);
             if (bytesEach == 2) {
-                value = value << 8 | bytes[next++] & 0xff;
+                value = value << 8 | nextRaw(start, count, bytesEach);
             }
             set(image, i, value, max);
         }
+    }
+
+    private int nextRaw(long start, long count, int bytesEach) throws IOException {
+        int value = next;
+        if (value < 0) {
+            throw new FloorPlanException(file + ": the image ends after " + Math.max(0, position - start)
+                    + " bytes of pixels, " + count * bytesEach + " are needed");
+        }
+        advance();
+        return value;
     }
 
     private void set(MapImage image, int index, int value, int max) throws FloorPlanException {
         if (value > max) {
             throw new FloorPlanException(file + ": pixel " + (index + 1) + " is " + value + "; expected 0 to " + max);
         }
-        image.set(index, max == 255 ? value : value * 255f / max, false);
+        image.set(index, value, false);
     }
 
-    private int readHeaderNumber(String what) throws FloorPlanException {
+    private int readHeaderNumber(String what) throws IOException {
         skipBlanksAndComments();
-        int begin = next;
+        long begin = position;
         long number = 0;
-        while (next < bytes.length && bytes[next] >= '0' && bytes[next] <= '9') {
-            number = Math.min(Integer.MAX_VALUE, number * 10 + bytes[next++] - '0');
+        while (next >= '0' && next <= '9') {
+            number = Math.min(Integer.MAX_VALUE, number * 10 + next - '0');
+            advance();
         }
-        if (next == begin) {
+        if (position == begin) {
             throw new FloorPlanException(file + ": " + what + " is missing at byte " + begin);
         }
         return (int) number;
     }
 
-    private void skipBlanksAndComments() {
-        while (next < bytes.length && (Character.isWhitespace(bytes[next]) || bytes[next] == '#')) {
-            if (bytes[next++] == '#') {
-                while (next < bytes.length && bytes[next] != '\n' && bytes[next] != '\r') {
-                    next++;
-                }
+    private void skipBlanksAndComments() throws IOException {
+        while (next >= 0 && (Character.isWhitespace(next) || next == '#')) {
+            boolean comment = next == '#';
+            advance();
+            while (comment && next >= 0 && next != '\n' && next != '\r') {
+                advance();
             }
         }
     }

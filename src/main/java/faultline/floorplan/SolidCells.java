@@ -58,43 +58,87 @@ public final class SolidCells {
             return this;
         }
         boolean[] kept = solid.clone();
-        boolean[] visited = new boolean[solid.length];
-        int[] group = new int[solid.length];
+        Group group = new Group(minCells);
         for (int start = 0; start < solid.length; start++) {
-            if (solid[start] && !visited[start]) {
-                int size = collectGroup(start, visited, group);
-                for (int i = 0; size < minCells && i < size; i++) {
-                    kept[group[i]] = false;
+            if (solid[start] && !group.visited[start]) {
+                group.collect(start);
+                for (int i = 0; group.size < minCells && i < group.size; i++) {
+                    kept[group.cells[i]] = false;
                 }
             }
         }
         return new SolidCells(width, height, kept);
     }
 
-    /** Collects the cells that are connected to a cell, breadth first, and returns their number. */
-    private int collectGroup(int start, boolean[] visited, int[] group) {
-        int size = 0;
-        group[size++] = start;
-        visited[start] = true;
-        for (int next = 0; next < size; next++) {
-            int column = group[next] % width;
-            int row = group[next] / width;
-            size = visit(column - 1, row, visited, group, size);
-            size = visit(column + 1, row, visited, group, size);
-            size = visit(column, row - 1, visited, group, size);
-            size = visit(column, row + 1, visited, group, size);
+    /**
+     * Returns the number of corners of all outlines: one where an odd number of the four cells around a point is solid,
+     * two where cells touch at a corner only.
+     */
+    long cornerCount() {
+        long corners = 0;
+        for (int row = 0; row <= height; row++) {
+            for (int column = 0; column <= width; column++) {
+                boolean a = isSolid(column - 1, row - 1);
+                boolean b = isSolid(column, row - 1);
+                boolean c = isSolid(column - 1, row);
+                boolean d = isSolid(column, row);
+                if (a ^ b ^ c ^ d) {
+                    corners++;
+                } else if (a == d && a != b) {
+                    corners += 2;
+                }
+            }
         }
-        return size;
+        return corners;
     }
 
-    private int visit(int column, int row, boolean[] visited, int[] group, int size) {
-        int index = row * width + column;
-        if (!isSolid(column, row) || visited[index]) {
-            return size;
+    /** The cells that are connected to a cell, collected breadth first. */
+    private final class Group {
+        private final boolean[] visited = new boolean[solid.length];
+        private final int minCells;
+        /** All cells of a small group. Of a large one, only those whose neighbours have not been visited. */
+        private int[] cells = new int[64];
+
+        private int end;
+        private int size;
+
+        Group(int minCells) {
+            this.minCells = minCells;
         }
-        visited[index] = true;
-        group[size] = index;
-        return size + 1;
+
+        void collect(int start) {
+            end = 0;
+            size = 0;
+            add(start);
+            for (int next = 0; next < end; next++) {
+                if (end == cells.length && size >= minCells && next > end / 2) {
+                    System.arraycopy(cells, next, cells, 0, end - next);
+                    end -= next;
+                    next = 0;
+                }
+                int column = cells[next] % width;
+                int row = cells[next] / width;
+                visit(column - 1, row);
+                visit(column + 1, row);
+                visit(column, row - 1);
+                visit(column, row + 1);
+            }
+        }
+
+        private void visit(int column, int row) {
+            if (isSolid(column, row) && !visited[row * width + column]) {
+                add(row * width + column);
+            }
+        }
+
+        private void add(int cell) {
+            if (end == cells.length) {
+                cells = Arrays.copyOf(cells, 2 * end);
+            }
+            visited[cell] = true;
+            cells[end++] = cell;
+            size++;
+        }
     }
 
     @Override

@@ -54,7 +54,8 @@ class ImportCommandTest {
                     """
             --resolution 0.05                    | import needs --out FILE, the scenario file to write
             --out x.xml                          | an image needs --resolution M, the side of a pixel in metres
-            --out x.xml --resolution 0           | --resolution is "0"; expected a number of metres above 0
+            --out x.xml --resolution 0           | --resolution is "0"; expected a number of metres from 0.000001 to 100000
+            --out x.xml --resolution 1e-400      | --resolution is "1e-400"; expected a number of metres from 0.000001 to 100000
             --out x.xml --resolution 1 --unknown no | --unknown is "no"; expected free or wall
             --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1"; expected a whole number of cells
             --out x.xml --resolution 1 --smooth -1 | --smooth is "-1"; expected a number of cells, 0 or more

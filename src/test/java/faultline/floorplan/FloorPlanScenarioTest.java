@@ -99,7 +99,7 @@ class FloorPlanScenarioTest {
     }
 
     @Test
-    void aMapWithoutRoomForTheRobotIsRefusedWithASentence() {
+    void aMapWithoutRoomForTheRobotIsRefusedWithASentence() throws FloorPlanException {
         CellState[] cells = new CellState[40 * 30];
         Arrays.setAll(cells, i -> (i + i / 40) % 2 == 0 ? CellState.FREE : CellState.OCCUPIED);
         FloorPlan plan = trace(40, 30, 0, cells);
@@ -128,7 +128,7 @@ class FloorPlanScenarioTest {
     }
 
     /** A map with a free square in the middle, big enough for the robot. */
-    private static FloorPlan plan(Random random, int width, int height, double yaw) {
+    private static FloorPlan plan(Random random, int width, int height, double yaw) throws FloorPlanException {
         CellState[] cells = new CellState[width * height];
         for (int i = 0; i < cells.length; i++) {
             boolean middle = Math.abs(i % width - width / 2) < 8 && Math.abs(i / width - height / 2) < 8;
@@ -137,7 +137,7 @@ class FloorPlanScenarioTest {
         return trace(width, height, yaw, cells);
     }
 
-    private static FloorPlan trace(int width, int height, double yaw, CellState[] cells) {
+    private static FloorPlan trace(int width, int height, double yaw, CellState[] cells) throws FloorPlanException {
         MapDescription description =
                 new MapDescription(Path.of("none.pgm"), RESOLUTION, yaw, MapMode.TRINARY, false, 0.65, 0.196);
         return FloorPlan.trace(description, new OccupancyGrid(width, height, cells), FloorPlan.Options.DEFAULT);

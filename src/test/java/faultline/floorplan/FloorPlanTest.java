@@ -7,7 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.geometry.Pose;
+import faultline.scenario.xml.ScenarioException;
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
+import java.awt.image.BandedSampleModel;
 import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -182,14 +190,17 @@ class FloorPlanTest {
             textBlock =
                     """
             resolution: fast         | m.yaml:2:13: resolution is "fast"; expected a number
-            resolution: 0            | m.yaml:2:13: resolution is "0"; expected a number of metres above 0
+            resolution: 0            | m.yaml:2:13: resolution is "0"; expected a number of metres from 0.000001 to 100000
+            resolution: 1e-400       | m.yaml:2:13: resolution is "1e-400"; expected a number of metres from 0.000001 to 100000
+            resolution: 1e9          | m.yaml:2:13: resolution is "1e9"; expected a number of metres from 0.000001 to 100000
+            resolution: 1@origin: [0, 0, 1e6] | m.yaml:3:9: origin is "0, 0, 1e6"; expected [x, y, yaw] with a yaw of at most 17000 radians
             resolution 0.05          | m.yaml:2:1: a line is "resolution 0.05"; expected "key: value"
             resolutoin: 0.05         | m.yaml:1:1: there is no "resolution"; "resolutoin" may be meant as "resolution"
             image: other.pgm         | m.yaml:2:1: "image" is given twice; expected once
             """)
     void aWrongMapFileIsReportedWithItsPlace(String line, String expected) throws IOException {
         write("m.pgm", PLAIN);
-        Path yaml = write("m.yaml", "image: m.pgm\n" + line + "\n");
+        Path yaml = write("m.yaml", "image: m.pgm\n" + line.replace('@', '\n') + "\n");
         IOException e =
                 assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
         assertEquals(folder + "/" + expected, e.getMessage().replace('\\', '/'));
@@ -217,11 +228,74 @@ class FloorPlanTest {
     }
 
     @Test
+    void aMapThatIsLargerThanAWorldIsRefused() throws IOException {
+        Path image = write("m.pgm", PLAIN);
+        IOException e = assertThrows(
+                FloorPlanException.class,
+                () -> FloorPlan.readImage(image, new BigDecimal("5e4"), FloorPlan.Options.DEFAULT));
+        assertEquals(
+                image + ": the map is 150000 x 100000 m large; expected at most 100000 m; the resolution may be wrong",
+                e.getMessage());
+    }
+
+    @Test
     void aMissingImageIsReported() throws IOException {
         Path yaml = write("m.yaml", "image: none.png\nresolution: 0.1\n");
         IOException e =
                 assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
-        assertEquals(folder.resolve("none.png") + ": there is no such image file", e.getMessage());
+        assertEquals(
+                yaml + ":1:8: image is \"none.png\"; expected the name of an image file, and "
+                        + folder.resolve("none.png") + " is none",
+                e.getMessage());
+        Path none = folder.resolve("none.png");
+        IOException alone = assertThrows(
+                FloorPlanException.class,
+                () -> FloorPlan.readImage(none, new BigDecimal("0.05"), FloorPlan.Options.DEFAULT));
+        assertEquals(none + ": there is no such image file", alone.getMessage());
+    }
+
+    /** A scenario could not hold the outlines; they are counted before they are traced. */
+    @Test
+    void aMapWithMoreWallSegmentsThanAScenarioHoldsIsRefusedInOneSentence() throws IOException, ScenarioException {
+        FloorPlan.Options smooth = new FloorPlan.Options(false, 1, 1);
+
+        FloorPlan largest = FloorPlan.readYaml(comb(24_999), FloorPlan.Options.DEFAULT);
+        assertEquals(99_998, largest.segmentCount());
+        FloorPlanScenario.create("comb", largest, new Pose(1, 0.7, 0)).save(folder.resolve("comb.xml"));
+        Path tooLarge = comb(25_000);
+        IOException e =
+                assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(tooLarge, FloorPlan.Options.DEFAULT));
+        assertEquals(
+                folder.resolve("m.pgm") + ": the map has 100002 wall segments; expected at most 99999;"
+                        + " drop specks, straighten outlines or use a coarser image",
+                e.getMessage());
+        assertTrue(FloorPlan.readYaml(tooLarge, smooth).segmentCount() < 10);
+    }
+
+    /** A room above a wall with teeth, each of which has four corners; the ends of the wall add two. */
+    private Path comb(int teeth) throws IOException {
+        int roomRows = 20;
+        String content = "P2 " + 2 * teeth + " " + (roomRows + 2) + " 255 " + "255 ".repeat(2 * teeth * roomRows)
+                + "0 255 ".repeat(teeth) + "0 ".repeat(2 * teeth);
+        return yaml(write("m.pgm", content), "");
+    }
+
+    @Test
+    void aTiffOfFloatingPointNumbersIsRefused() throws IOException {
+        BufferedImage image = new BufferedImage(
+                new ComponentColorModel(
+                        ColorSpace.getInstance(ColorSpace.CS_GRAY),
+                        false,
+                        false,
+                        Transparency.OPAQUE,
+                        DataBuffer.TYPE_FLOAT),
+                Raster.createWritableRaster(new BandedSampleModel(DataBuffer.TYPE_FLOAT, 4, 4, 1), null),
+                false,
+                null);
+        Path file = folder.resolve("f.tiff");
+        assertTrue(ImageIO.write(image, "tiff", file.toFile()));
+        IOException e = assertThrows(FloorPlanException.class, () -> read(file, ""));
+        assertEquals(file + ": a pixel of the image has 32 bits; expected at most 16", e.getMessage());
     }
 
     private FloorPlan read(Path image, String more) throws IOException {

@@ -4,6 +4,8 @@ import static faultline.floorplan.OutlineTracerTest.cells;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import java.util.Arrays;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 class SolidCellsTest {
@@ -20,6 +22,31 @@ class SolidCellsTest {
     @Test
     void cellsThatTouchAtACornerAreSeparateSpecks() {
         assertEquals(0, cells("#.", ".#").withoutSpecks(2).count());
+    }
+
+    @Test
+    void theCornersAreThoseOfTheTracedOutlines() {
+        Random random = new Random(5);
+        for (int trial = 0; trial < 200; trial++) {
+            boolean[] solid = new boolean[12 * 9];
+            for (int i = 0; i < solid.length; i++) {
+                solid[i] = random.nextBoolean();
+            }
+            SolidCells cells = new SolidCells(12, 9, solid);
+            assertEquals(
+                    OutlineTracer.trace(cells).stream().mapToInt(GridRing::size).sum(), cells.cornerCount());
+        }
+    }
+
+    /** The collected cells of a large group are given up while it is collected. */
+    @Test
+    void aLargeGroupIsKeptAndTheSmallOnesBehindItAreDropped() {
+        boolean[] solid = new boolean[1000 * 1000];
+        Arrays.fill(solid, 0, 998 * 1000, true);
+        solid[999 * 1000] = true;
+        SolidCells kept = new SolidCells(1000, 1000, solid).withoutSpecks(5);
+        assertEquals(998 * 1000, kept.count());
+        assertFalse(kept.isSolid(0, 999));
     }
 
     @Test
