@@ -42,12 +42,14 @@ public final class Package {
         copyExamples(INPUT.resolve("doc/examples"));
         Path icon = INPUT.resolve("faultline.png");
         writeIcon(icon);
+        copyShare(version);
         makeRuntime();
         List<String> common = List.of("--name", "faultline", "--dest", DIST.toString(), "--vendor", VENDOR);
         jpackage(
                 common,
                 List.of("--type", "app-image", "--app-version", version, "--input", INPUT.toString()),
                 List.of("--main-jar", "faultline.jar", "--main-class", "faultline.app.Main"),
+                List.of("--java-options", "-Dfaultline.command=faultline"),
                 List.of("--runtime-image", RUNTIME.toString()),
                 isLinux() ? List.of("--icon", icon.toString()) : List.of());
         if (isLinux() && isOnPath("dpkg-deb") && isOnPath("fakeroot")) {
@@ -90,19 +92,23 @@ public final class Package {
         require(dump.waitFor() == 0, "java -Xshare:dump failed");
     }
 
-    /** Copies what a user needs to write a first controller: the Python client, the follower of the page, and rooms. */
+    /**
+     * Copies what a user needs to write a first controller: the Python client, the follower of the page, and rooms,
+     * with the extension by which a desktop opens them.
+     */
     private static void copyExamples(Path target) throws IOException {
-        copyFiles(Path.of("docs/examples/python"), ".py", target);
-        copyFiles(Path.of("scenarios"), ".xml", target.resolve("scenarios"));
+        copyFiles(Path.of("docs/examples/python"), ".py", target, ".py");
+        copyFiles(Path.of("scenarios"), ".xml", target.resolve("scenarios"), ".faultline");
         Files.copy(Path.of("docs/controllers.md"), target.resolveSibling("controllers.md"));
     }
 
-    private static void copyFiles(Path folder, String ending, Path target) throws IOException {
+    private static void copyFiles(Path folder, String ending, Path target, String newEnding) throws IOException {
         Files.createDirectories(target);
         try (Stream<Path> files = Files.list(folder)) {
             for (Path file :
                     files.filter(each -> each.toString().endsWith(ending)).toList()) {
-                Files.copy(file, target.resolve(file.getFileName()));
+                String name = file.getFileName().toString();
+                Files.copy(file, target.resolve(name.substring(0, name.length() - ending.length()) + newEnding));
             }
         }
     }
@@ -110,9 +116,15 @@ public final class Package {
     private static void writeIcon(Path file) throws IOException {
         BufferedImage icon = AppIcon.createImage(256);
         require(ImageIO.write(icon, "png", file.toFile()), "no PNG writer");
+    }
+
+    /** Copies what the Debian package puts in its places when it is installed. */
+    private static void copyShare(String version) throws IOException {
         for (String name : List.of("faultline.desktop", "faultline-mime.xml")) {
             Files.copy(RESOURCES.resolve("share").resolve(name), INPUT.resolve(name));
         }
+        String manual = Files.readString(RESOURCES.resolve("share/faultline.1"));
+        Files.writeString(INPUT.resolve("faultline.1"), manual.replace("VERSION", version));
     }
 
     private static void jpackage(List<String> first, List<?>... more) {

@@ -41,8 +41,9 @@ final class CommandLine {
         handlers.put("serve", arguments -> new ProtocolCommands(output).serve(arguments));
         handlers.put("controller", arguments -> new ProtocolCommands(output).controller(arguments));
         handlers.put("import", arguments -> new ImportCommand(output).run(arguments));
-        handlers.put("--help", arguments -> println(HelpText.HELP));
+        handlers.put("--help", arguments -> println(HelpText.help()));
         handlers.put("--version", arguments -> println(HelpText.version()));
+        handlers.put("--window", arguments -> new WindowCommand(output).runWithDialogs(arguments));
         handlers.put("--startup-time", arguments -> new WindowCommand(output).measureStartup(arguments));
     }
 
@@ -120,7 +121,10 @@ final class CommandLine {
     }
 
     private static boolean looksLikeFile(String argument) throws UsageException {
-        return !argument.startsWith("-") && (argument.endsWith(".xml") || Files.exists(Arguments.parsePath(argument)));
+        return !argument.startsWith("-")
+                && (argument.endsWith(".xml")
+                        || argument.endsWith(".faultline")
+                        || Files.exists(Arguments.parsePath(argument)));
     }
 
     private int println(String text) {

@@ -18,6 +18,7 @@ import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.AtomicFile;
 import faultline.io.LinkResolver;
+import faultline.io.ProgramCommand;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -115,7 +116,7 @@ final class CompareCommand {
                 .collect(Collectors.joining());
         return choices.stream()
                 .skip(1)
-                .map(ghost -> "java -jar target/faultline.jar " + ShellText.quoted(file.toString()) + " --controller "
+                .map(ghost -> ProgramCommand.text() + " " + ShellText.quoted(file.toString()) + " --controller "
                         + ShellText.quoted(choices.get(0)) + " " + WindowCommand.GHOST_OPTION + " "
                         + ShellText.quoted(ghost) + jar)
                 .toList();

@@ -1,11 +1,12 @@
 package faultline.app;
 
+import faultline.io.ProgramCommand;
 import java.util.Optional;
 
 /** The output of {@code --help} and {@code --version}. */
 final class HelpText {
 
-    static final String HELP =
+    private static final String HELP =
             """
             Faultline: a wall-following robot whose infrared sensors fail.
 
@@ -52,13 +53,19 @@ final class HelpText {
               --table FILE.csv             write the numbers of its cells as well
             faultline figures --out DIR    make the paper's figures and the studies behind its claims
               --theme light|dark|adaptive  their colours; adaptive follows the reader's screen (default: adaptive)
+            faultline --window [FILE]      open the window as a desktop does, where problems of the file are shown
             faultline --startup-time [FILE] open the window, print how long that took, and close it
             faultline --help | --version
 
-            "faultline" stands for: java -jar target/faultline.jar
             Exit codes: 0 done and every expectation held, 1 an expectation failed, 2 bad usage or a bad file, 3 the run broke.""";
 
     private HelpText() {}
+
+    /** Returns the help, which explains what the name of the program stands for if it is not a command itself. */
+    static String help() {
+        String command = ProgramCommand.text();
+        return HELP + (command.equals("faultline") ? "" : "\n\"faultline\" stands for: " + command);
+    }
 
     static String version() {
         return "faultline "

@@ -55,10 +55,7 @@ final class WindowCommand {
      */
     int run(List<String> given) throws UsageException, ScenarioException {
         Arguments arguments = new Arguments(given, OPTION_NAMES);
-        if (arguments.files().size() > 1) {
-            throw new UsageException("the window takes one scenario file, not also "
-                    + MessageText.quoted(arguments.files().get(1)));
-        }
+        requireOneFile(arguments);
         Path file = Arguments.parsePath(arguments.files().get(0));
         if (given.size() == 1) {
             return run(file);
@@ -102,6 +99,30 @@ final class WindowCommand {
         return ExitCode.SUCCESS;
     }
 
+    /**
+     * Opens the window from a desktop, which shows no standard error: problems of the file are shown in the window. A
+     * display that is missing is reported here.
+     */
+    int runWithDialogs(List<String> given) throws UsageException {
+        Arguments arguments = new Arguments(given, List.of());
+        requireOneFile(arguments);
+        requireDisplay("--window");
+        if (arguments.files().isEmpty()) {
+            GuiLauncher.open();
+        } else {
+            Path file = Arguments.parsePath(arguments.files().get(0));
+            GuiLauncher.open(file, () -> Scenario.load(file));
+        }
+        return ExitCode.SUCCESS;
+    }
+
+    private static void requireOneFile(Arguments arguments) throws UsageException {
+        if (arguments.files().size() > 1) {
+            throw new UsageException("the window takes one scenario file, not also "
+                    + MessageText.quoted(arguments.files().get(1)));
+        }
+    }
+
     private static Future<Scenario> startReading(Path file) {
         FutureTask<Scenario> reading = new FutureTask<>(() -> Scenario.load(file));
         Thread reader = new Thread(reading, "faultline-reader");
@@ -129,13 +150,8 @@ final class WindowCommand {
     /** Opens the window and closes it after its first frame. */
     int measureStartup(List<String> arguments) throws UsageException {
         Arguments parsed = new Arguments(arguments, List.of());
-        if (parsed.files().size() > 1) {
-            throw new UsageException("the window takes one scenario file, not also \""
-                    + parsed.files().get(1) + "\"");
-        }
-        if (!hasDisplay()) {
-            throw new UsageException("--startup-time needs a display, and there is none");
-        }
+        requireOneFile(parsed);
+        requireDisplay("--startup-time");
         Runnable report = () -> output.println(String.format(Locale.ROOT, "startup_s: %.2f", ProcessAge.seconds()));
         if (parsed.files().isEmpty()) {
             GuiLauncher.openUntilFirstPaint(report);

@@ -189,9 +189,11 @@ class CommandLineTest {
             quoteCharacter = '`',
             textBlock =
                     """
-            rnu x.xml                       | there is no command "rnu"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "run"?
-            --hepl                          | there is no command "--hepl"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "--help"?
+            rnu x.xml                       | there is no command "rnu"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; did you mean "run"?
+            --hepl                          | there is no command "--hepl"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; did you mean "--help"?
             a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
+            --window a.xml b.xml            | the window takes one scenario file, not also "b.xml"
+            none.faultline b.xml            | the window takes one scenario file, not also "b.xml"
             run                             | run takes one scenario file, not none
             run a.xml b.xml                 | run takes one scenario file, not 2
             check                           | check takes one or more scenario files, not none
@@ -312,6 +314,20 @@ class CommandLineTest {
                         "--version",
                         "Exit codes")
                 .forEach(word -> assertTrue(help.out.contains(word), word));
+    }
+
+    /** A user of a package has no jar at the place of the build. */
+    @Test
+    void theHelpOfAPackageNamesNoJar() {
+        assertTrue(command("--help").out.contains("\"faultline\" stands for: java -jar target/faultline.jar"));
+        System.setProperty("faultline.command", "faultline");
+        try {
+            CommandResult help = command("--help");
+            assertEquals(0, help.code);
+            assertTrue(!help.out.contains("stands for") && !help.out.contains("target/"), help.out);
+        } finally {
+            System.clearProperty("faultline.command");
+        }
     }
 
     @Test

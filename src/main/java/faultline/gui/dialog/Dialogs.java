@@ -55,12 +55,12 @@ public final class Dialogs {
         return open.isPresent();
     }
 
-    /** Shows the reason why a task failed. */
-    public void showFailure(TaskKind task, Path file, Throwable cause) {
+    /** Shows the reason why a task failed, and whether the scenario that was open before is still open. */
+    public void showFailure(TaskKind task, Path file, Throwable cause, boolean keepsScenario) {
         if (cause instanceof ScenarioException exception
                 && exception.problems().stream()
                         .anyMatch(problem -> problem.location().line() > 0)) {
-            createProblemsDialog(file, exception.problems()).setVisible(true);
+            createProblemsDialog(file, exception.problems(), keepsScenario).setVisible(true);
             return;
         }
         String sentence =
@@ -78,7 +78,7 @@ public final class Dialogs {
                         + Messages.get(first.message()));
     }
 
-    private JDialog createProblemsDialog(Path file, List<Problem> problems) {
+    private JDialog createProblemsDialog(Path file, List<Problem> problems, boolean keepsScenario) {
         List<List<String>> rows = problems.stream()
                 .map(problem -> List.of(
                         positionText(problem.location().line()),
@@ -87,7 +87,8 @@ public final class Dialogs {
                 .toList();
         List<String> columns =
                 List.of(Messages.get("badFile.line"), Messages.get("badFile.column"), Messages.get("badFile.what"));
-        String heading = Messages.get("badFile.heading", String.valueOf(file.getFileName()));
+        String heading = Messages.get(
+                keepsScenario ? "badFile.heading" : "badFile.headingExample", String.valueOf(file.getFileName()));
         return new TableDialog(
                 owner,
                 Messages.get("badFile.title"),

@@ -177,7 +177,9 @@ public final class FileController {
     }
 
     private void saveAs(Runnable then) {
-        fileDialogs.chooseFileToSave("saveAs", suggestedFile(".xml")).ifPresent(file -> documentStore.save(file, then));
+        fileDialogs
+                .chooseFileToSave("saveAs", suggestedScenarioFile())
+                .ifPresent(file -> documentStore.save(file, then));
     }
 
     private void saveJournal() {
@@ -196,13 +198,21 @@ public final class FileController {
         return fileDialogs.chooseNewFolder(action, suggestedFile(ending));
     }
 
+    /** Returns the open file if its extension is one of scenario files, or else a name with the first of these. */
+    private Path suggestedScenarioFile() {
+        return workspace
+                .file()
+                .filter(file ->
+                        FileNames.hasScenarioExtension(file.getFileName().toString()))
+                .orElseGet(() -> suggestedFile(".xml"));
+    }
+
     /** Returns the name of the open file, or of the scenario, with another ending. */
     private Path suggestedFile(String ending) {
         String scenario =
                 FileNames.forScenario(workspace.scenario().map(Scenario::name).orElse(""));
         Path file = workspace.file().orElse(Path.of(scenario + ".xml"));
-        String name = file.getFileName().toString().replaceFirst("\\.xml$", "");
-        return file.resolveSibling(name + ending);
+        return file.resolveSibling(FileNames.withoutExtension(file.getFileName().toString()) + ending);
     }
 
     /** Runs an action that would lose unsaved changes, after asking whether to save them. */

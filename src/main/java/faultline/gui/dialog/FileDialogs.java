@@ -1,5 +1,6 @@
 package faultline.gui.dialog;
 
+import faultline.gui.document.FileNames;
 import faultline.gui.properties.FloorPlanFiles;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.EmptyToolTips;
@@ -7,6 +8,7 @@ import java.awt.Component;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -59,14 +61,14 @@ final class FileDialogs {
      */
     Optional<Path> chooseFileToSave(String action, Path suggestion) {
         String name = suggestion.getFileName().toString();
-        String extension = name.substring(name.lastIndexOf('.') + 1);
+        String extension = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         JFileChooser chooser = createChooser(action, extension);
         chooser.setSelectedFile(new File(folder, name));
         if (suggestion.isAbsolute()) {
             chooser.setSelectedFile(suggestion.toFile());
         }
         return selectedFile(chooser, chooser.showSaveDialog(parent))
-                .map(file -> withExtension(file, extension))
+                .map(file -> withExtension(file, extension, extensions(filterName(action, extension))))
                 .filter(this::confirmReplace);
     }
 
@@ -96,12 +98,25 @@ final class FileDialogs {
     }
 
     private JFileChooser createChooser(String action, String extension) {
-        return createChooser(action, filterName(action, extension), extension);
+        String filter = filterName(action, extension);
+        return createChooser(action, filter, extensions(filter).toArray(String[]::new));
+    }
+
+    /** Returns the extensions of the files that a filter shows. */
+    static List<String> extensions(String filter) {
+        return switch (filter) {
+            case "xml" -> FileNames.SCENARIO_EXTENSIONS;
+            case "batchPlan" -> List.of("xml");
+            default -> List.of(filter);
+        };
     }
 
     /** Returns the name of an action's filter: its own, if it has one, or that of all files of a type. */
     static String filterName(String action, String extension) {
-        return Messages.contains("files.filter." + action) ? action : extension;
+        if (Messages.contains("files.filter." + action)) {
+            return action;
+        }
+        return FileNames.SCENARIO_EXTENSIONS.contains(extension) ? "xml" : extension;
     }
 
     private JFileChooser createChooser(String action, String filter, String... extensions) {
@@ -119,10 +134,11 @@ final class FileDialogs {
         return Optional.of(chooser.getSelectedFile().toPath());
     }
 
-    /** Returns the file with the extension appended if it lacks it. */
-    static Path withExtension(Path file, String extension) {
+    /** Returns the file with the extension appended if it has none of the allowed ones. */
+    static Path withExtension(Path file, String extension, List<String> allowed) {
         String name = file.getFileName().toString();
-        boolean has = name.toLowerCase(Locale.ROOT).endsWith("." + extension);
+        String lowerCase = name.toLowerCase(Locale.ROOT);
+        boolean has = allowed.stream().anyMatch(each -> lowerCase.endsWith("." + each));
         return has ? file : file.resolveSibling(name + "." + extension);
     }
 

@@ -1,16 +1,33 @@
 package faultline.gui.document;
 
+import java.util.List;
 import java.util.regex.Pattern;
 
 /** Derives file names from the names of scenarios. A file name is valid on every operating system. */
 public final class FileNames {
+
+    /** The extensions of scenario files; a desktop opens files of the second with this program. */
+    public static final List<String> SCENARIO_EXTENSIONS = List.of("xml", "faultline");
 
     private static final String DEFAULT_NAME = "scenario";
     private static final int MAX_LENGTH = 100;
     /** Windows reserves these names in every folder, with any extension. */
     private static final Pattern DEVICE_NAME = Pattern.compile("(?i)(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?");
 
+    private static final Pattern SCENARIO_EXTENSION =
+            Pattern.compile("\\.(" + String.join("|", SCENARIO_EXTENSIONS) + ")$", Pattern.CASE_INSENSITIVE);
+
     private FileNames() {}
+
+    /** Returns whether a file name ends with an extension of scenario files. */
+    public static boolean hasScenarioExtension(String name) {
+        return SCENARIO_EXTENSION.matcher(name).find();
+    }
+
+    /** Returns the name of a scenario file without its extension. */
+    public static String withoutExtension(String name) {
+        return SCENARIO_EXTENSION.matcher(name).replaceFirst("");
+    }
 
     /** Returns the file name, without an extension, for the name of a scenario, which may be empty. */
     public static String forScenario(String scenario) {

@@ -60,6 +60,8 @@ import javax.swing.WindowConstants;
 public final class MainWindow extends JFrame {
 
     private static final int SIMULATION_MENU = 3;
+    /** Opened in place of a first file that cannot be opened. */
+    private static final String FALLBACK_SCENARIO = "office.xml";
 
     private final transient Workspace workspace = new Workspace();
     private final transient RunController runController = new RunController(workspace);
@@ -395,7 +397,12 @@ public final class MainWindow extends JFrame {
             if (what == TaskKind.OPEN && Files.notExists(file)) {
                 preferences.recentFiles().remove(file);
             }
-            dialogs.showFailure(what, file, cause);
+            boolean keepsScenario =
+                    what != TaskKind.OPEN || workspace.scenario().isPresent();
+            if (!keepsScenario && !file.equals(Path.of(FALLBACK_SCENARIO))) {
+                openShipped(FALLBACK_SCENARIO);
+            }
+            dialogs.showFailure(what, file, cause, keepsScenario);
         }
     }
 }

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.text.Messages;
 import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -21,11 +23,36 @@ class FileDialogsTest {
         "a.b/room, a.b/room.xml"
     })
     void aNameGetsItsExtensionUnlessItHasIt(String typed, String saved) {
-        assertEquals(Path.of(saved), FileDialogs.withExtension(Path.of(typed), "xml"));
+        assertEquals(Path.of(saved), FileDialogs.withExtension(Path.of(typed), "xml", List.of("xml")));
     }
 
     @ParameterizedTest
-    @CsvSource({"saveAs, xml, xml", "saveJournal, xml, xml", "batchPlan, xml, batchPlan", "exportPng, png, png"})
+    @CsvSource({
+        "room, faultline, room.faultline",
+        "room.xml, faultline, room.xml",
+        "room.Faultline, xml, room.Faultline",
+        "room, xml, room.xml"
+    })
+    void aScenarioIsSavedWithEitherOfItsExtensions(String typed, String suggested, String saved) {
+        List<String> allowed = FileDialogs.extensions(FileDialogs.filterName("saveAs", suggested));
+        assertEquals(Path.of(saved), FileDialogs.withExtension(Path.of(typed), suggested, allowed));
+    }
+
+    @Test
+    void filesThatADesktopOpensAreOfferedAsScenariosAndNotAsPlans() {
+        assertEquals(List.of("xml", "faultline"), FileDialogs.extensions(FileDialogs.filterName("open", "xml")));
+        assertEquals(List.of("xml"), FileDialogs.extensions(FileDialogs.filterName("batchPlan", "xml")));
+        assertTrue(Messages.get("files.filter.xml").contains("*.faultline"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "saveAs, xml, xml",
+        "saveAs, faultline, xml",
+        "saveJournal, xml, xml",
+        "batchPlan, xml, batchPlan",
+        "exportPng, png, png"
+    })
     void theFilterOfAChooserNamesWhatItShows(String action, String extension, String filter) {
         assertEquals(filter, FileDialogs.filterName(action, extension));
         assertTrue(Messages.contains("files.filter." + filter));

@@ -74,6 +74,20 @@ class OpenRobotTest {
         driver.waitForTitle("square.xml");
     }
 
+    /** As when a damaged file is double-clicked: the program has nothing else to show. */
+    @Test
+    void anExampleIsOpenInPlaceOfAFirstFileThatCannotBeOpened() throws IOException {
+        Path bad = Files.writeString(folder.resolve("bad.faultline"), "<scenario");
+        driver.close();
+        driver = WindowDriver.open(Theme.LIGHT, bad);
+        JDialog dialog = driver.dialog("Scenario not opened");
+        assertTrue(
+                WindowDriver.text(dialog).contains("bad.faultline cannot be opened. An example is open instead."),
+                WindowDriver.text(dialog));
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.waitForTitle("Office");
+    }
+
     @Test
     void aSensorThatTheTimelineSwitchesOffAtTimeZeroIsOffBeforeTheFirstTick() throws IOException {
         Path off = Files.writeString(

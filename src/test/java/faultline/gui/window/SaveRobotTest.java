@@ -1,11 +1,13 @@
 package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
@@ -19,6 +21,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.swing.JButton;
 import javax.swing.JDialog;
+import javax.swing.JFileChooser;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -93,6 +96,28 @@ class SaveRobotTest {
         driver.waitForTitle("other.xml");
         assertEquals(after, saved(other));
         assertEquals(before, saved(file));
+    }
+
+    @Test
+    void saveAsAndExportsKeepTheNameOfAFileThatADesktopOpens() throws IOException {
+        Path room = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("room.faultline"));
+        runOnEdt(() -> driver.window().open(room));
+        driver.waitForTitle("room.faultline");
+        driver.chooseLater("saveAs");
+        assertEquals(room.toString(), suggestedFile("Save scenario"));
+        driver.chooseLater("exportSvg");
+        assertEquals(folder.resolve("room.svg").toString(), suggestedFile("Export drawing"));
+    }
+
+    /** Returns the file that a chooser suggests and cancels it. */
+    private String suggestedFile(String title) {
+        JDialog dialog = driver.dialog(title);
+        JFileChooser chooser =
+                ComponentFinder.findAll(dialog, JFileChooser.class).findFirst().orElseThrow();
+        String file = callOnEdt(() -> chooser.getSelectedFile().toString());
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the chooser is gone", () -> !dialog.isShowing());
+        return file;
     }
 
     @Test
