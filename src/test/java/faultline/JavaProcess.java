@@ -30,7 +30,8 @@ public final class JavaProcess {
     }
 
     /**
-     * Returns the classes of the program, those of the tests, and the assertions, which a runner may load by itself.
+     * Returns the classes of the program, those of the tests, and the assertions, which a test runner may load
+     * separately.
      */
     private static String classPath() {
         return Stream.of(faultline.world.World.class, JavaProcess.class, Assertions.class)
@@ -45,7 +46,7 @@ public final class JavaProcess {
                 .toString();
     }
 
-    /** Starts a class whose output nobody reads. */
+    /** Starts a class and discards its output. */
     public static Process start(String mainClass, List<String> arguments) throws IOException {
         return builder(mainClass, arguments)
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)

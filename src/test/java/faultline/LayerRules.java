@@ -76,7 +76,7 @@ final class LayerRules {
                     + "|log1p|pow|cbrt|hypot)\\b|import static java\\.lang\\.Math\\b");
     private static final Pattern RANDOMNESS =
             Pattern.compile("\\bMath\\.random\\b|\\b(?!SensorRandom\\b)\\w*Random\\b|\\brandomUUID\\b");
-    /** The window sends its commands by way of undo and of the document; a session would accept them directly. */
+    /** The window sends its commands through undo and the document, although a session would accept them directly. */
     private static final Pattern SESSION_USE = Pattern.compile("\\bengine\\.session\\.(?:Session\\b|\\*)");
 
     private LayerRules() {}

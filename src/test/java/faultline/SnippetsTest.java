@@ -27,8 +27,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Runs every snippet of the documentation. Commands of the program run in a folder of their own, each in a process
- * without a display; it has the shipped scenarios, the examples and the README's {@code room.xml}.
+ * Runs every snippet of the documentation. Commands of the program run in a separate folder, each in a process without
+ * a display; it has the shipped scenarios, the examples and the README's {@code room.xml}.
  */
 class SnippetsTest {
 

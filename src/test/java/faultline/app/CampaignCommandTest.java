@@ -41,7 +41,7 @@ class CampaignCommandTest {
                         """));
     }
 
-    /** Runs a command in whose arguments @ stands for the folder. */
+    /** Runs a command; an @ in its arguments is replaced by the folder. */
     private int command(String arguments) {
         out.reset();
         err.reset();

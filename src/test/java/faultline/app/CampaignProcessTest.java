@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Campaigns in processes of their own, which are killed while they run. */
+/** Tests campaigns in separate processes, which are killed while they run. */
 class CampaignProcessTest {
 
     private static final int RUNS = 300;

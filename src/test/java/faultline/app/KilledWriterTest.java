@@ -59,7 +59,7 @@ class KilledWriterTest {
         return JavaProcess.start("faultline.app.Main", List.of(arguments));
     }
 
-    /** Waits for a process that nobody kills, and returns how long it took, in milliseconds. */
+    /** Waits for a process that is not killed, and returns its duration, in milliseconds. */
     private static long finish(Process process) throws InterruptedException {
         long start = System.nanoTime();
         assertTrue(process.waitFor(300, TimeUnit.SECONDS));

@@ -23,8 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * The six states in random rooms: each has a way out that is taken in time, and none is entered again and again. The
- * system property {@code faultline.rooms} sets the number of rooms, {@code faultline.rooms.seed} the first of them.
+ * Tests the six states in random rooms: each is left in time, and none is entered too often. The system property
+ * {@code faultline.rooms} sets the number of rooms, {@code faultline.rooms.seed} the first of them.
  */
 class FollowerStatesTest {
 

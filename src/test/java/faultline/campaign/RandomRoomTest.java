@@ -102,7 +102,7 @@ class RandomRoomTest {
 
     /**
      * A passage is where two things, or two walls that do not meet, face each other: the disc between two points of
-     * them holds no third. It is 0.9 m wide everywhere.
+     * them contains no third. It is 0.9 m wide everywhere.
      */
     @ParameterizedTest(name = "{index}")
     @MethodSource("rooms")

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A short version of the study of docs/faults.md, on rooms of its own. */
+/** A short version of the study of docs/faults.md, in other rooms. */
 class SurvivalTest {
 
     private static Outcome run(long room, List<DrawnFault> faults, List<Integer> sensors, int off) {

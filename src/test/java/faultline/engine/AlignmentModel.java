@@ -105,7 +105,7 @@ record AlignmentModel(
         for (double now = 0; now < time + rest; now += TIME_STEP) {
             double share = Math.max(0, Math.min(1, (time - now) / TIME_STEP));
             double wanted = rate * share;
-            // The mean of omega over the step is wanted, and what is left of the difference.
+            // Computes the mean of omega over the step, and the rest of the difference.
             heading += wanted * TIME_STEP + (omega - wanted) * (tau == 0 ? 0 : tau * (1 - keep));
             omega = wanted + (omega - wanted) * keep;
         }

@@ -35,7 +35,7 @@ class AlignmentTest {
     private static final double DT = 0.01;
     private static final double MAX_SECONDS = 60;
 
-    /** One way to come to a wall; angles in radians, the approach from the wall's normal. */
+    /** An approach to a wall; angles in radians, the direction from the wall's normal. */
     private record Approach(
             double angle,
             double distance,

@@ -48,7 +48,7 @@ class AllocationTest {
         }
     }
 
-    /** Runs in a virtual machine of its own, which compiles code for the runs that it has made. */
+    /** Runs in a separate virtual machine, whose compiled code then depends only on its own runs. */
     static final class Probe {
 
         private Probe() {}

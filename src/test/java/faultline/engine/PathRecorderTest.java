@@ -155,7 +155,7 @@ class PathRecorderTest {
         assertEquals(PathRecorder.MAX_POINTS / 2 * STEP, farthest, 2 * STEP);
     }
 
-    /** Returns the point at a distance along a rounded rectangle that a robot circles again and again. */
+    /** Returns the point at a distance along a rounded rectangle that a robot circles repeatedly. */
     private static Vector2 roomLoop(double distance) {
         double radius = 0.2;
         double[] straight = {3 - 2 * radius, 2 - 2 * radius, 3 - 2 * radius, 2 - 2 * radius};

@@ -36,7 +36,10 @@ final class RandomWorlds {
         this.topSpeed = topSpeed;
     }
 
-    /** The next yard: the robot starts in the clear; as many obstacles move as asked, as fast as the robot may. */
+    /**
+     * Returns the next yard: the robot starts in free space, and a given number of obstacles move, at most as fast as
+     * the robot.
+     */
     SimulationSetup nextSetup(int movers) {
         Pose start = new Pose(
                 random.nextDouble(0.5, WIDTH - 0.5), random.nextDouble(0.5, HEIGHT - 0.5), random.nextDouble(-10, 10));
@@ -132,7 +135,7 @@ final class RandomWorlds {
         return figures;
     }
 
-    /** Where a mover is after a time, by walking its way from the start. */
+    /** Returns the position of a mover after a time, by following its path from the start. */
     private static Vector2 positionAt(WaypointPath motion, Vector2 start, double time) {
         double left = motion.speed() * time;
         Vector2 at = start;

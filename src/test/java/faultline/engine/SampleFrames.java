@@ -24,7 +24,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Frames made by hand, for tests of what is painted: no world is run, so a test says exactly what there is to see. */
+/**
+ * Frames that are constructed without running a world, for tests of painting: the test defines exactly what is visible.
+ */
 public final class SampleFrames {
 
     /** A robot of the default size without sensors. */

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** A machine that stands still is no fault of the controller. */
+/** A controller is not blamed for the time in which the machine stands still. */
 class StoppedProcessTest {
 
     private static final double PATIENCE = 1;

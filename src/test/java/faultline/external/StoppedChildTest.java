@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** A machine that stands still is no fault of a child either. */
+/** A child is not blamed for the time in which the machine stands still. */
 class StoppedChildTest {
 
     private static final double PATIENCE = 1;
@@ -48,7 +48,7 @@ class StoppedChildTest {
         for (int i = 0; i < STOPS; i++) {
             List<ProcessHandle> shells = exchange.children().toList();
             assertEquals(1, shells.size());
-            // The child first and longest, so that the run finds no answer when it goes on.
+            // The child is stopped first and for the longest time, so that the run finds no answer when it continues.
             JavaProcess.signal("-STOP", shells.get(0));
             JavaProcess.signal("-STOP", exchange.toHandle());
             TimeUnit.MILLISECONDS.sleep((long) (1200 * PATIENCE));

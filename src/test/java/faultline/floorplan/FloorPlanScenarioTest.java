@@ -25,7 +25,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Scenarios of maps: nothing is lost on the way to a file and back, and the plan is sensed as its outlines are. */
+/** Tests scenarios of maps: saving and loading loses nothing, and sensors see a plan like its outlines. */
 class FloorPlanScenarioTest {
 
     private static final BigDecimal RESOLUTION = new BigDecimal("0.05");

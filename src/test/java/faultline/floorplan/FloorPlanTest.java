@@ -31,7 +31,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Maps from files: which pixels are solid, and what is said of files that are no maps. */
+/** Tests maps from files: which pixels are solid, and the messages for files that are not maps. */
 class FloorPlanTest {
 
     private static final String PLAIN = "P2\n# made by hand\n3 2\n255\n0 255 205\n255 0 254\n";

@@ -17,7 +17,7 @@ final class RandomSectorScenes {
         this.size = size;
     }
 
-    /** A sector of 1 to 150 degrees, now and then of less or of nearly 180. */
+    /** Returns a sector of 1 to 150 degrees, sometimes of less or of nearly 180. */
     Sector sector() {
         double[] cones = {0.01, 1, 90, 150, 179, 179.9};
         double cone = random.nextInt(10) == 0 ? cones[random.nextInt(cones.length)] : random.nextDouble(1, 150);
@@ -26,7 +26,7 @@ final class RandomSectorScenes {
         return Sector.of(apex, bearing, Math.toRadians(cone), size * random.nextDouble(0.05, 2));
     }
 
-    /** A figure somewhere near a sector. */
+    /** Returns a figure near a sector. */
     ConvexShape figure(Sector sector) {
         Vector2 place = randomPointNear(sector);
         return switch (random.nextInt(4)) {
@@ -81,7 +81,7 @@ final class RandomSectorScenes {
         return new Disc(centre.x(), centre.y(), radius);
     }
 
-    /** The segment; now and then shrunk to a sliver or to one point. */
+    /** Returns the segment, sometimes shortened to a very short one or to a point. */
     private Segment segment(Vector2 from, Vector2 to) {
         return switch (random.nextInt(10)) {
             case 0 -> new Segment(from, from);

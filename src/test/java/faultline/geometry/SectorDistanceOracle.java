@@ -180,7 +180,8 @@ public final class SectorDistanceOracle {
     }
 
     /**
-     * Where the ray at a share of the way from the right edge to the left first meets the oval; the apex is outside it.
+     * Returns where a ray, given by its position between the right edge (0) and the left (1), first intersects the
+     * ellipse; the apex is outside it.
      */
     private double firstHit(double share) {
         Vector2 ray = right.times(1 - share).plus(left.times(share));

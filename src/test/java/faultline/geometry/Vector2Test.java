@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
-/** Vectors, and the positions of poses, by numbers that can be checked by hand. */
+/** Tests vectors, and the positions of poses, with numbers that can be checked by hand. */
 class Vector2Test {
 
     @Test

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The list of what ships with the program. */
+/** Tests the list of the scenarios that are part of the program. */
 class ShippedScenariosListTest {
 
     @TempDir

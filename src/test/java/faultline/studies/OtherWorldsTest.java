@@ -54,7 +54,10 @@ class OtherWorldsTest {
                 .flatMapToDouble(found -> found.stream());
     }
 
-    /** Statement 2: an acute corner and its mirror image cost the same, and the sensor on the other side mends it. */
+    /**
+     * Statement 2: an acute corner and its mirror image cause the same error, and the sensor on the other side corrects
+     * it.
+     */
     @ParameterizedTest
     @CsvSource({"40, FRONT_RIGHT", "52, FRONT_RIGHT", "128, FRONT_LEFT", "132, FRONT_LEFT"})
     void twoSensorsStopTooNearToASlantedSecondWall(double degrees, SensorSelection third) {
@@ -136,7 +139,7 @@ class OtherWorldsTest {
         return late.stream().anyMatch(error -> Math.abs(error) > 0.001);
     }
 
-    /** Statement 7: near the line of stability the distance settles while the heading goes on chattering. */
+    /** Statement 7: near the limit of stability the distance settles while the heading still chatters. */
     @Test
     void withLargeGainsTheDistanceSettlesWhileTheHeadingChatters() {
         assertEquals(PdLoop.LoopResponse.SETTLES, loop(1300, 94).response());

@@ -178,7 +178,7 @@ class ResultsClaimsTest {
                     right + " degrees with two sensors");
             RunTrace four = CornerRun.run(any, CornerRun.SensorSelection.FOUR);
             assertTrue(four.result().collision().isEmpty(), any + " degrees with four");
-            // A slight corner may be taken for a bend of the same wall, and is not timed then.
+            // A slight corner may be treated as a bend of the same wall; then there is no spin to time.
             assertTrue(
                     !(Math.abs(CornerRun.distanceError(four)) > 6),
                     any + " degrees with four: " + CornerRun.distanceError(four));

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Round obstacles that pass several way-points in a long tick, and a robot on its arc: the reference implementation
- * examines their gaps 500 times in the tick, with an arithmetic of its own.
+ * examines their distances 500 times in the tick, with independent arithmetic.
  */
 class MeetingMoversTest {
 

@@ -17,7 +17,9 @@ import faultline.sensor.SensorSpec;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Obstacles, paths and commands as values: what a change leaves as it was, and what is refused. */
+/**
+ * Tests obstacles, paths and commands as values: a change affects only one property, and invalid values are refused.
+ */
 class WorldValuesTest {
 
     private static final ObstacleShape SQUARE = new ObstacleShape.RectangleShape(1, 1);

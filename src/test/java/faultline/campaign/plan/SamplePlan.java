@@ -33,7 +33,7 @@ public final class SamplePlan {
                 (number, name) -> ROOM.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** Returns what is wrong with a plan that holds a room and some elements, one line each. */
+    /** Returns the problems of a plan with a room and some elements, one per line. */
     static List<String> problems(String elements) {
         try {
             read(text("", "<worlds><scenario file=\"room.xml\"/></worlds>\n" + elements));

@@ -39,7 +39,7 @@ class IntervalTest {
         for (int campaign = 0; campaign < 4000; campaign++) {
             double[] counts = new double[4];
             for (int pair = 0; pair < 40; pair++) {
-                // The second is as good as the first, or mends a fifth of its failures.
+                // The second is as good as the first, or avoids a fifth of its failures.
                 boolean first = random.nextDouble() < 0.7;
                 boolean second = first || random.nextDouble() < 0.2;
                 counts[(first ? 1 : 0) + (second ? 2 : 0)]++;

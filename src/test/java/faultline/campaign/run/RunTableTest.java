@@ -20,7 +20,7 @@ class RunTableTest {
     @TempDir
     Path folder;
 
-    /** A closed file stands for any that cannot be written. */
+    /** A closed file represents any file that cannot be written. */
     @Test
     void aRowThatCannotBeWrittenIsReportedWithTheNameOfItsTable() throws IOException {
         RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 1);

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A sensor by which the robot aligns itself again and again is not trusted, and the robot gets on without it. */
+/** A sensor that causes repeated alignments is not trusted, and the robot continues without it. */
 class MisleadingSensorTest {
 
     private static Simulation inRoom(WallSide side, List<TimedCommand> timeline) {

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Walls of single cells with gaps, as floor plans have them, make readings of healthy sensors come and go. */
+/** Tests walls of single cells with gaps, as in floor plans, where readings of healthy sensors appear and disappear. */
 class SpecksTest {
 
     private static final double CELL = 0.05;

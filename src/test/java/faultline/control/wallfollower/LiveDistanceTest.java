@@ -17,7 +17,10 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A live change of the wanted distance moves the robot there along the wall: its slanted way is no corner. */
+/**
+ * After a change of the wanted distance during a run, the robot moves there along the wall and does not treat its
+ * slanted path as a corner.
+ */
 class LiveDistanceTest {
 
     private static final double CHANGE = 6.3;

@@ -69,7 +69,10 @@ public final class StraightWallFixture {
         pose = DifferentialDrive.advance(pose, new WheelSpeeds(left, right).toVelocity(robot.track()), Observations.DT);
     }
 
-    /** The foot of the perpendicular if it lies in the cone, else the wall on the cone's edge next to it. */
+    /**
+     * Returns the foot of the perpendicular if it lies in the cone, otherwise the point of the wall on the nearest edge
+     * of the cone.
+     */
     private double reading(SensorSpec sensor) {
         double away = -pose.toParent(sensor.mountPosition()).y();
         double off = Math.abs(Angles.difference(Math.PI / 2, pose.heading() + sensor.bearing()));

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Rooms that nobody has tuned a follower to; a seed gives the same room on every run.
+ * Rooms that were not used to tune the follower; a seed gives the same room in every run.
  *
  * @param offset of the robot's way from the wall, metres
  * @param minStraight of that way between two corners, metres
@@ -146,7 +146,7 @@ record RandomRooms(
         return ring;
     }
 
-    /** Whether its corners are as asked, and the way round it is one ring. */
+    /** Returns whether its corners are as requested, and the path along its wall is one ring. */
     private boolean isFeasible(PolygonRoom room) {
         double straights = 0;
         for (int i = 0; i < room.ring().size(); i++) {

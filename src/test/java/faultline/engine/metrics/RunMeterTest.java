@@ -14,7 +14,7 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The measures of a run while it goes on, in a room of 3.7 m by 2.9 m with a cupboard, and what they end with. */
+/** Tests the measures during a run and at its end, in a room of 3.7 m by 2.9 m with a cupboard. */
 class RunMeterTest {
 
     private static final double DURATION = 120;

@@ -14,7 +14,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * A wall follower's walk round a room, and what is wrong with it.
+ * A run of a wall follower in a room, and the defects of that run.
  *
  * @param result of the run
  * @param searchCount how often it searched for a wall
@@ -76,7 +76,7 @@ record WallFollowingRun(RunResult result, int searchCount, OptionalDouble lapTim
         return violations(2, 2 * MAX_RMS_ERROR);
     }
 
-    /** Whether the controller used fewer sensors than there are for a while. */
+    /** Whether the controller temporarily used fewer sensors than there are. */
     boolean leftFirstRung() {
         return result.diagnosisEvents().stream().anyMatch(RunEvent.RungChanged.class::isInstance);
     }

@@ -81,7 +81,9 @@ class RecorderTest {
         return moments;
     }
 
-    /** The frame of a session that has run to a tick or a little farther, as fast as it can, while nobody looked. */
+    /**
+     * Returns the frame of a session that has run at full speed to a tick or a little farther without frame requests.
+     */
     private static SessionFrame runTo(Session session, long ticks) {
         session.setSpeed(Double.POSITIVE_INFINITY);
         session.resume();

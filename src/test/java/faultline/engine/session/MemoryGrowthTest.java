@@ -22,8 +22,8 @@ import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
 /**
- * What a run in the window remembers is bounded: an hour of simulated time at full speed needs hardly more memory than
- * its first minutes.
+ * The recordings of a run in the window are bounded: an hour of simulated time at full speed takes little more memory
+ * than its first minutes.
  */
 class MemoryGrowthTest {
 
@@ -38,7 +38,7 @@ class MemoryGrowthTest {
      */
     private static final long MAX_GROWTH = 8_000_000;
 
-    /** A frame was asked for some sixty times a second, of which as many ticks passed. */
+    /** The number of ticks between two frame requests, at about sixty requests per second. */
     private static final long TICKS_PER_FRAME = 2500;
 
     @Test
@@ -84,8 +84,8 @@ class MemoryGrowthTest {
     }
 
     /**
-     * What is still used after the garbage is gone; the least of several looks, because other threads make some
-     * meanwhile.
+     * Returns the memory in use after garbage collections, the minimum of several measurements, because other threads
+     * allocate at the same time.
      */
     private static long liveBytes() {
         return LongStream.generate(() -> {

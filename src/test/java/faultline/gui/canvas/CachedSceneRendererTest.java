@@ -31,8 +31,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The canvas moves and mends the parts of its picture that it keeps, and paints them over several frames. Whatever is
- * done to it in whatever order, soon after it looks as if it had been painted at once. No display is needed.
+ * The canvas moves and repairs the parts of its picture that it caches, and paints them over several frames. Whatever
+ * is done to it in whatever order, soon after it looks as if it had been painted at once. No display is needed.
  */
 class CachedSceneRendererTest {
 

@@ -38,7 +38,8 @@ import org.junit.jupiter.api.condition.DisabledIf;
         value = "java.awt.GraphicsEnvironment#isHeadless",
         disabledReason = "drives a real window, which needs a display")
 /**
- * Drives the canvas in a real window with mouse and keyboard. The test executes commands at once in place of a session.
+ * Drives the canvas in a real window with mouse and keyboard. The test executes commands immediately instead of using a
+ * session.
  */
 class CanvasInteractionRobotTest {
 

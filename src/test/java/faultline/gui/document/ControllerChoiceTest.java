@@ -30,7 +30,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Another program drives the robot of an open scenario, which stays as it is. */
+/** Another program drives the robot of an open scenario, which does not change. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
 class ControllerChoiceTest {
 

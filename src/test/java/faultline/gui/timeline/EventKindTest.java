@@ -22,7 +22,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
-/** Every kind of event has a name, a shape and a sentence of its own. */
+/** Every kind of event has a different name, shape and sentence. */
 class EventKindTest {
 
     private static final Command OFF = new Command.SwitchSensor("left", false);

@@ -178,7 +178,7 @@ class BatchEndRobotTest {
                 return false;
             }
         });
-        // There is no result yet, and so no question.
+        // There is no result yet, so no question is asked.
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
         assertTrue(callOnEdt(driver.window()::isShowing));

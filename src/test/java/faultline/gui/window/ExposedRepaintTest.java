@@ -53,7 +53,7 @@ class ExposedRepaintTest {
         }
     }
 
-    /** Contents that count how often they are asked to be painted. */
+    /** A component that counts its repaint requests. */
     @SuppressWarnings("serial")
     private static final class Contents extends JComponent {
         private final transient GraphicsConfiguration screen;

@@ -117,7 +117,7 @@ class LiveChoicesRobotTest {
     }
 
     private static void waitUntilSettled(WindowDriver driver) {
-        // Each refresh has fewer events than this, and each of them may ask for another layout.
+        // Each refresh has fewer events than this, and each of them may request another layout.
         for (int i = 0; i < 3; i++) {
             driver.robot().waitForPaint();
         }

@@ -36,7 +36,7 @@ import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The ways to open a scenario in a real window, and the questions before changes are discarded. */
+/** Opens scenarios in a real window in all possible ways, and tests the questions before changes are discarded. */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",

@@ -73,7 +73,7 @@ final class WindowDriver implements AutoCloseable {
         return driver;
     }
 
-    /** Sets the language and the text size of windows that are opened from now on, in the light theme. */
+    /** Sets the language and the text size of all windows that are opened later, in the light theme. */
     static void installChoices(Language language, TextSize size) {
         runOnEdt(() -> {
             Messages.setLanguage(language);
@@ -257,7 +257,7 @@ final class WindowDriver implements AutoCloseable {
         robot.click(component, size.width / 2.0, size.height / 2.0, InputEvent.BUTTON1_DOWN_MASK);
     }
 
-    /** Clicks a number field and types keys of {@link java.awt.event.KeyEvent} in place of its text. */
+    /** Clicks a number field and replaces its text by keys of {@link java.awt.event.KeyEvent}. */
     void typeInto(String spinner, int... keys) {
         JTextField field = ComponentFinder.find(window, JTextField.class, spinner);
         click(field);

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Files that are no scenario at all, or that mean harm: one line each. */
+/** Files that are not scenarios, or are hostile; each gives one line. */
 class HostileFilesTest {
 
     private static final String OPEN = "<scenario xmlns=\"urn:faultline:scenario:1\">";

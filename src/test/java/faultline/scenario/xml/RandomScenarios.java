@@ -162,7 +162,7 @@ final class RandomScenarios {
     }
 
     /**
-     * A fault and its mending, side by side; now and then the mending is not later, so that it may not be joined to the
+     * A fault and its repair, side by side; sometimes the repair is not later, so that it must not be joined to the
      * fault.
      */
     private List<TimedCommand> temporaryFault(String sensor, double at, Fault fault) {

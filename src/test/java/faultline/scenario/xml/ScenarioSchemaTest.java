@@ -126,7 +126,7 @@ class ScenarioSchemaTest {
         assertTrue(checked >= 100, "only " + checked + " bounds were checked");
     }
 
-    /** Elements of the plain file that have the attributes of types that are no elements of it. */
+    /** Elements of the plain file that have the attributes of types without an element in it. */
     private static final Map<String, String> SAMPLE_ELEMENTS = Map.of(
             "placed", "circle", "outline", "polygon", "controllerSettings", "controller", "controllerChange", "tune");
 
@@ -239,7 +239,7 @@ class ScenarioSchemaTest {
         assertTrue(refused > 500, "only " + refused + " were refused");
     }
 
-    /** The plain file with each of its attributes given each of the values in turn, left out, and misspelt. */
+    /** Returns the plain file with each of its attributes in turn set to each of the values, omitted, and misspelt. */
     private static List<String> mutations(List<String> values) {
         List<String> all = new ArrayList<>();
         java.util.regex.Matcher attribute =

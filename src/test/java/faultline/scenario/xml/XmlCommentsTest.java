@@ -119,7 +119,7 @@ class XmlCommentsTest {
         }
     }
 
-    /** None, or some on lines of their own as deep as what may follow a line. */
+    /** Returns no comment, or some on separate lines, indented like the elements that may follow a line. */
     private static String comments(Random random, String line) {
         boolean begins = line.startsWith("<scenario")
                 || line.matches(" *<\\w.*") && !line.endsWith("/>") && !line.contains("</");
