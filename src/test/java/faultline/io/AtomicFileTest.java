@@ -1,6 +1,7 @@
 package faultline.io;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -17,11 +18,13 @@ import java.time.Instant;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class AtomicFileTest {
 
@@ -147,6 +150,36 @@ class AtomicFileTest {
             assertEquals(List.of("rw-------"), List.of(mode(files().get(0))));
             out.commit();
         }
+    }
+
+    @Test
+    void whileAPublicFileIsReplacedOnlyItsOwnerMayReadTheNewContent() throws IOException {
+        Path file = Files.writeString(folder.resolve("a.txt"), "old");
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-rw-rw-"));
+        try (AtomicFile out = AtomicFile.create(file)) {
+            out.stream().write(1);
+            assertEquals(List.of("rw-------", "rw-rw-rw-"), List.of(mode(files().get(0)), mode(files().get(1))));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aLinkThatSomeoneHasPlantedAtTheTemporaryNameIsNotFollowed(boolean replace) throws IOException {
+        Path victim = Files.writeString(folder.resolve("victim"), "precious");
+        Path file = folder.resolve("a.txt");
+        if (replace) {
+            Files.writeString(file, "old");
+        }
+        PlantedLinks attacker = new PlantedLinks(victim, 3);
+        write(attacker.attacked(file), "new", true);
+        assertEquals(3, Set.copyOf(attacker.links()).size(), "each time another name");
+        for (Path link : attacker.links()) {
+            assertEquals(victim, Files.readSymbolicLink(link));
+        }
+        assertEquals("precious", Files.readString(victim));
+        assertEquals("new", Files.readString(file));
+        assertFalse(Files.isSymbolicLink(file));
+        assertEquals(5, files().size());
     }
 
     @Test
