@@ -108,11 +108,6 @@ final class ExpectationForm extends JPanel {
         return new Expectation(conditions);
     }
 
-    /** Commits numbers being typed and returns whether all fields are valid. */
-    boolean commit() {
-        return coverage.commitValidEdit() && rms.commitValidEdit();
-    }
-
     /** Shows a condition in its fields, and returns whether there are fields for it. */
     private final class ConditionFields implements Expectation.ConditionVisitor<Boolean> {
 

@@ -5,6 +5,7 @@ import faultline.engine.Simulation;
 import faultline.floorplan.FloorPlan;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -64,9 +65,7 @@ public final class ImportForm extends JPanel {
     public static Optional<Scenario> showDialog(Component parent, Path file) {
         ImportForm form = new ImportForm(file);
         String title = Messages.get("import.title", String.valueOf(file.getFileName()));
-        while (JOptionPane.showConfirmDialog(
-                        parent, form, title, JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE)
-                == JOptionPane.OK_OPTION) {
+        while (FormDialog.showDialog(parent, title, form, form.unknownIsWall)) {
             if (form.scenario().isPresent()) {
                 return form.scenario();
             }

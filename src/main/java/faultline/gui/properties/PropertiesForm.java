@@ -58,6 +58,7 @@ final class PropertiesForm extends JPanel {
         FormConstraints.addRow(fields, 8, "properties.seed", seed);
         add(new TitledSection(fields));
         add(new TitledSection("expect.title", expectation));
+        NumberSpinner.findIn(this).forEach(NumberSpinner::keepInvalidText);
     }
 
     private JPanel createStartFields() {
@@ -116,13 +117,12 @@ final class PropertiesForm extends JPanel {
 
     /** Commits what is being typed, and returns what is wrong with the fields for a scenario; empty if nothing is. */
     Optional<String> findProblem(Scenario scenario) {
-        for (NumberSpinner field : new NumberSpinner[] {width, height, startX, startY, startHeading, duration, tick}) {
-            if (!field.commitValidEdit()) {
-                return Optional.of(field.getToolTipText());
-            }
-        }
-        if (!expectation.commit()) {
-            return Optional.of(Messages.get("properties.expectation.invalid"));
+        Optional<String> invalid = NumberSpinner.findIn(this)
+                .filter(field -> !field.commitValidEdit())
+                .map(PropertiesForm::refusal)
+                .findFirst();
+        if (invalid.isPresent()) {
+            return invalid;
         }
         if (!isWholeNumber(seed.getText().strip())) {
             return Optional.of(Messages.get("properties.seed.invalid"));
@@ -133,6 +133,21 @@ final class PropertiesForm extends JPanel {
                         changed.setup().robot(),
                         changed.setup().start())
                 .map(obstacle -> Messages.get("refused.start", obstacle));
+    }
+
+    private static String refusal(NumberSpinner field) {
+        return Messages.get("properties.number.invalid", field.textField().getText(), field.getToolTipText());
+    }
+
+    /** Returns the field whose text {@link #findProblem} refuses; empty if the problem is another one. */
+    Optional<JTextField> invalidField() {
+        if (!isWholeNumber(seed.getText().strip())) {
+            return Optional.of(seed);
+        }
+        return NumberSpinner.findIn(this)
+                .filter(field -> !field.commitValidEdit())
+                .<JTextField>map(NumberSpinner::textField)
+                .findFirst();
     }
 
     private static boolean isWholeNumber(String text) {

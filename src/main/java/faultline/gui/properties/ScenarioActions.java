@@ -65,7 +65,7 @@ public final class ScenarioActions {
         JPanel content = new JPanel(new BorderLayout());
         content.add(choice, BorderLayout.NORTH);
         content.add(form, BorderLayout.CENTER);
-        if (confirm(content, template, "new.title", () -> form.findProblem(scenarioOf(template)))) {
+        if (confirm(content, form, template, "new.title", () -> form.findProblem(scenarioOf(template)))) {
             onNew.accept(form.properties().applyTo(scenarioOf(template)));
         }
     }
@@ -79,7 +79,7 @@ public final class ScenarioActions {
             ScenarioProperties before = ScenarioProperties.of(open);
             PropertiesForm form = new PropertiesForm();
             form.setProperties(before);
-            if (confirm(form, form.nameField(), "properties.title", () -> form.findProblem(open))
+            if (confirm(form, form, form.nameField(), "properties.title", () -> form.findProblem(open))
                     && !form.properties().equals(before)) {
                 ScenarioProperties after = form.properties();
                 editor.edit("edit.properties", after::applyTo, before::applyTo);
@@ -88,13 +88,20 @@ public final class ScenarioActions {
     }
 
     /** Shows a form until it is cancelled or nothing is wrong with it, and returns whether it was accepted. */
-    private boolean confirm(JComponent form, JComponent first, String titleKey, Supplier<Optional<String>> problem) {
-        while (FormDialog.showDialog(parent, Messages.get(titleKey), form, first)) {
+    private boolean confirm(
+            JComponent content,
+            PropertiesForm form,
+            JComponent first,
+            String titleKey,
+            Supplier<Optional<String>> problem) {
+        JComponent focused = first;
+        while (FormDialog.showDialog(parent, Messages.get(titleKey), content, focused)) {
             Optional<String> found = problem.get();
             if (found.isEmpty()) {
                 return true;
             }
             JOptionPane.showMessageDialog(parent, found.get(), Messages.get(titleKey), JOptionPane.WARNING_MESSAGE);
+            focused = form.invalidField().<JComponent>map(field -> field).orElse(first);
         }
         return false;
     }
