@@ -273,7 +273,6 @@ final class BatchDialog extends JDialog {
     }
 
     private void openRun(Scenario opened) {
-        focusOwner();
         setVisible(false);
         actions.openRun(opened);
     }
@@ -364,13 +363,6 @@ final class BatchDialog extends JDialog {
         }
     }
 
-    /** Passes the focus to the window, for a window manager that focuses none when this dialog disappears. */
-    private void focusOwner() {
-        if (isFocused()) {
-            getOwner().requestFocus();
-        }
-    }
-
     private void discardRun() {
         if (run != null) {
             delete(run);
@@ -403,7 +395,6 @@ final class BatchDialog extends JDialog {
             }
             run = null;
         }
-        focusOwner();
         super.dispose();
     }
 }

@@ -42,6 +42,7 @@ import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
+import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -92,6 +93,8 @@ public final class MainWindow extends JFrame {
     private final transient ComparisonActions comparisonActions;
     private final transient FileWatch fileWatch;
     private final transient RunPoller runPoller;
+    /** What had the focus when the window lost it, null before. */
+    private Component lastFocused;
 
     /** Creates a window without a scenario, not yet visible. */
     public MainWindow(WindowPreferences preferences) {
@@ -253,17 +256,18 @@ public final class MainWindow extends JFrame {
         });
         addWindowFocusListener(new WindowAdapter() {
             @Override
+            public void windowLostFocus(WindowEvent event) {
+                lastFocused = getMostRecentFocusOwner();
+            }
+
+            @Override
             public void windowGainedFocus(WindowEvent event) {
-                EventQueue.invokeLater(MainWindow.this::focusIfNothingHasFocus);
+                // Keys would have no effect if what had the focus before a dialog cannot have it again.
+                if (lastFocused != null && !(lastFocused.isShowing() && lastFocused.isEnabled())) {
+                    canvas.requestFocusInWindow();
+                }
             }
         });
-    }
-
-    /** Keys would have no effect if the component that had the focus before a dialog cannot have it again. */
-    private void focusIfNothingHasFocus() {
-        if (isFocused() && getFocusOwner() == null) {
-            canvas.requestFocusInWindow();
-        }
     }
 
     private void quit() {

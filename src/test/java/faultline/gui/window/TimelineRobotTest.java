@@ -120,6 +120,10 @@ class TimelineRobotTest {
         enterStart(KeyEvent.VK_5);
         driver.waitForTitle("office.xml*");
         assertEquals(5, saved().get(0).time());
+        driver.robot().waitFor("the lanes have the focus again", lanes.view()::isFocusOwner);
+        driver.type(KeyEvent.VK_DELETE);
+        driver.waitForTitle("office.xml*");
+        assertEquals(List.of(), saved());
     }
 
     @Test
