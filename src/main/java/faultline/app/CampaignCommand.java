@@ -19,7 +19,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 /** {@code campaign} and {@code merge}: makes the runs of a plan, and puts the parts of a divided campaign together. */
 final class CampaignCommand {
 
-    /** How long the end of the process waits for the last rows, seconds. */
+    /** The time for which the end of the process waits for the last rows, seconds. */
     private static final int STOP_SECONDS = 30;
 
     private final CommandOutput output;

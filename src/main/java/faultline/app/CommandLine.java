@@ -24,7 +24,7 @@ final class CommandLine {
         int run(List<String> arguments) throws UsageException, ScenarioException, IOException;
     }
 
-    /** What runs each command; the classes of the others are not loaded. */
+    /** The implementations of the commands; the classes of commands that are not used are not loaded. */
     private final Map<String, Handler> handlers = new LinkedHashMap<>();
 
     private final CommandOutput output;

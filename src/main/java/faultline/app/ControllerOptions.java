@@ -15,7 +15,7 @@ import java.util.jar.JarFile;
 /**
  * The options that go with {@code --controller}.
  *
- * @param patience how long a controller in a child process may take for an answer, seconds; infinite for no limit
+ * @param patience the time limit for an answer of a controller in a child process, seconds; infinite for no limit
  * @param truth whether it is given the ground truth
  * @param jars jars with controllers in Java, at most one
  */

@@ -45,7 +45,7 @@ final class RunCommand {
         }
     }
 
-    /** Something that runs a scenario. */
+    /** A function that runs a scenario. */
     interface ScenarioRunner {
         RunResult make() throws IOException;
     }

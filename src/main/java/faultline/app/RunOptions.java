@@ -26,8 +26,8 @@ import java.util.function.UnaryOperator;
  * @param changes replaces the duration and the seed of the file if options give others
  * @param mode the thread on which the controller runs
  * @param outputs the files to write
- * @param pace how fast to run, multiple of real time; infinite for as fast as possible
- * @param child how a controller in a child process is treated
+ * @param pace the speed, as a multiple of real time; infinite for the maximum speed
+ * @param child the options for a controller in a child process
  */
 record RunOptions(
         Arguments arguments,

@@ -14,7 +14,7 @@ public interface ControllerProvider {
     /**
      * {@return a new controller for one run} The same settings must give a controller that decides the same.
      *
-     * @param settings what the scenario file says, by name; empty if it says nothing
+     * @param settings the settings in the scenario file, by name; empty if there are none
      */
     Controller create(Map<String, String> settings);
 }

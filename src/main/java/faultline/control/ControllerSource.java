@@ -10,8 +10,8 @@ public interface ControllerSource {
      *
      * @param seed the seed of all random numbers
      * @param dt the length of a tick, seconds
-     * @param periodTicks how many ticks a decision holds
-     * @param duration how long the run lasts, seconds
+     * @param periodTicks the number of ticks for which a decision holds
+     * @param duration the duration of the run, seconds
      * @param robot as built
      */
     record RunConditions(long seed, double dt, long periodTicks, double duration, RobotSpec robot) {}

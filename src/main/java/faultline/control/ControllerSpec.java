@@ -13,7 +13,7 @@ public sealed interface ControllerSpec {
         return OptionalDouble.empty();
     }
 
-    /** {@return how often it decides, seconds; 0 for every tick} */
+    /** {@return the time between two decisions, seconds; 0 for every tick} */
     default double period() {
         return 0;
     }
@@ -37,10 +37,10 @@ public sealed interface ControllerSpec {
      *
      * @param distance the wanted reading of the sensor that faces the wall, metres, positive
      * @param side the side that the wall is kept on
-     * @param period how often it decides, seconds; 0 for every tick; rounded to whole ticks
-     * @param timingRule which moments are F3 and F4
+     * @param period the time between two decisions, seconds; 0 for every tick; rounded to whole ticks
+     * @param timingRule the rule that defines F3 and F4
      * @param diagnosis whether it watches its sensors and carries on with those that it trusts
-     * @param gainRule how the gains of its distance controller are chosen
+     * @param gainRule the rule for the gains of its distance controller
      * @param thresholds when its states are left
      */
     record WallFollowing(
@@ -150,10 +150,10 @@ public sealed interface ControllerSpec {
          *
          * @param distance the wanted reading of the sensor that faces the wall, metres, positive
          * @param side the side that the wall is kept on
-         * @param period how often it decides, seconds; 0 for every tick; rounded to whole ticks
-         * @param timingRule which moments are F3 and F4
+         * @param period the time between two decisions, seconds; 0 for every tick; rounded to whole ticks
+         * @param timingRule the rule that defines F3 and F4
          * @param diagnosis whether it watches its sensors and carries on with those that it trusts
-         * @param gainRule how the gains of its distance controller are chosen
+         * @param gainRule the rule for the gains of its distance controller
          * @param thresholds when its states are left
          * @throws IllegalArgumentException if the distance is not positive and finite, or the period is negative or not
          *     finite
@@ -181,7 +181,7 @@ public sealed interface ControllerSpec {
      * A controller from outside that the user has to choose, because a file never starts a program: file type
      * {@code extern}.
      *
-     * @param period how often it decides, seconds; 0 for every tick
+     * @param period the time between two decisions, seconds; 0 for every tick
      */
     record Extern(double period) implements Foreign {}
 
@@ -189,16 +189,16 @@ public sealed interface ControllerSpec {
      * A controller in Java: the file type is its provider's name.
      *
      * @param name the name of a {@link ControllerProvider}
-     * @param period how often it decides, seconds; 0 for every tick
-     * @param settings what the file says
+     * @param period the time between two decisions, seconds; 0 for every tick
+     * @param settings the settings in the file
      */
     record Provided(String name, double period, Map<String, String> settings) implements Foreign {
         /**
          * Creates a choice of a controller from a copy of the settings.
          *
          * @param name the name of a {@link ControllerProvider}
-         * @param period how often it decides, seconds; 0 for every tick
-         * @param settings what the file says
+         * @param period the time between two decisions, seconds; 0 for every tick
+         * @param settings the settings in the file
          */
         public Provided {
             settings = Map.copyOf(settings);
@@ -206,7 +206,7 @@ public sealed interface ControllerSpec {
     }
 
     /**
-     * Another controller than the file names, chosen by the user. A file that is written names the original.
+     * A controller that the user has chosen instead of the one in the file. A file that is written names the original.
      *
      * @param original as in the file
      * @param source starts the chosen one
@@ -239,7 +239,7 @@ public sealed interface ControllerSpec {
      * The decisions of an earlier run: file type {@code recorded}.
      *
      * @param wanted the distance from the wall that was wanted, metres
-     * @param ticks how many ticks were decided on
+     * @param ticks the number of ticks with decisions
      * @param decisions the decisions, in the order of their ticks
      */
     record Recorded(double wanted, long ticks, List<RecordedDecision> decisions) implements ControllerSpec {
@@ -247,7 +247,7 @@ public sealed interface ControllerSpec {
          * Creates a record from a copy of the decisions.
          *
          * @param wanted the distance from the wall that was wanted, metres
-         * @param ticks how many ticks were decided on
+         * @param ticks the number of ticks with decisions
          * @param decisions the decisions, in the order of their ticks
          */
         public Recorded {

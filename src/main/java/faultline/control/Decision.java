@@ -10,7 +10,7 @@ import faultline.robot.WheelSpeeds;
  *
  * @param leftVolts the voltage on the left motors; the supply limits it
  * @param rightVolts the voltage on the right motors; the supply limits it
- * @param telemetry what the controller shows of its working
+ * @param telemetry the values that the controller shows
  */
 public record Decision(double leftVolts, double rightVolts, Telemetry telemetry) {
 
@@ -19,7 +19,7 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
      *
      * @param leftVolts the voltage on the left motors; the supply limits it
      * @param rightVolts the voltage on the right motors; the supply limits it
-     * @param telemetry what the controller shows of its working
+     * @param telemetry the values that the controller shows
      * @throws IllegalArgumentException if a voltage is not finite
      */
     public Decision {
@@ -55,7 +55,7 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
      * @param robot the robot whose motors turn the velocity into voltages
      * @param side the side of the wall; on the right the sides of the robot are exchanged
      * @param velocity the velocity, positive to the wall's side
-     * @param telemetry what the controller shows of its working
+     * @param telemetry the values that the controller shows
      * @throws IllegalArgumentException if the velocity is not finite
      */
     public static Decision ofVelocity(RobotSpec robot, WallSide side, Velocity velocity, Telemetry telemetry) {

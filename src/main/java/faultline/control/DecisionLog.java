@@ -15,7 +15,7 @@ public final class DecisionLog {
      * Adds a decision unless it equals the last one.
      *
      * @param tick the tick of the observation that was decided on
-     * @param decision what was decided
+     * @param decision the decision
      */
     public void add(long tick, Decision decision) {
         if (decisions.isEmpty() || decisions.get(decisions.size() - 1).differs(decision)) {

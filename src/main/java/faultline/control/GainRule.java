@@ -1,6 +1,6 @@
 package faultline.control;
 
-/** How the gains of the PD distance controller are chosen. */
+/** The rule for the gains of the PD distance controller. */
 public sealed interface GainRule {
 
     /** The gains that suit the speed and the motors. */

@@ -9,10 +9,10 @@ import java.util.List;
  * @param state its state
  * @param condition the named condition that led to the state, empty at the start
  * @param sinceTick the tick at which the state was entered
- * @param transitions how many transitions it has made
+ * @param transitions the number of transitions that it has made
  * @param wall its control of the distance to the wall
  * @param edges when the left sensor passed the wall
- * @param diagnosis which sensors it trusts
+ * @param diagnosis its trust in the sensors
  */
 public record Telemetry(
         ControllerState state,
@@ -42,7 +42,7 @@ public record Telemetry(
      *
      * @param tF3 when the left sensor came to the timing distance, the paper's frame F3, seconds
      * @param tF4 when it left it, frame F4, seconds
-     * @param tP how long it turns back, t_p = t_D / 2 of eq. (4), seconds
+     * @param tP the time for which it turns back, t_p = t_D / 2 of eq. (4), seconds
      */
     public record EdgeTimes(double tF3, double tF4, double tP) {
 

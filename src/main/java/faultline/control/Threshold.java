@@ -5,14 +5,16 @@ package faultline.control;
  * when too few sensors are trusted, has none of them.
  */
 public enum Threshold {
-    /** How much farther away than the wanted distance a wall ahead ends SEARCH, FOLLOW and ROUND. */
+    /** The margin beyond the wanted distance at which a wall ahead ends SEARCH, FOLLOW and ROUND. */
     AHEAD_MARGIN("aheadMargin", Quantity.SIGNED_MARGIN, 0),
 
-    /** How near to the circle in which the platform turns an object ahead ends SEARCH, FOLLOW and ROUND. */
+    /**
+     * The distance from the circle in which the platform turns at which an object ahead ends SEARCH, FOLLOW and ROUND.
+     */
     TURN_CLEARANCE("turnClearance", Quantity.MARGIN, 0.06),
 
     /**
-     * How far above the nearest reading the equal readings of F3 and F4 are taken, as a share of that reading: there
+     * The difference between the equal readings of F3 and F4 and the nearest reading, as a share of that reading: there
      * the nearest point has left the cone and readings rise fast.
      */
     TIMING_LEVEL("timingLevel", Quantity.SHARE, 0.08),
@@ -41,7 +43,7 @@ public enum Threshold {
      */
     STEER_THROUGH("steerThrough", Quantity.MARGIN, 0.15);
 
-    /** What a threshold measures, with the bounds of its values. */
+    /** The quantity of a threshold, with the bounds of its values. */
     public enum Quantity {
         /** A length in metres. */
         MARGIN(0, 100, "m"),
@@ -95,7 +97,7 @@ public enum Threshold {
         return fileName;
     }
 
-    /** {@return what it measures} */
+    /** {@return its quantity} */
     public Quantity quantity() {
         return quantity;
     }

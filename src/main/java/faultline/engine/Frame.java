@@ -7,7 +7,7 @@ import faultline.world.Snapshot;
  * The state of a run at the end of a tick: the world, the controller's telemetry, and the path so far. Immutable.
  *
  * @param snapshot the world
- * @param telemetry what the controller showed with the decision that acted in this tick
+ * @param telemetry the telemetry of the decision that took effect in this tick
  * @param leftVolts the voltage on the left motors in this tick
  * @param rightVolts the voltage on the right motors in this tick
  * @param path the robot's path so far

@@ -55,7 +55,7 @@ public final class RobotPath {
      * {@return the points in order without those that are close to a line through the others, the first and the last
      * one included}
      *
-     * @param tolerance how far a point that is omitted may be from the lines between the others, metres
+     * @param tolerance the maximum distance of an omitted point from the lines between the others, metres
      */
     public List<Vector2> simplified(double tolerance) {
         return PathThinner.select(this, 0, tolerance).stream()

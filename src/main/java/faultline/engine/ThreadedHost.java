@@ -24,10 +24,12 @@ final class ThreadedHost implements ControllerHost {
     static final double DECISION_TIMEOUT = 10;
 
     private static final double NANOS_PER_SECOND = 1e9;
-    /** How many times in the timeout the waiting thread wakes; each counts the same, however late it is. */
+    /**
+     * The number of times that the waiting thread wakes within the timeout; each counts the same, however late it is.
+     */
     private static final int WAKES = 100;
 
-    /** How long a controller that has not answered may take to end after it was interrupted. */
+    /** The time in which a controller that has not answered must end after it was interrupted. */
     private static final long GRACE_MILLIS = 500;
 
     private final Controller controller;

@@ -35,7 +35,7 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
     }
 
     /**
-     * How a map is traced.
+     * The options of tracing a map.
      *
      * @param unknownIsSolid whether unknown cells count as solid
      * @param minCells the minimum size of a group of solid cells; smaller groups are dropped

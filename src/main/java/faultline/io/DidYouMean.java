@@ -9,7 +9,7 @@ public final class DidYouMean {
 
     private static final int MAX_LENGTH = 60;
 
-    /** How many names of about the right length are compared, which limits the time to milliseconds. */
+    /** The maximum number of names of similar length that are compared, which limits the time to milliseconds. */
     private static final int MAX_COMPARED = 2000;
 
     private DidYouMean() {}

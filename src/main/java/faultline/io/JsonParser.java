@@ -20,7 +20,7 @@ public final class JsonParser {
         }
     };
 
-    /** What some languages write for numbers that JSON does not have. */
+    /** Texts that some languages write for numbers that JSON does not have. */
     private static final List<String> NOT_FINITE = List.of("NaN", "Infinity");
 
     private static final int MAX_DEPTH = 64;

@@ -26,7 +26,7 @@ public record Message(Template template, List<Object> arguments) {
         /**
          * {@return a message of this kind}
          *
-         * @param arguments what the pattern's placeholders stand for, in order
+         * @param arguments the values of the pattern's placeholders, in order
          */
         default Message with(Object... arguments) {
             return new Message(this, List.of(arguments));

@@ -125,7 +125,7 @@ public final class ShortestDecimal {
      *
      * @param number the number, finite
      * @param text receives the text
-     * @param start where the text begins; the array must have {@link #ROOM} bytes from there on
+     * @param start the index at which the text begins; the array must have {@link #ROOM} bytes from there on
      * @return the end of the text
      */
     public static int write(double number, byte[] text, int start) {
@@ -155,9 +155,9 @@ public final class ShortestDecimal {
      * Writes a decimal fraction as {@link #write(double, byte[], int)} does.
      *
      * @param unscaled the fraction in units of its last decimal place, not negative and of at most 15 digits
-     * @param scale how many decimal places it has, from 1 to 7
+     * @param scale the number of decimal places, from 1 to 7
      * @param text receives the text
-     * @param start where the text begins; the array must have {@link #ROOM} bytes from there on
+     * @param start the index at which the text begins; the array must have {@link #ROOM} bytes from there on
      * @return the end of the text
      */
     public static int writeDecimal(long unscaled, int scale, byte[] text, int start) {
@@ -179,7 +179,7 @@ public final class ShortestDecimal {
      *
      * @param integer the integer, not negative
      * @param text receives the text
-     * @param start where the text begins; the array must have {@link #ROOM} bytes from there on
+     * @param start the index at which the text begins; the array must have {@link #ROOM} bytes from there on
      * @return the end of the text
      */
     public static int writeInteger(long integer, byte[] text, int start) {

@@ -19,7 +19,7 @@ import java.util.Set;
  * @param speed the linear velocity that the controller drives at, metres per second, positive
  * @param turnRate the angular velocity that the controller turns on the spot at, radians per second, positive
  * @param motor the motor of either side, as the controller believes it to be
- * @param driveScale how the true wheels and track differ from what the controller believes
+ * @param driveScale the true wheels and track relative to the model of the controller
  * @param sensors the sensors, in the order of the trace's columns; ids are unique
  */
 public record RobotSpec(
@@ -52,7 +52,7 @@ public record RobotSpec(
      * @param speed the linear velocity that the controller drives at, metres per second, positive
      * @param turnRate the angular velocity that the controller turns on the spot at, radians per second, positive
      * @param motor the motor of either side, as the controller believes it to be
-     * @param driveScale how the true wheels and track differ from what the controller believes
+     * @param driveScale the true wheels and track relative to the model of the controller
      * @param sensors the sensors, in the order of the trace's columns; ids are unique
      * @throws IllegalArgumentException if a length or speed is not positive and finite, or two sensors have the same id
      */

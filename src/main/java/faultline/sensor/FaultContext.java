@@ -24,7 +24,7 @@ public final class FaultContext {
      *
      * @param onset the first tick in which it acts
      * @param dt the length of a tick, seconds
-     * @param heldReading what the sensor reported last
+     * @param heldReading the last reported reading
      */
     public FaultContext(long onset, double dt, double heldReading) {
         this.onset = onset;
@@ -37,7 +37,7 @@ public final class FaultContext {
      *
      * @param newTick the tick
      * @param newRange the new range of the sensor, metres
-     * @param newNeighbourReading what the next sensor would read without faults
+     * @param newNeighbourReading the reading of the next sensor without faults
      * @param draws the sensor's random numbers for this tick
      * @return this context
      */

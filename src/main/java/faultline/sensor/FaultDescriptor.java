@@ -3,7 +3,7 @@ package faultline.sensor;
 import java.util.Locale;
 
 /**
- * What files and windows must know of a kind of fault: its name, its number, and how faults of it are made.
+ * The properties of a kind of fault for files and windows: its name, its number, and the creation of its faults.
  *
  * @param <F> the type of the faults
  */

@@ -115,7 +115,7 @@ public enum FaultKind implements FaultDescriptor<Fault> {
         return factory.create(value, length);
     }
 
-    /** {@return what the kind has in common with others} */
+    /** {@return the properties that all kinds have} */
     public Family family() {
         return family;
     }

@@ -72,14 +72,14 @@ public final class SignalFault {
     /**
      * Sees nothing in bursts, a two-state Markov chain (Gilbert 1960): file kind {@code bursts}.
      *
-     * @param value how often a burst begins, per second outside bursts
+     * @param value the rate at which bursts begin, per second outside bursts
      * @param length the mean length of a burst, seconds, positive
      */
     public record Bursts(double value, double length) implements Fault {
         /**
          * Creates bursts of wrong readings.
          *
-         * @param value how often a burst begins, per second outside bursts
+         * @param value the rate at which bursts begin, per second outside bursts
          * @param length the mean length of a burst, seconds, positive
          * @throws IllegalArgumentException if the length is outside its limits
          */

@@ -48,7 +48,7 @@ final class MotorMismatch implements Figure {
     }
 
     /**
-     * How the true motors differ from the model.
+     * The difference between the true motors and the model.
      *
      * @param timeConstant factor of the time constant
      * @param left factor of the left wheels' speed

@@ -20,7 +20,7 @@ import faultline.sensor.SensorSpec;
 public sealed interface Command {
 
     /**
-     * {@return what the method of a visitor for this kind of command returns}
+     * {@return the result of the visitor's method for this kind of command}
      *
      * @param visitor the visitor
      * @param <R> the visitor's result type

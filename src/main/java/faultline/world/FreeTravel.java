@@ -4,15 +4,15 @@ import faultline.geometry.BoxDistance;
 import faultline.geometry.OrientedBox;
 
 /**
- * How far the body can still move without touching a static obstacle. While a tick's motion is within that, no contact
- * is tested. Confined to the world's thread.
+ * The distance that the body can still move without touching a static obstacle. While a tick's motion is within this
+ * distance, no contact is tested. Confined to the world's thread.
  *
  * <p>Two bounds are kept. The circle about the body is safe for any rotation; the body itself is safe for less
  * translation and rotation, but nearer to obstacles.
  */
 final class FreeTravel {
 
-    /** How far beyond the body obstacles are looked for, metres. */
+    /** The distance around the body within which obstacles are searched, metres. */
     private static final double LOOK_AHEAD = 0.5;
 
     /** Kept in reserve, metres: far above rounding. */

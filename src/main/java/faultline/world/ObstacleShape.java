@@ -10,7 +10,7 @@ import java.util.List;
 public sealed interface ObstacleShape {
 
     /**
-     * {@return what the method of a visitor for this kind of shape returns}
+     * {@return the result of the visitor's method for this kind of shape}
      *
      * @param <R> the type of the result
      * @param visitor the visitor

@@ -49,8 +49,8 @@ final class SensorCone {
      * @param spec the sensor
      * @param specularAngle the greatest angle of incidence at which any flat surface is sensed, radians
      * @param robot the robot that carries it
-     * @param maxTravel how far the robot moves before {@link #collect} is called again, metres
-     * @param maxTurn how far it turns before that, radians
+     * @param maxTravel the maximum distance that the robot moves before {@link #collect} is called again, metres
+     * @param maxTurn the maximum angle that it turns before that, radians
      */
     SensorCone(SensorSpec spec, double specularAngle, RobotSpec robot, double maxTravel, double maxTurn) {
         Vector2 position = spec.mountPosition();

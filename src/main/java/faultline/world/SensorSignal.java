@@ -8,7 +8,7 @@ import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What one sensor reports: its readings with noise and faults. Confined to the world's thread. */
+/** The signal of one sensor: its readings with noise and faults. Confined to the world's thread. */
 final class SensorSignal {
 
     private record ActiveFault(Fault fault, FaultContext context) {}

@@ -54,7 +54,7 @@ final class TimeOfImpact {
      * @param start the body's pose at time 0
      * @param shape the shape at time 0, clear of the body or touching it
      * @param shapeVelocity the velocity of the shape, metres per second
-     * @param time how long both move, seconds
+     * @param time the duration of the motion, seconds
      * @return seconds in [0, time], or positive infinity if they do not meet
      * @throws World.UnresolvedContactException if the steps are too many
      */

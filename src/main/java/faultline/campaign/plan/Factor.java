@@ -5,7 +5,7 @@ import java.util.List;
 /**
  * A factor: a variable of a plan. Every level of a factor is combined with every level of the others.
  *
- * @param kind which element of the plan it is of
+ * @param kind the kind of its element in the plan
  * @param columns its columns in {@code runs.csv}
  * @param levels its levels, at least one
  */

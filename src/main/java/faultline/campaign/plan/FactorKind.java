@@ -8,6 +8,6 @@ public enum FactorKind {
     VARIANTS,
     /** Faults, with or without healthy runs. */
     FAULTS,
-    /** Which sensors are on. */
+    /** The sensors that are on. */
     MASKS
 }

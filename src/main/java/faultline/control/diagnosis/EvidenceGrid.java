@@ -25,7 +25,10 @@ public final class EvidenceGrid {
 
     private static final int PLANE = SIZE * SIZE;
 
-    /** Which rows of a sector are marked: every second one takes half the time, and the next mark covers the others. */
+    /**
+     * The rows of a sector that are marked. Marking every second row takes half the time, and the next mark covers the
+     * others.
+     */
     enum RowParity {
         ALL(1, 0),
         EVEN(2, 0),
@@ -209,7 +212,7 @@ public final class EvidenceGrid {
      * @param cone the sensor's
      * @param radius metres
      * @param moment now
-     * @param rows which rows are marked
+     * @param rows the rows that are marked
      */
     void markSector(
             int source,

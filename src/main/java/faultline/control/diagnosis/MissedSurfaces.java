@@ -51,7 +51,7 @@ final class MissedSurfaces {
      * Tests whether a front sensor that sees nothing misses a surface.
      *
      * @param by the cone of the sensor that predicts it
-     * @param expected how far ahead of that sensor it crosses the path, metres; infinite if there is none
+     * @param expected the distance ahead of that sensor at which it crosses the path, metres; infinite if there is none
      */
     private void testFront(MountedCone by, double expected, double[] readings, int oldest, double time) {
         if (expected == Reading.NOTHING) {

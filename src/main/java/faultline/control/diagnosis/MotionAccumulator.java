@@ -1,6 +1,6 @@
 package faultline.control.diagnosis;
 
-/** How far the robot has rolled and turned, in the last step and since the start. */
+/** The distance that the robot has rolled and the angle that it has turned, in the last step and since the start. */
 final class MotionAccumulator {
 
     private double rolled;

@@ -31,7 +31,7 @@ final class SectorRows {
      * @param axisSin sine of it
      * @param cone the sensor's
      * @param radius metres
-     * @param rows which rows are wanted
+     * @param rows the rows that are requested
      */
     void find(double x, double y, double axisCos, double axisSin, ConeTable cone, double radius, RowParity rows) {
         int edge = ConeTable.SAMPLES - 1;

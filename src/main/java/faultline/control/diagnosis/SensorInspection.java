@@ -13,7 +13,7 @@ import java.util.Comparator;
  */
 final class SensorInspection {
 
-    /** How long free-space evidence counts in a test, on the motion clock. */
+    /** The time for which free-space evidence counts in a test, on the motion clock. */
     private static final int MEMORY = 700;
 
     /** A sector is free up to this far before the reading, metres. */

@@ -54,8 +54,8 @@ final class WallAgreement {
      *
      * @param line the sensors
      * @param readings the readings of all sensors
-     * @param distance how far the robot has rolled so far, metres
-     * @param heading how far it has turned so far, radians
+     * @param distance the distance that the robot has rolled so far, metres
+     * @param heading the angle that it has turned so far, radians
      * @return the sensor that is wrong, as an index in the line, or {@link #NONE}
      */
     int update(WallLine line, double[] readings, double distance, double heading) {

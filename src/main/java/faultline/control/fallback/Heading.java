@@ -24,7 +24,7 @@ final class Heading {
     /**
      * Returns the first direction that is free.
      *
-     * @param at where the robot is
+     * @param at the position of the robot
      * @param from the direction of the wall, radians
      * @param length the length that must be free, metres
      * @param distance to be kept from surfaces, metres
@@ -55,7 +55,7 @@ final class Heading {
      * Returns how far the robot can roll in a direction over ground that is known to be free: a strip as wide as the
      * robot, ahead of its front.
      *
-     * @param at where the robot is
+     * @param at the position of the robot
      * @param direction radians
      * @param limit metres
      * @param front from the centre to the platform's front, metres

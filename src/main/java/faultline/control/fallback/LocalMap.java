@@ -26,7 +26,7 @@ final class LocalMap {
     private final int[] surfaceCells = new int[WINDOW * WINDOW];
 
     private int surfaceCount;
-    /** When each cell of each row was last seen free. */
+    /** The time at which each cell of each row was last seen free. */
     private final int[][] lastFree = new int[WINDOW][WINDOW];
 
     private final int[] lastHit = new int[WINDOW];

@@ -23,14 +23,14 @@ public enum Rung {
             return serves(diagnosis, QUARTER, FACING) && serves(diagnosis, 0, FACING);
         }
     },
-    /** One that looks to the wall's side and two more are trusted: the local map. */
+    /** A sensor on the wall's side and two others are trusted: the local map. */
     THREE("one on the wall's side and two more", Strategy.MAP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
             return serves(diagnosis, QUARTER, SIDEWAYS) && Integer.bitCount(diagnosis.trusted()) >= 3;
         }
     },
-    /** One that looks to the wall's side and another are trusted: the local map, with turns to look around. */
+    /** A sensor on the wall's side and another one are trusted: the local map, with turns to look around. */
     TWO("one on the wall's side and another", Strategy.MAP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
@@ -44,7 +44,7 @@ public enum Rung {
             return serves(diagnosis, QUARTER, SIDEWAYS);
         }
     },
-    /** No sensor that looks to the wall's side is trusted: the robot stops. */
+    /** No sensor on the wall's side is trusted: the robot stops. */
     STOP("none on the wall's side", Strategy.STOP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
@@ -52,7 +52,7 @@ public enum Rung {
         }
     };
 
-    /** What drives the robot. */
+    /** The strategy that drives the robot. */
     enum Strategy {
         SIX_STATES,
         MAP,
@@ -90,7 +90,7 @@ public enum Rung {
         return strategy;
     }
 
-    /** {@return what the rung needs, in words, for a wall on the left} */
+    /** {@return the condition of the rung, in words, for a wall on the left} */
     public String needs() {
         return needs;
     }

@@ -55,7 +55,7 @@ final class EdgeTimer {
     /**
      * Starts a new spin. With the paper's rule every sample counts separately.
      *
-     * @param newMargin how far above the nearest reading the timing level is, as a share of that reading
+     * @param newMargin the difference between the timing level and the nearest reading, as a share of that reading
      * @param noise the standard deviation of the readings' noise, metres
      * @param known whether the noise is known; otherwise {@link #updateNoise} sets it during the spin
      * @param newStep the turn between two readings, radians

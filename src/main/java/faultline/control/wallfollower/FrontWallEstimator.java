@@ -30,9 +30,9 @@ record FrontWallEstimator(SensorView front, SensorView left, SensorView right) {
      * Returns whether the wall ahead will be within a distance of the robot's centre after some more motion.
      *
      * @param distance metres
-     * @param rolled how far it rolls on, metres
-     * @param mostLeft how far the wall may be slanted with its foot to the left, radians
-     * @param mostRight how far it may be slanted with its foot to the right, radians
+     * @param rolled the distance that it still rolls, metres
+     * @param mostLeft the maximum slant of the wall with its foot to the left, radians
+     * @param mostRight the maximum slant of the wall with its foot to the right, radians
      * @return whether it will be; false if the front sensor sees nothing
      */
     boolean isWithin(double distance, double rolled, double mostLeft, double mostRight) {

@@ -112,7 +112,7 @@ public final class WallFollower implements Controller {
      * Decides as {@link #decide(Observation)} does, and shows the result of a diagnosis.
      *
      * @param observation the newest
-     * @param diagnosis which sensors are trusted
+     * @param diagnosis the trust in the sensors
      * @return the decision
      */
     public Decision decide(Observation observation, Telemetry.Diagnosis diagnosis) {

@@ -52,7 +52,7 @@ public final class CarryOnMetrics implements TickObserver {
     /**
      * Creates metrics of one run.
      *
-     * @param setup what is run
+     * @param setup the setup of the run
      * @param circuit the circuit of its world, at {@link #wantedDistance}
      */
     public CarryOnMetrics(SimulationSetup setup, WallCircuit circuit) {
@@ -174,7 +174,7 @@ public final class CarryOnMetrics implements TickObserver {
         return wallLength > 0 ? OptionalDouble.of(Math.min(1, passedLength / wallLength)) : OptionalDouble.empty();
     }
 
-    /** {@return how often the wall was passed since the clock started, on average over its length} */
+    /** {@return the number of times that the wall was passed since the clock started, on average over its length} */
     public OptionalDouble laps() {
         return wallLength > 0 ? OptionalDouble.of(weightedPasses / wallLength) : OptionalDouble.empty();
     }

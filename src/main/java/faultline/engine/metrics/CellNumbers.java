@@ -8,7 +8,7 @@ import java.util.Arrays;
  */
 final class CellNumbers {
 
-    /** What {@link #get} returns for a cell without a number. */
+    /** The result of {@link #get} for a cell without a number. */
     static final int NONE = -1;
 
     private static final int MIN_CAPACITY = 64;

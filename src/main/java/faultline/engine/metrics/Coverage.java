@@ -28,12 +28,12 @@ final class Coverage {
     /** Walls are compared with the path by squares of this side first, metres. */
     private static final double AREA_SIZE = 1;
 
-    /** More than the error of a distance, metres. */
+    /** A bound of the error of a distance, metres. */
     private static final double ROUNDING = 1e-9;
 
     private final WallReference walls;
     private final double distance;
-    /** Which of the points visited lies in a cell, from 0. */
+    /** The index, from 0, of the visited point that lies in a cell. */
     private final CellNumbers visited = new CellNumbers();
     /** The points visited since the share was last computed, the number of those before, and the squares around. */
     private final List<Vector2> pending = new ArrayList<>();

@@ -69,7 +69,9 @@ public final class DiagnosisMetrics implements TickObserver {
         return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(detected - onset);
     }
 
-    /** {@return how many sensors without any fault were not trusted at some time; empty without a diagnosis} */
+    /**
+     * {@return the number of sensors without any fault that were not trusted at some time; empty without a diagnosis}
+     */
     public OptionalInt falseAlarms() {
         return diagnosed ? OptionalInt.of(wronglyDistrusted.size()) : OptionalInt.empty();
     }

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * What a scenario's run is expected to give.
+ * An expectation about the result of a scenario's run.
  *
  * @param conditions must all hold
  */
@@ -26,7 +26,7 @@ public record Expectation(List<Condition> conditions) {
     }
 
     /**
-     * {@return what a run did not hold, one sentence for each condition}
+     * {@return the conditions that do not hold in a run, one sentence for each}
      *
      * @param result the result of the run
      */
@@ -43,7 +43,7 @@ public record Expectation(List<Condition> conditions) {
     public sealed interface Condition {
 
         /**
-         * {@return what the method of a visitor for this kind of condition returns}
+         * {@return the result of the visitor's method for this kind of condition}
          *
          * @param visitor the visitor
          * @param <R> the visitor's result type

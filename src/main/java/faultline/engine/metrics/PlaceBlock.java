@@ -28,7 +28,7 @@ final class PlaceBlock {
     /** The maximum number of places of a block alone. */
     static final int LONG = 4096;
 
-    /** More than the error of a distance, metres. */
+    /** A bound of the error of a distance, metres. */
     private static final double ROUNDING = 1e-9;
 
     private final PlaceRow row;

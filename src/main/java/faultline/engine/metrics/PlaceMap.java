@@ -22,7 +22,7 @@ import java.util.TreeMap;
  */
 final class PlaceMap {
 
-    /** How many places at either end of a block can be near to places of the next block. */
+    /** The number of places at either end of a block that can be close to places of the next block. */
     private static final int SHARED_ENDS = 6;
 
     private final WallReference walls;

@@ -15,7 +15,7 @@ import java.util.stream.IntStream;
  */
 sealed interface PlaceRow {
 
-    /** More than rounding makes of a distance. */
+    /** A bound of the rounding error of a distance. */
     double ROUNDED_UP = 1 + 1e-9;
 
     /** Returns the number of places. */
@@ -49,7 +49,7 @@ sealed interface PlaceRow {
      * @param wall the wall
      * @param distance the distance of the places, metres
      * @param spacing the spacing of the places, metres
-     * @param reach how far outside of an ellipse the places have that spacing, metres
+     * @param reach the distance outside of an ellipse at which the places have that spacing, metres
      * @param circle the places around the origin, see {@link #circle}
      */
     static List<PlaceRow> of(ConvexShape wall, double distance, double spacing, double reach, List<Vector2> circle) {
@@ -117,7 +117,7 @@ sealed interface PlaceRow {
      */
     record Arc(Vector2 corner, List<Vector2> circle, long firstRank, int first, int size) implements PlaceRow {
 
-        /** More than the angle by which a free place may lie beside the perpendicular of a segment, radians. */
+        /** A bound of the angle between the direction to a free place and the perpendicular of a segment, radians. */
         private static final double MARGIN = 0.01;
 
         /** With shorter segments that angle may be greater, as a share of the distance. */

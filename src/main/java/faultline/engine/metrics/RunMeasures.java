@@ -7,7 +7,7 @@ package faultline.engine.metrics;
  * @param coverage the share of the wall that could be followed that was, in [0, 1]
  * @param distanceRms the distance error on straight walls, metres, root mean square
  * @param followRms the distance error in all of FOLLOW, metres, root mean square
- * @param laps how often the wall was passed, on average over its length
+ * @param laps the number of times that the wall was passed, on average over its length
  */
 public record RunMeasures(double coverage, double distanceRms, double followRms, double laps) {
 

@@ -13,7 +13,7 @@ import java.util.Locale;
 /** The columns that a trace of format 2 has of the sensors: readings, faults, and what the diagnosis thinks of them. */
 final class SensorColumns implements ColumnGroup {
 
-    /** How many cells of a sensor follow its two distances. */
+    /** The number of cells of a sensor after its two distances. */
     private static final int WORDS = 5;
 
     private final List<TraceColumn> columns = new ArrayList<>();

@@ -49,7 +49,7 @@ final class TickTimes {
      * @param time the exact time of the tick, or one near it
      * @param tick the tick
      * @param text receives the text
-     * @param start where the text begins
+     * @param start the index at which the text begins
      * @return the end of the text
      */
     int write(double time, long tick, byte[] text, int start) {

@@ -16,7 +16,7 @@ final class TraceRows {
     /** Differs from every cell. */
     private static final long NO_CELL = WORD + 1;
 
-    /** How many values there is room for, unless one row has more. */
+    /** The capacity in values, unless one row has more. */
     private static final int ROOM = 1 << 14;
 
     private final int maxRows;
@@ -32,9 +32,9 @@ final class TraceRows {
 
     private final int marks;
     private int rows;
-    /** Where the next marks of the row go. */
+    /** The index of the next marks of the row. */
     private int place;
-    /** Which of the columns changed that the next marks are about. */
+    /** The changes of the columns that the next marks describe. */
     private long changed;
 
     private int column;

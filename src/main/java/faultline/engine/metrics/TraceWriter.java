@@ -47,8 +47,8 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
     /**
      * Creates a trace on a stream, which the caller closes after this.
      *
-     * @param out where the rows go, many at a time, on another thread
-     * @param format which columns it has
+     * @param out the target of the rows, written in blocks on another thread
+     * @param format the format, which defines the columns
      */
     public TraceWriter(OutputStream out, TraceFormat format) {
         this(out, format, Integer.MAX_VALUE);
@@ -57,9 +57,9 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
     /**
      * Creates a trace whose rows are written without delay even if the run is slow.
      *
-     * @param out where the rows go, many at a time, on another thread
-     * @param format which columns it has
-     * @param maxRows how many rows are written at a time at most
+     * @param out the target of the rows, written in blocks on another thread
+     * @param format the format, which defines the columns
+     * @param maxRows the maximum number of rows that are written at a time
      */
     public TraceWriter(OutputStream out, TraceFormat format, int maxRows) {
         this.out = out;

@@ -46,7 +46,7 @@ public final class WallCircuit {
      * @param places the places, in the order of the walls
      * @param spacing the spacing of the places, metres
      * @param joinDistance places nearer to each other than this belong to one path, metres
-     * @param tolerance how far from a place a robot still passes it, at least the join distance, metres
+     * @param tolerance the maximum distance from a place at which a robot passes it, at least the join distance, metres
      */
     WallCircuit(List<WallReference.WallSample> places, double spacing, double joinDistance, double tolerance) {
         this.places = new ArrayList<>(places);

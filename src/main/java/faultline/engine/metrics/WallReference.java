@@ -48,7 +48,7 @@ public final class WallReference {
     }
 
     /**
-     * How much farther than wanted the nearest wall is from a point.
+     * The error of the distance from a point to the nearest wall.
      *
      * @param metres positive for too far; NaN if the wall is more than twice as far as wanted
      * @param straight whether the nearest wall is straight there

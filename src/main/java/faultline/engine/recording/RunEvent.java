@@ -20,7 +20,7 @@ public sealed interface RunEvent {
     double time();
 
     /**
-     * {@return what the method of a visitor for this kind of event returns}
+     * {@return the result of the visitor's method for this kind of event}
      *
      * @param visitor the visitor
      * @param <R> the visitor's result type
@@ -139,7 +139,7 @@ public sealed interface RunEvent {
     }
 
     /**
-     * Another rung of the controller's ladder of strategies drives.
+     * The rung of the controller's ladder of strategies that drives has changed.
      *
      * @param tick the first in which it drives
      * @param time the time of that tick, seconds

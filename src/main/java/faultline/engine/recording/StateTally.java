@@ -40,7 +40,7 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
      *
      * @param from the state before
      * @param to the state after
-     * @param count how often it was taken
+     * @param count the number of times that it was taken
      */
     public record TransitionCount(ControllerState from, ControllerState to, long count) {}
 
@@ -54,7 +54,7 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
     }
 
     /**
-     * {@return how often a transition was taken}
+     * {@return the number of times that a transition was taken}
      *
      * @param from the state before the transition
      * @param to the state after it

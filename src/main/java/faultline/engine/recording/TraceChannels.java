@@ -44,7 +44,7 @@ public final class TraceChannels {
     /**
      * {@return the number of channels of a robot}
      *
-     * @param sensors how many sensors it has
+     * @param sensors the number of sensors
      */
     public static int count(int sensors) {
         return SENSOR_OFFSET + 2 * sensors;

@@ -112,7 +112,7 @@ public final class ReferenceRun {
         return recording.hashTrace();
     }
 
-    /** {@return what was recorded of the run, without its events of commands} */
+    /** {@return the recording of the run, without its events of commands} */
     public Recording recording() {
         return recording;
     }

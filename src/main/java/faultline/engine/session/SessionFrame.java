@@ -29,7 +29,7 @@ public record SessionFrame(Frame frame, Recording recording, RunMeasures measure
      * Creates a frame of a run that is not measured.
      *
      * @param frame the frame
-     * @param recording what was recorded up to the frame
+     * @param recording the recording up to the frame
      */
     public SessionFrame(Frame frame, Recording recording) {
         this(frame, recording, RunMeasures.NONE, new ControllerSpec.None());

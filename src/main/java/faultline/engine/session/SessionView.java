@@ -1,6 +1,6 @@
 package faultline.engine.session;
 
-/** What an interactive run shows to those who may not control it. Safe on any thread. */
+/** A read-only view of an interactive run. Safe on any thread. */
 public interface SessionView {
 
     /** {@return the latest frame and requests the next one; frames are made only on request} Wait-free. */

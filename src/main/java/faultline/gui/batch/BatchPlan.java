@@ -22,7 +22,7 @@ import java.util.OptionalLong;
  *
  * @param scenario the scenario of all runs
  * @param firstSeed the seed of the first block of runs
- * @param seeds how many successive seeds there are
+ * @param seeds the number of consecutive seeds
  * @param duration the duration of each run, seconds
  * @param untilVerdict whether a run ends as soon as it is known whether the robot carries on
  * @param diagnosis whether the controller watches its sensors

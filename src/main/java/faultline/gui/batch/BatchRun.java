@@ -46,10 +46,10 @@ final class BatchRun {
     private long nextCells;
 
     /**
-     * How far a batch has come.
+     * The progress of a batch.
      *
-     * @param made how many runs are in the table
-     * @param runs how many there are, 0 while that is unknown
+     * @param made the number of runs in the table
+     * @param runs the total number of runs, 0 while it is unknown
      * @param seconds the seconds since the first run began
      */
     record Completion(long made, long runs, double seconds) {

@@ -2,7 +2,7 @@ package faultline.gui.batch;
 
 import faultline.gui.text.Messages;
 
-/** How long something takes, in words that are as precise as an estimate. */
+/** Formats a duration as text with the precision of an estimate. */
 final class BatchTime {
 
     private static final double MINUTE = 60;

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 /**
  * A cell of a table of results. Numbers are sorted by their values and before texts.
  *
- * @param text what is shown
+ * @param text the text that is shown
  * @param number the value of a number, NaN for a text
  */
 record ResultCell(String text, double number) implements Comparable<ResultCell> {

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Which sensors are on: the two that following a wall needs, the third that an acute inner corner needs besides, or
- * all.
+ * The sets of sensors that are on: the two that following a wall needs, the third that an acute inner corner needs
+ * besides, or all.
  */
 public final class SensorPresets {
 

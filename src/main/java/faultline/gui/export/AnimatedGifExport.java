@@ -14,7 +14,7 @@ import java.util.concurrent.CompletableFuture;
  * Writes an animated GIF of the run so far, at real time. It is made from the ticks of a replay, so no image is missing
  * at any speed of the run.
  *
- * @param renderRequest how each image is rendered; its frame is replaced
+ * @param renderRequest the settings for rendering each image; its frame is replaced
  * @param run completes with the scenario that replays the run
  * @param firstTick the first tick that is shown
  */

@@ -6,7 +6,7 @@ import java.util.stream.DoubleStream;
 /**
  * The range of a chart's vertical axis.
  *
- * @param kind how it is chosen
+ * @param kind the way in which it is chosen
  * @param low the least value of a fixed range
  * @param high the greatest value of a fixed range, above low
  */

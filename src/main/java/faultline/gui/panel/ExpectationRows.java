@@ -13,7 +13,7 @@ import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** What the scenario expects, one row each: whether it holds so far, and the value. */
+/** The expectations of the scenario, one per row: whether each holds so far, and the value. */
 final class ExpectationRows extends JPanel {
 
     private static final int ICON_SIZE = 14;

@@ -17,7 +17,7 @@ import javax.swing.JPanel;
  */
 final class GainFields extends JPanel {
 
-    /** How the gains are chosen. */
+    /** The rule for the gains. */
     private enum GainChoice {
         AUTOMATIC,
         LENGTH,

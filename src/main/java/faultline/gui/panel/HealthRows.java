@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** What the controller's diagnosis finds about each sensor. */
+/** The findings of the controller's diagnosis about each sensor. */
 final class HealthRows extends JPanel {
 
     private static final double PERCENT = 100;

@@ -27,8 +27,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /**
- * What a run has come to: state, velocity, measures, remaining time, the scenario's expectations, and the diagnosis of
- * the sensors. Numbers come from frames and are updated about ten times per second.
+ * The results of a run so far: state, velocity, measures, remaining time, the scenario's expectations, and the
+ * diagnosis of the sensors. Numbers come from frames and are updated about ten times per second.
  */
 public final class RunPanel extends JPanel {
 

@@ -15,16 +15,16 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * How a run ended: with a collision, with a failure, or at the scenario's duration.
+ * The end of a run: a collision, with a failure, or at the scenario's duration.
  *
  * @param success whether nothing is wrong
- * @param title what happened, in a few words
+ * @param title the event, in a few words
  * @param detail why, empty if there is nothing to add
  * @param event the tick of what went wrong, -1 if nothing did
  */
 public record RunVerdict(boolean success, String title, String detail, long event) {
 
-    /** How far before the event the run is moved back to, seconds. */
+    /** The time before the event to which the run is moved back, seconds. */
     private static final double LEAD_TIME = 2;
 
     private static final int NONE = -1;

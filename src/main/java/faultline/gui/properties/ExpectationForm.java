@@ -20,7 +20,7 @@ import javax.swing.JPanel;
 /** The fields of what a scenario expects. */
 final class ExpectationForm extends JPanel {
 
-    /** What is expected of collisions. */
+    /** The expectation about collisions. */
     private enum ContactChoice {
         NOT_CHECKED,
         NONE,

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 
-/** Which files are floor plans, and how they are read. */
+/** Recognises and reads files with floor plans. */
 public final class FloorPlanFiles {
 
     /** The endings of floor plans: a map's YAML file, or an image. */

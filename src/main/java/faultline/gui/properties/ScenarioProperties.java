@@ -7,7 +7,7 @@ import faultline.scenario.Scenario;
 import faultline.world.WorldSpec;
 
 /**
- * What a scenario says beside its robot, its obstacles and its timeline.
+ * The properties of a scenario besides its robot, its obstacles and its timeline.
  *
  * @param name the name
  * @param description the description

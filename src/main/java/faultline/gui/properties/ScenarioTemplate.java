@@ -10,7 +10,7 @@ import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
 import java.util.List;
 
-/** What a new scenario starts with. */
+/** The templates of new scenarios. */
 enum ScenarioTemplate {
     /** A room without obstacles. */
     EMPTY_ROOM(5, 4, true, new Pose(2.5, 2, 0)),

@@ -11,8 +11,8 @@ import javax.swing.JMenu;
 import javax.swing.UIManager;
 
 /**
- * What components derive from the language or the text size, such as a name or a width. The steps that derive it are
- * stored in the components, and repeated when the language or the text size changes.
+ * The properties that components derive from the language or the text size, such as a name or a width. The steps that
+ * derive them are stored in the components, and repeated when the language or the text size changes.
  */
 public final class RefreshSteps {
 

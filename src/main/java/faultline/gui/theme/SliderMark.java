@@ -12,7 +12,7 @@ import java.util.function.Function;
  * @param value the value that it marks
  * @param form its form
  * @param colour its colour by theme
- * @param text what it marks, for the tool tip
+ * @param text the text of its tool tip
  */
 public record SliderMark(int value, Form form, Function<Theme, Color> colour, String text) {
 

@@ -10,7 +10,7 @@ public enum ThemeChoice {
     LIGHT,
     /** Always dark. */
     DARK,
-    /** As the desktop; light if the desktop does not publish its theme. */
+    /** The theme of the desktop; light if the desktop does not publish its theme. */
     DESKTOP;
 
     /** The desktop property with the name of the theme, which GNOME, Xfce, MATE and others publish. */

@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * What a command means on the time line. Each kind of command has a separate visitor method here, so that a new one
+ * The role of a command on the time line. Each kind of command has a separate visitor method here, so that a new one
  * does not compile without a role.
  *
  * @param lane the lane
- * @param effect what the command changes
+ * @param effect the effect of the command
  * @param endings the commands that end the interval which the command begins, first the one that ends no other
  *     interval; empty if the command is over at once
  * @param inLane returns the same command in another lane, or the command itself if it cannot be there
@@ -19,7 +19,7 @@ public record CommandRole(Lane lane, Effect effect, List<Command> endings, Funct
 
     private static final Command.Visitor<CommandRole> FINDER = new Finder();
 
-    /** What a command changes. */
+    /** The property that a command changes. */
     public enum Effect {
         /** The faults of a sensor or of motors. */
         FAULT,

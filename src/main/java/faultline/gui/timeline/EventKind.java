@@ -14,7 +14,7 @@ public enum EventKind {
     TRUST("event.health", Glyph.PULSE, false),
     /** The diagnosis does not trust a sensor. */
     DISTRUST("event.health", Glyph.PULSE, true),
-    /** Another rung of the ladder drives. */
+    /** The rung of the ladder that drives has changed. */
     RUNG("event.rung", Glyph.STAIRS, false),
     /** A command added a fault. */
     FAULT("event.fault", Glyph.FAULT, true),

@@ -12,7 +12,7 @@ import java.util.Optional;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 
-/** What can be done with the selected lane and item. */
+/** The actions on the selected lane and item. */
 final class LaneActions {
 
     /** The number of steps that a new fault lasts initially. */

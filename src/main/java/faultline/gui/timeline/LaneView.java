@@ -41,7 +41,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     private int lane;
     /** The index of the selected item, or {@link LaneLayout#NONE}. */
     private int selection = LaneLayout.NONE;
-    /** What the selected item, or a new one, will be when a drag ends; null if nothing is dragged. */
+    /** The preview of the dragged or new item; null if nothing is dragged. */
     private transient TimelineItem preview;
 
     /** Creates a view without a scenario; {@code editor} makes the changes. */

@@ -20,7 +20,7 @@ public final class TimelineEditor {
     private final UndoController undo;
     private TimelineModel model = TimelineModel.EMPTY;
     private TimelineItem clipboard;
-    /** What the last undo or redo brought back, until a view has selected it; null for nothing. */
+    /** The item that the last undo or redo restored, until a view has selected it; null for none. */
     private TimelineItem restored;
 
     /**
@@ -108,9 +108,9 @@ public final class TimelineEditor {
     /**
      * A change of the timeline.
      *
-     * @param target what is changed; changes of one target may be merged
-     * @param before what is selected when it is undone, null for nothing
-     * @param after what is selected when it is redone, null for nothing
+     * @param target the changed object; changes of one target may be merged
+     * @param before the selection after an undo, null for none
+     * @param after the selection after a redo, null for none
      */
     private record TimelineChange(Object target, TimelineItem before, TimelineItem after) {}
 

@@ -38,7 +38,7 @@ public final class TimelinePanel extends JPanel {
     private final LaneView lanes;
     private final JScrollPane scroll;
     private final transient TimelineEditor editor;
-    /** What the marks on the slider were made of. */
+    /** The data from which the marks on the slider were made. */
     private transient List<Object> markedState = List.of();
 
     /**

@@ -52,7 +52,7 @@ public final class ChartPainter {
      * Paints a chart.
      *
      * @param surface the target
-     * @param chart what to paint
+     * @param chart the chart
      * @param area filled by the chart, its title and the labels of its axes
      * @param style its colours
      */

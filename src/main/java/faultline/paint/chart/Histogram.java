@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
-/** How often values occur, as a chart with bars of equal width. */
+/** A chart of the frequencies of values, with bars of equal width. */
 public final class Histogram {
 
     private static final int MIN_BARS = 5;
@@ -25,7 +25,7 @@ public final class Histogram {
      *
      * @param title above the chart
      * @param quantity the quantity of the values, with the unit
-     * @param frequency what the bars count
+     * @param frequency the quantity that the bars count
      * @param values all finite
      */
     public static Chart chart(String title, String quantity, String frequency, double[] values) {

@@ -14,7 +14,7 @@ import java.util.List;
  */
 public final class CornerChoice {
 
-    /** How far ahead of the robot its way is kept free, metres. */
+    /** The distance ahead of the robot that is kept free, metres. */
     private static final double AHEAD = 0.6;
     /** From the corners of the platform to the edge of what is kept free, pixels. */
     private static final double REACH = 24;
@@ -56,9 +56,9 @@ public final class CornerChoice {
     /**
      * Returns the place of a box in an area.
      *
-     * @param area what the corners are those of, pixels
-     * @param box has the size of the box
-     * @param avoided what must stay visible, as far as possible
+     * @param area the area whose corners are chosen, pixels
+     * @param box a box, of which only the size is used
+     * @param avoided the areas that should stay visible
      */
     public Rectangle2D place(Rectangle2D area, Rectangle2D box, List<Rectangle2D> avoided) {
         if (overlap(corner, area, box, avoided) > 0) {

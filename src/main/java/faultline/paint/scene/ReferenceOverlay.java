@@ -16,7 +16,7 @@ public record ReferenceOverlay(ReferenceRun run, List<String> caption, List<Mark
     /**
      * A mark on the path.
      *
-     * @param tick where the robot was at the end of this tick
+     * @param tick the tick at whose end the position is shown
      * @param label the text beside it
      */
     public record Mark(long tick, String label) {}

@@ -69,7 +69,7 @@ public final class ReferenceOverlayPainter {
      * @param reference the reference run
      * @param world the world of the run beside it
      * @param corner chooses the corner
-     * @param covered what hides parts of the picture, pixels
+     * @param covered the areas that hide parts of the picture, pixels
      */
     public static void paintAnnotations(
             DrawContext context,

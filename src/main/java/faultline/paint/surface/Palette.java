@@ -23,7 +23,7 @@ import java.util.stream.Stream;
  * @param robot the robot's body
  * @param robotOutline the robot's outline, wheels and arrow
  * @param path the robot's path
- * @param contact what a fault or an edge marks, on a path or in a chart
+ * @param contact the colour of marks of faults and edges, on a path or in a chart
  * @param collision contacts and the first collision, and what cannot be done
  * @param reference a reference run
  * @param sensors the colours of the sensors in the robot's order, after Okabe and Ito; reused for further sensors

@@ -44,7 +44,8 @@ public final class SvgSurface implements Surface {
      * Returns the picture as an element of an HTML page, in the font of the page.
      *
      * @param cssClass the CSS class of the element
-     * @param title what the picture shows, for screen readers; empty for one that only repeats the text beside it
+     * @param title the description of the picture for screen readers; empty for a picture that only repeats the text
+     *     beside it
      */
     public String toHtml(String cssClass, String title) {
         String start = "<svg class=\"" + cssClass + "\" " + size + " stroke-linejoin=\"round\"";

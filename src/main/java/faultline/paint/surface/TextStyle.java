@@ -10,7 +10,7 @@ import java.util.List;
  *
  * @param size the size of the font, pixels
  * @param colour the colour of the letters
- * @param anchor which point of the text is at its position
+ * @param anchor the point of the text that is at its position
  * @param bold whether the font is bold
  * @param horizontal whether the text runs to the right; otherwise it runs upwards
  */

@@ -90,7 +90,7 @@ public final class AttributeReader {
      * {@return the value of a required attribute; empty, with a problem, if it is missing}
      *
      * @param name the attribute
-     * @param allowed what is expected, for the problem
+     * @param allowed the allowed values, for the problem
      */
     public String requiredText(String name, String allowed) {
         return required(name, () -> allowed).orElse("");
@@ -312,7 +312,7 @@ public final class AttributeReader {
      *
      * @param name the attribute
      * @param given its value
-     * @param allowed what is expected
+     * @param allowed the allowed values
      */
     public void report(String name, String given, Object allowed) {
         reportValue(name, given, () -> allowed);

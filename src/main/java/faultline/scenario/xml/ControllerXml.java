@@ -200,7 +200,7 @@ final class ControllerXml {
      * Writes the attributes of a controller of the program.
      *
      * @param spec the controller
-     * @param defaults what a reader takes for omitted thresholds
+     * @param defaults the values that a reader uses for omitted thresholds
      * @param all whether a follower's diagnosis and gains are written even if they have their default values
      */
     static XmlWriter writeBuiltIn(

@@ -12,7 +12,7 @@ import java.util.List;
 /** Reads the expectations. */
 final class ExpectationReader {
 
-    /** More states than any controller has. */
+    /** A bound of the number of states of a controller. */
     private static final int MAX_STATES = 50;
 
     private final Problems problems;

@@ -7,7 +7,7 @@ import faultline.io.MessageText;
  * A problem with a file.
  *
  * @param file the file as the user named it
- * @param location where in the file, {@link SourceLocation#NONE} for the whole file
+ * @param location the location in the file, {@link SourceLocation#NONE} for the whole file
  * @param message the error, the given value, and the allowed values
  */
 public record Problem(String file, SourceLocation location, Message message) {

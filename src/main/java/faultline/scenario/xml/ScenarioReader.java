@@ -101,7 +101,7 @@ public final class ScenarioReader {
      * {@return the bytes of a file}
      *
      * @param file the file
-     * @param kind what the file is to be, such as {@link Allowed#SCENARIO_FILE}, for problems
+     * @param kind the expected kind of file, such as {@link Allowed#SCENARIO_FILE}, for problems
      * @throws ScenarioException if the file cannot be read, or is too large
      */
     public static byte[] readBytes(Path file, Object kind) throws ScenarioException {

@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
 
-/** What a drag changes, from the state at its start and the position of the mouse. */
+/** An operation that computes the changes of a drag from the state at its start and the position of the mouse. */
 public sealed interface DragOperation {
 
     /** Returns what the drag does while the mouse is at a point of the world. */

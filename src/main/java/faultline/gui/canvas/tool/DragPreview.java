@@ -5,7 +5,7 @@ import faultline.world.Obstacle;
 import java.util.List;
 
 /**
- * What a drag does at a position of the mouse.
+ * The effect of a drag at a position of the mouse.
  *
  * @param commands the commands that do it
  * @param obstacles the changed obstacles; empty if the drag changes something else

@@ -4,7 +4,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.edit.SnapSettings;
 import faultline.paint.surface.DrawContext;
 
-/** What a mouse drag does, from the press of the button to its release. */
+/** The effect of a mouse drag, from the press of the button to its release. */
 public interface Gesture {
 
     /** A mouse that moves less than this while the button is down has clicked, pixels. */

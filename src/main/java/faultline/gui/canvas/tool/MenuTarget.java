@@ -1,6 +1,6 @@
 package faultline.gui.canvas.tool;
 
-/** What a context menu of the canvas refers to. */
+/** The target of a context menu of the canvas. */
 public enum MenuTarget {
     /** An obstacle, which the right button has selected. */
     OBSTACLE,
