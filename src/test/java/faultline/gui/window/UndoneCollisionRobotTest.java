@@ -54,7 +54,7 @@ class UndoneCollisionRobotTest {
             driver.robot().waitFor("the window tells that the crash stays", () -> driver.statusNote()
                     .startsWith("The collision is not undone."));
             assertEquals(
-                    "The collision is not undone. To undo it as well, step back before it "
+                    "The collision is not undone. To undo it too, step back before it "
                             + "(,) and undo there, or restart (Ctrl+R)",
                     driver.statusNote());
             JSlider line = ComponentFinder.find(driver.window(), JSlider.class, "Time line");
