@@ -205,6 +205,25 @@ class CoverageTest {
     }
 
     @Test
+    void onlyWallsConnectedToThoseNearTheRobotAreSampled() {
+        List<Obstacle> obstacles = new ArrayList<>();
+        for (int i = 0; i < 1000; i++) {
+            Pose pose = new Pose(5 + 3 * (i % 40), 5 + 3 * (i / 40), 0);
+            obstacles.add(new Obstacle("o" + i, new ObstacleShape.RectangleShape(0.5, 0.5), pose));
+        }
+        WorldSpec world = new WorldSpec(130, 90, true, 3, obstacles);
+        PlaceMap places = new PlaceMap(new WallReference(world), WANTED, 0.01, 0.025);
+        places.sampleNear(new Vector2(65, 41 + 0.25 + WANTED), 0.1);
+        PlaceBlock touched = places.blocks().stream()
+                .flatMap(List::stream)
+                .filter(block -> block.isFree(0))
+                .findFirst()
+                .orElseThrow();
+        places.fill(touched, 0, 0);
+        assertEquals(4, places.blocks().size(), "the sides of one of 1000 squares");
+    }
+
+    @Test
     void aWorldOfManyKilometresTakesLittleTimeAndMemory() {
         Coverage huge = new Coverage(new WallReference(new WorldSpec(10_000, 10_000, true, 3, List.of())), WANTED);
         visit(huge, List.of(new Vector2(WANTED, WANTED), new Vector2(WANTED + 100, WANTED)));
