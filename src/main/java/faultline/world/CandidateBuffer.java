@@ -7,13 +7,24 @@ import java.util.List;
 /** A reusable list of shapes, each with its owner; filled without allocation. */
 public final class CandidateBuffer {
 
-    private ConvexShape[] shapes = new ConvexShape[64];
-    private ShapeOwner[] owners = new ShapeOwner[64];
-    private int[] numbers = new int[64];
+    private static final int DEFAULT_CAPACITY = 64;
+
+    private ConvexShape[] shapes;
+    private ShapeOwner[] owners;
+    private int[] numbers;
     private int size;
 
     /** Creates an empty buffer. */
-    public CandidateBuffer() {}
+    public CandidateBuffer() {
+        this(DEFAULT_CAPACITY);
+    }
+
+    /** Creates an empty buffer with room for a number of shapes, at least one; it grows when that is exceeded. */
+    CandidateBuffer(int capacity) {
+        shapes = new ConvexShape[capacity];
+        owners = new ShapeOwner[capacity];
+        numbers = new int[capacity];
+    }
 
     /** Removes all shapes. */
     public void clear() {

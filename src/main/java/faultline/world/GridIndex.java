@@ -123,9 +123,10 @@ final class GridIndex implements SpatialIndex {
             starts[i] = starts[i - 1] + counts[i - 1];
         }
         entries = new int[(int) total];
-        int[] next = starts.clone();
+        // The counts have been used; from here on, they are the places of the next entries.
+        System.arraycopy(starts, 0, counts, 0, counts.length);
         for (int i = 0; i < shapes.length; i++) {
-            visit(i, next, entries);
+            visit(i, counts, entries);
         }
         return true;
     }

@@ -120,29 +120,27 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         }
 
         private List<ConvexShape> segments(List<Vector2> points, boolean closed) {
-            List<ConvexShape> segments = new ArrayList<>(points.size());
-            addSegments(points, closed, segments);
-            return segments;
+            return reach < NO_LIMIT ? nearSegments(points, closed) : allSegments(points, closed);
         }
 
-        private void addSegments(List<Vector2> points, boolean closed, List<ConvexShape> segments) {
-            if (reach < NO_LIMIT) {
-                addNearSegments(points, closed, segments);
-                return;
-            }
+        private List<ConvexShape> allSegments(List<Vector2> points, boolean closed) {
+            // An array becomes an immutable list with one copy, an array list with three.
+            ConvexShape[] segments = new ConvexShape[closed ? points.size() : points.size() - 1];
             Vector2 first = frame.toParent(points.get(0));
             Vector2 from = first;
             for (int i = 1; i < points.size(); i++) {
                 Vector2 to = frame.toParent(points.get(i));
-                segments.add(new Segment(from, to));
+                segments[i - 1] = new Segment(from, to);
                 from = to;
             }
             if (closed) {
-                segments.add(new Segment(from, first));
+                segments[segments.length - 1] = new Segment(from, first);
             }
+            return List.of(segments);
         }
 
-        private void addNearSegments(List<Vector2> points, boolean closed, List<ConvexShape> segments) {
+        private List<ConvexShape> nearSegments(List<Vector2> points, boolean closed) {
+            List<ConvexShape> segments = new ArrayList<>();
             Vector2 from = points.get(closed ? points.size() - 1 : 0);
             for (int i = closed ? 0 : 1; i < points.size(); i++) {
                 Vector2 to = points.get(i);
@@ -151,6 +149,7 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
                 }
                 from = to;
             }
+            return segments;
         }
 
         private boolean isNear(double from, double to, double middle) {

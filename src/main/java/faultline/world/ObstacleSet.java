@@ -15,6 +15,9 @@ import java.util.Optional;
 /** The obstacles and the enclosing wall of a running world; mutable, confined to the world's thread. */
 final class ObstacleSet {
 
+    /** The number of parts of an obstacle for which there is room at first: those of a rectangle. */
+    private static final int EXPECTED_PARTS = 4;
+
     private final WorldSpec spec;
     private final Map<String, PlacedObstacle> obstacles;
     private final List<MovingObstacle> moving = new ArrayList<>();
@@ -32,7 +35,8 @@ final class ObstacleSet {
     ObstacleSet(WorldSpec spec) {
         this.spec = spec;
         this.obstacles = new LinkedHashMap<>(2 * spec.obstacles().size());
-        CandidateBuffer shapes = new CandidateBuffer();
+        CandidateBuffer shapes =
+                new CandidateBuffer(EXPECTED_PARTS * (1 + spec.obstacles().size()));
         addEnclosure(spec, shapes);
         for (Obstacle obstacle : spec.obstacles()) {
             PlacedObstacle placed = create(obstacle, nextOrder++);
@@ -45,6 +49,11 @@ final class ObstacleSet {
         }
         index = new EditableIndex(shapes);
         startIndex = index.base();
+        if (moving.isEmpty()) {
+            // No obstacle has changed yet, so the first snapshot needs no list of its own.
+            list = spec.obstacles();
+            listVersion = version;
+        }
     }
 
     private static PlacedObstacle create(Obstacle obstacle, long order) {

@@ -84,6 +84,45 @@ class GridIndexTest {
         }
     }
 
+    /** Scenes whose grid has one cell, one row, very large cells, or one cell with nearly everything. */
+    private static List<CandidateBuffer> degenerateScenes() {
+        CandidateBuffer coincident = new CandidateBuffer();
+        CandidateBuffer inLine = new CandidateBuffer(1);
+        CandidateBuffer outlier = new CandidateBuffer();
+        CandidateBuffer crossing = new CandidateBuffer(400);
+        for (int i = 0; i < 200; i++) {
+            Vector2 origin = new Vector2(0, 0);
+            coincident.add(new Segment(origin, origin), owner(i));
+            inLine.add(new Segment(0.4 * i, 0, 0.4 * (i + 1), 0), owner(i));
+            outlier.add(new Segment(0.01 * i, 0, 0.01 * i, 1), owner(i));
+            crossing.add(new Segment(origin, Vector2.direction(0.031 * i).times(100)), owner(i));
+        }
+        outlier.add(new Disc(1e8, -1e8, 0.1), owner(200));
+        return List.of(coincident, inLine, outlier, crossing);
+    }
+
+    @Test
+    void itFindsWhatBruteForceFindsInDegenerateScenes() {
+        SplittableRandom random = new SplittableRandom(64);
+        List<CandidateBuffer> scenes = degenerateScenes();
+        for (CandidateBuffer all : scenes) {
+            SpatialIndex grid = new GridIndex(all);
+            for (int look = 0; look < 200; look++) {
+                // Every second point is on the border of a cell.
+                double x = 0.4 * random.nextInt(-5, 25) + (look % 2) * random.nextDouble(0.4);
+                double y = 0.4 * random.nextInt(-5, 5) + (look % 2) * random.nextDouble(0.4);
+                double distance = look % 3 * 0.4;
+                CandidateBuffer found = new CandidateBuffer();
+                grid.findNear(x, y, distance, found);
+                Vector2 point = new Vector2(x, y);
+                assertEquals(
+                        within(all, point, distance),
+                        within(found, point, distance),
+                        "scene " + scenes.indexOf(all) + ", distance " + distance + " from " + point);
+            }
+        }
+    }
+
     @Test
     void shapesKeepTheirNumbersWhenOthersAreDropped() {
         SplittableRandom random = new SplittableRandom(63);

@@ -102,7 +102,10 @@ public final class CanvasModel {
 
     /** Returns the selected obstacles, in drawing order. */
     public List<Obstacle> selected() {
-        return obstacles().stream().filter(this::isSelected).toList();
+        // Usually nothing is selected, and there may be a hundred thousand obstacles.
+        return selection.get().isEmpty()
+                ? List.of()
+                : obstacles().stream().filter(this::isSelected).toList();
     }
 
     /** Returns the selected obstacle; empty if none or several are selected. */
