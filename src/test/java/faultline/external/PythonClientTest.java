@@ -133,6 +133,33 @@ class PythonClientTest {
         assertEquals(0, output.code());
     }
 
+    /** REP 117 says what stands for a reading that is no distance. The modules of ROS 2 are replaced by empty ones. */
+    @Test
+    void theBridgeToRosWritesReadingsAsRanges() throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import sys, types
+                from types import SimpleNamespace
+                for name in ("rclpy", "rclpy.node", "geometry_msgs", "geometry_msgs.msg", "sensor_msgs", "sensor_msgs.msg"):
+                    sys.modules[name] = types.ModuleType(name)
+                class Range:
+                    INFRARED = 1
+                    def __init__(self):
+                        self.header = SimpleNamespace(stamp=SimpleNamespace())
+                sys.modules["rclpy.node"].Node = sys.modules["geometry_msgs.msg"].Twist = object
+                sys.modules["sensor_msgs.msg"].Range = Range
+                import faultline, ros2_bridge
+                sensor = {"id": "left", "range_m": 0.8, "cone_rad": 0.35}
+                for reading in (0.4, None, faultline.NO_ANSWER):
+                    message = ros2_bridge.to_range(sensor, reading, 1.29)
+                    print(message.range, message.max_range, message.header.stamp.sec, message.header.stamp.nanosec)
+                """);
+        assertEquals(
+                "0.4 0.8 1 290000000\ninf 0.8 1 290000000\nnan 0.8 1 290000000",
+                output.text().strip());
+    }
+
     private static Output python(String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of("python3"));
         command.addAll(List.of(arguments));
