@@ -70,7 +70,7 @@ public final class PreferencesDialog extends JDialog {
         TOGGLES.forEach(key -> form.add(createToggle(actions.get(key)), FormConstraints.fillRow(1, row++)));
         JPanel content = new JPanel(new BorderLayout(0, 16));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
-        content.add(form, BorderLayout.CENTER);
+        content.add(ScreenFit.scrolling(form), BorderLayout.CENTER);
         content.add(DialogButtons.createSingleButton(this, "dialog.close", this::dispose), BorderLayout.SOUTH);
         setContentPane(content);
         ScreenFit.pack(this);

@@ -20,6 +20,8 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
+import java.beans.PropertyChangeEvent;
+import java.beans.PropertyChangeListener;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -45,6 +47,8 @@ import javax.swing.SwingUtilities;
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL_STEP = 16;
+    /** The property of the focus manager that changes with the focus. */
+    private static final String FOCUS = "permanentFocusOwner";
     /** The width that fits the sensor rows and the scroll bar, pixels at the normal text size. */
     public static final int WIDTH = 458;
 
@@ -57,6 +61,7 @@ public final class ControlPanel extends JPanel {
     private final RunPanel run = new RunPanel();
     private final JTabbedPane tabs = new JTabbedPane();
     private final transient UndoController editor;
+    private final transient PropertyChangeListener showFocused = this::showFocused;
     /** The controls that the first snapshot enables. */
     private transient List<Component> disabledControls = List.of();
 
@@ -89,6 +94,32 @@ public final class ControlPanel extends JPanel {
         setSnapshot(emptyWorld());
         disabledControls = controlsIn(tabs).filter(Component::isEnabled).toList();
         disabledControls.forEach(control -> control.setEnabled(false));
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        focusManager().addPropertyChangeListener(FOCUS, showFocused);
+    }
+
+    @Override
+    public void removeNotify() {
+        focusManager().removePropertyChangeListener(FOCUS, showFocused);
+        super.removeNotify();
+    }
+
+    private static KeyboardFocusManager focusManager() {
+        return KeyboardFocusManager.getCurrentKeyboardFocusManager();
+    }
+
+    /** Scrolls to the field that has the focus, which Tab may have moved out of sight. */
+    private void showFocused(PropertyChangeEvent event) {
+        if (event.getNewValue() instanceof JComponent field
+                && SwingUtilities.isDescendingFrom(field, this)
+                && field.getParent() instanceof JComponent parent) {
+            // A text field would scroll only its own text.
+            parent.scrollRectToVisible(field.getBounds());
+        }
     }
 
     /** Returns the controls in a container, except for those of actions, which are enabled by their actions. */

@@ -109,8 +109,9 @@ final class Menus {
         return menu;
     }
 
-    /** Gives a menu the name and the mnemonic of a key. */
+    /** Gives a menu the name and the mnemonic of a key, and lets it scroll. */
     static void name(JMenu menu, String key) {
+        ScrolledMenuLayout.install(menu);
         RefreshSteps.add(menu, self -> {
             String name = Messages.get("menu." + key);
             self.setText(name.replace("&", ""));

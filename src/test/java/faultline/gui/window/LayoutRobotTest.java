@@ -2,11 +2,13 @@ package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.panel.ControlPanel;
+import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
@@ -21,11 +23,14 @@ import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** On small screens and with large text, the canvas keeps half of the window, and everything can be reached. */
@@ -88,6 +93,39 @@ class LayoutRobotTest {
                     .toList());
             assertTrue(hidden.isEmpty(), hidden.toString());
             assertTrue(width < 1366 || !scrollsSideways(driver), "the control panel scrolls sideways");
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void theSmallestScreenShowsAllToolsAndTheFieldWithTheFocus(Language language) {
+        WindowDriver.installChoices(language, TextSize.LARGEST);
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/yard.xml"))) {
+            runOnEdt(() -> {
+                driver.window().setMinimumSize(new Dimension(200, 200));
+                driver.window().setSize(640, 480);
+            });
+            driver.robot()
+                    .waitFor("the window has its size", () -> driver.window().getHeight() == 480);
+            driver.robot().waitForPaint();
+            List<AbstractButton> hidden =
+                    callOnEdt(() -> ComponentFinder.findAll(driver.window(), ObstaclePalette.class)
+                            .flatMap(palette -> ComponentFinder.findAll(palette, AbstractButton.class))
+                            .filter(button -> !button.getVisibleRect().getSize().equals(button.getSize()))
+                            .toList());
+            assertTrue(hidden.isEmpty(), hidden.toString());
+            ControlPanel panel = callOnEdt(() -> ComponentFinder.findAll(driver.window(), ControlPanel.class)
+                    .findFirst()
+                    .orElseThrow());
+            runOnEdt(() -> ComponentFinder.findAll(panel, JTabbedPane.class).forEach(tabs -> tabs.setSelectedIndex(1)));
+            JTextField last = callOnEdt(() -> ComponentFinder.findAll(panel, NumberSpinner.class)
+                    .filter(Component::isShowing)
+                    .reduce((earlier, later) -> later)
+                    .orElseThrow()
+                    .textField());
+            assertEquals(0, callOnEdt(() -> last.getVisibleRect().height));
+            runOnEdt(last::requestFocusInWindow);
+            driver.robot().waitFor("the last field shows", () -> last.getVisibleRect().height == last.getHeight());
         }
     }
 
