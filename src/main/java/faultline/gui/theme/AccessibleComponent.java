@@ -1,11 +1,12 @@
 package faultline.gui.theme;
 
+import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 
 /** A custom-painted component that screen readers find; a plain {@link JComponent} is hidden from them. */
-public abstract class AccessibleComponent extends JComponent {
+public abstract class AccessibleComponent extends JComponent implements Accessible {
 
     private final transient AccessibleRole role;
 

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.EdtChecker;
+import faultline.gui.action.Keystrokes;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
@@ -15,6 +16,7 @@ import faultline.gui.document.Workspace;
 import faultline.gui.edit.UndoController;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -87,6 +89,11 @@ class LaneActionsTest {
     void aDuplicateFollowsAtWholeTicks() {
         runOnEdt(actions::duplicate);
         assertEquals(List.of(START, END, 9.46, 14.79), times());
+    }
+
+    @Test
+    void aDigitIsTypedIntoTheLanes() {
+        assertTrue(callOnEdt(() -> Keystrokes.isTypedInto(view, Keystrokes.unmodified(KeyEvent.VK_3))));
     }
 
     private void updateView() {
