@@ -103,6 +103,14 @@ public final class ObstaclePanel extends JPanel {
     }
 
     private void select(Set<String> selected) {
+        skippedFrames = FRAMES_PER_UPDATE;
+        // Selecting the same again would lose the row from which Shift extends the selection.
+        if (!selected.equals(Set.copyOf(list.getSelectedValuesList()))) {
+            selectRows(selected);
+        }
+    }
+
+    private void selectRows(Set<String> selected) {
         boolean before = updating;
         updating = true;
         list.setValueIsAdjusting(true);
@@ -117,7 +125,6 @@ public final class ObstaclePanel extends JPanel {
         }
         list.setValueIsAdjusting(false);
         updating = before;
-        skippedFrames = FRAMES_PER_UPDATE;
     }
 
     /** The ids of the obstacles in drawing order. */

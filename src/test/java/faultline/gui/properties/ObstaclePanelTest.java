@@ -20,6 +20,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
+import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -104,6 +105,21 @@ class ObstaclePanelTest {
         assertEquals(List.of("vase", "cat"), callOnEdt(() -> List.copyOf(list().getSelectedValuesList())));
         runOnEdt(() -> list().setSelectedIndex(2));
         assertEquals(List.of(FENCE), callOnEdt(() -> canvas.tools().selected()));
+    }
+
+    @Test
+    void keysExtendTheSelectionByMoreThanOneRow() {
+        runOnEdt(() -> {
+            list().setSelectedIndex(0);
+            update();
+            for (int i = 0; i < 2; i++) {
+                list().getActionMap()
+                        .get("selectNextRowExtendSelection")
+                        .actionPerformed(new ActionEvent(list(), 0, ""));
+                update();
+            }
+        });
+        assertEquals(List.of(CRATE, VASE, FENCE), callOnEdt(() -> canvas.tools().selected()));
     }
 
     @Test
