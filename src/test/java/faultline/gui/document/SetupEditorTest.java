@@ -1,8 +1,11 @@
 package faultline.gui.document;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.robot.MotorFault;
@@ -48,6 +51,38 @@ class SetupEditorTest {
                 BASE.robot().sensor("left").orElseThrow().withRange(1.5).withCone(0.5);
         SimulationSetup edited = after(new Command.SetPlatform(0.3, 0.25, 0.4), new Command.ConfigureSensor(left));
         assertEquals(BASE.robot().withPlatform(0.3, 0.25, 0.4).withSensor(left), edited.robot());
+    }
+
+    /** The sensors have been read at 0 s, so a command at the pause there acts at the first tick. */
+    @Test
+    void aSwitchBeforeTheFirstTickIsSavedAtTheFirstTickWhichGivesTheSameRun() {
+        SimulationSetup room = BASE.withStart(new Pose(1, 3.6, 0)).withController(ControllerSpec.WallFollowing.DEFAULT);
+        Command turnOff = new Command.SwitchSensor("left", false);
+        SetupEditor editor = new SetupEditor(room);
+        long shown;
+        try (Simulation simulation = new Simulation(room, ControllerMode.DIRECT)) {
+            editor.add(simulation.execute(turnOff));
+            shown = hashAfterTicks(simulation);
+        }
+        assertEquals(
+                List.of(new SimulationSetup.TimedCommand(room.dt(), turnOff)),
+                editor.setup().timeline());
+        assertEquals(shown, hash(editor.setup()));
+        SimulationSetup atStart = room.withTimeline(List.of(new SimulationSetup.TimedCommand(0, turnOff)));
+        assertNotEquals(shown, hash(atStart), "without the first reading");
+    }
+
+    private static long hash(SimulationSetup setup) {
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            return hashAfterTicks(simulation);
+        }
+    }
+
+    private static long hashAfterTicks(Simulation simulation) {
+        for (int i = 0; i < 300; i++) {
+            simulation.tick();
+        }
+        return simulation.trajectoryHash();
     }
 
     @Test
