@@ -46,16 +46,6 @@ public final class ShortestDecimal {
 
     private static final long MIN_WITH_ALL_DIGITS = 10_000_000_000_000_000L;
     private static final int EIGHT_DIGITS = 100_000_000;
-    private static final int DIGITS_AT_ONCE = 8;
-
-    /** A decimal fraction has at most this number of decimal places. */
-    private static final int MAX_SCALE = 7;
-
-    /** For each number of decimal places, how many units make one. */
-    private static final double[] UNITS = new double[MAX_SCALE + 1];
-
-    /** For each number of decimal places, how many units make 0.001, at least one. */
-    private static final long[] MIN_PLAIN = new long[MAX_SCALE + 1];
 
     /** Of the decimal point: before the first digit; smaller numbers have an exponent. */
     private static final int MIN_POINT = -2;
@@ -84,10 +74,6 @@ public final class ShortestDecimal {
             BigInteger g = scaledPower(-k).add(BigInteger.ONE);
             HIGH[k - MIN_K] = g.shiftRight(63).longValueExact();
             LOW[k - MIN_K] = g.longValue() & LOW_63;
-        }
-        for (int scale = 0; scale <= MAX_SCALE; scale++) {
-            UNITS[scale] = StrictMath.pow(10, scale);
-            MIN_PLAIN[scale] = Math.max(1, (long) UNITS[scale] / 1000);
         }
         for (int point = MIN_POINT; point <= MAX_POINT; point++) {
             boolean plain = point > 0;
@@ -151,49 +137,6 @@ public final class ShortestDecimal {
         return Double.toString(number).getBytes(StandardCharsets.ISO_8859_1);
     }
 
-    /**
-     * Writes a decimal fraction as {@link #write(double, byte[], int)} does.
-     *
-     * @param unscaled the fraction in units of its last decimal place, not negative and of at most 15 digits
-     * @param scale the number of decimal places, from 1 to 7
-     * @param text receives the text
-     * @param start the index at which the text begins; the array must have {@link #ROOM} bytes from there on
-     * @return the end of the text
-     */
-    public static int writeDecimal(long unscaled, int scale, byte[] text, int start) {
-        if (unscaled >= EIGHT_DIGITS || unscaled < MIN_PLAIN[scale]) {
-            return write(unscaled / UNITS[scale], text, start);
-        }
-        // As no two fractions of 15 digits are the same double, the digits are the shortest.
-        long digits = eightDigits((int) unscaled);
-        int zeros = Math.min(leadingZeros(digits), MAX_SCALE - scale);
-        int point = start + DIGITS_AT_ONCE - scale - zeros;
-        EIGHT.set(text, start, (digits | ZEROS) >>> Byte.SIZE * zeros);
-        long places = (digits | ZEROS) >>> Byte.SIZE * (DIGITS_AT_ONCE - scale);
-        EIGHT.set(text, point, '.' | places << Byte.SIZE);
-        return point + 1 + scale - Math.min(trailingZeros(digits), scale - 1);
-    }
-
-    /**
-     * Writes an integer.
-     *
-     * @param integer the integer, not negative
-     * @param text receives the text
-     * @param start the index at which the text begins; the array must have {@link #ROOM} bytes from there on
-     * @return the end of the text
-     */
-    public static int writeInteger(long integer, byte[] text, int start) {
-        if (integer >= EIGHT_DIGITS) {
-            int end = writeInteger(integer / EIGHT_DIGITS, text, start);
-            EIGHT.set(text, end, eightDigits((int) (integer % EIGHT_DIGITS)) | ZEROS);
-            return end + DIGITS_AT_ONCE;
-        }
-        long digits = eightDigits((int) integer);
-        int zeros = Math.min(leadingZeros(digits), DIGITS_AT_ONCE - 1);
-        EIGHT.set(text, start, (digits | ZEROS) >>> Byte.SIZE * zeros);
-        return start + DIGITS_AT_ONCE - zeros;
-    }
-
     /** Writes c 2^q, where c has 53 bits and is not a power of two, and returns the end of the text. */
     private static int convert(long c, int q, byte[] text, int start) {
         int k = floorLog10OfPower2(q);
@@ -248,11 +191,6 @@ public final class ShortestDecimal {
         EIGHT.set(text, start, whole | POINT[place - MIN_POINT] | head - whole << Byte.SIZE * before);
         int end = start + before + Math.max(DIGITS - zeros, place + 1);
         return point < MIN_POINT ? writeExponent(1 - point, text, end) : end;
-    }
-
-    /** Returns the number of zeros at the start of eight digits. */
-    private static int leadingZeros(long digits) {
-        return Long.numberOfTrailingZeros(digits) / Byte.SIZE;
     }
 
     /** Returns the number of zeros at the end of eight digits. */

@@ -14,8 +14,8 @@ final class TraceText {
 
     private static final int MIN_SIZE = 1 << 12;
 
-    /** The first columns are the tick and its time. */
-    private static final int TIME_COLUMNS = 2;
+    /** No run has as many ticks as an integer of this length. */
+    private static final int MAX_INTEGER_LENGTH = 18;
 
     /** The text is written when it is longer than this. */
     private static final int FULL = 1 << 16;
@@ -33,12 +33,8 @@ final class TraceText {
 
     private int word;
 
-    private final TickTimes times;
-    private long tick;
-
-    TraceText(int columns, TickTimes times) {
+    TraceText(int columns) {
         starts = new int[columns + 1];
-        this.times = times;
     }
 
     /** Appends a row of words. */
@@ -98,9 +94,9 @@ final class TraceText {
         int start = length;
         if (value == TraceRows.WORD) {
             appendCell(rows.word(word++));
-        } else if (column < TIME_COLUMNS) {
-            appendTime(Double.longBitsToDouble(value), column == 0);
-        } else if (leftChanged && value == rows.value(place - 2)) {
+        } else if (column == 0) {
+            append((long) Double.longBitsToDouble(value));
+        } else if (leftChanged && column > 1 && value == rows.value(place - 2)) {
             repeat(starts[column - 1], length);
         } else {
             double number = Double.longBitsToDouble(value);
@@ -111,23 +107,28 @@ final class TraceText {
         starts[column] = start;
     }
 
-    private void appendTime(double number, boolean ticks) {
-        reserve(ShortestDecimal.ROOM + 1);
-        if (ticks) {
-            tick = (long) number;
-            length = ShortestDecimal.writeInteger(tick, text, length);
-        } else {
-            length = times.write(number, tick, text, length);
-        }
-        text[length++] = ',';
-    }
-
     private void appendCell(String word) {
         byte[] bytes = word.getBytes(StandardCharsets.UTF_8);
         reserve(bytes.length + 1);
         System.arraycopy(bytes, 0, text, length, bytes.length);
         length += bytes.length;
         text[length++] = ',';
+    }
+
+    /** Appends a cell with an integer that is not negative. */
+    private void append(long integer) {
+        reserve(MAX_INTEGER_LENGTH + 1);
+        int end = length + 1;
+        for (long power = 10; power <= integer; power *= 10) {
+            end++;
+        }
+        long rest = integer;
+        for (int i = end - 1; i >= length; i--) {
+            text[i] = (byte) ('0' + rest % 10);
+            rest /= 10;
+        }
+        text[end] = ',';
+        length = end + 1;
     }
 
     /** Appends a part of this text. */

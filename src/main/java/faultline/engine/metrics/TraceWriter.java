@@ -92,7 +92,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
                 .flatMap(group -> group.columns().stream())
                 .map(TraceColumn::name)
                 .toList();
-        text = new TraceText(header.size(), TickTimes.of(simulation.setup().dt()));
+        text = new TraceText(header.size());
         text.append(header);
         rows = new TraceRows(header.size(), maxRows);
     }
