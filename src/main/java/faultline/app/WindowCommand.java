@@ -4,6 +4,7 @@ import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.MessageText;
 import faultline.scenario.Scenario;
+import faultline.scenario.ShippedScenarios;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
@@ -20,8 +21,6 @@ import java.util.concurrent.TimeoutException;
 
 /** The command without a name: opens the window, or runs without one if there is no display. */
 final class WindowCommand {
-
-    private static final String DEFAULT_SCENARIO = "office.xml";
 
     /** The option that names the controller of a robot beside the one that is driven. */
     static final String GHOST_OPTION = "--ghost-controller";
@@ -46,7 +45,7 @@ final class WindowCommand {
             GuiLauncher.open();
             return ExitCode.SUCCESS;
         }
-        return runWithoutWindow(Scenario.loadShipped(DEFAULT_SCENARIO), DEFAULT_SCENARIO);
+        return runWithoutWindow(Scenario.loadShipped(ShippedScenarios.DEFAULT), ShippedScenarios.DEFAULT);
     }
 
     /**

@@ -9,6 +9,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.text.SwingMessages;
 import faultline.gui.window.MainWindow;
 import faultline.scenario.Scenario;
+import faultline.scenario.ShippedScenarios;
 import java.awt.EventQueue;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
@@ -21,16 +22,13 @@ import java.util.stream.Stream;
 /** Opens the window. */
 public final class GuiLauncher {
 
-    /** The scenario that is opened if none is given. */
-    private static final String DEFAULT_SCENARIO = "office.xml";
-
     private GuiLauncher() {}
 
     /**
      * Opens the window with the default scenario asynchronously on the event dispatch thread. There must be a display.
      */
     public static void open() {
-        open(window -> window.openShipped(DEFAULT_SCENARIO), true);
+        open(window -> window.openShipped(ShippedScenarios.DEFAULT), true);
     }
 
     /** Opens the window asynchronously with a scenario, which is read on another thread. There must be a display. */
@@ -70,7 +68,7 @@ public final class GuiLauncher {
      * called.
      */
     public static void openUntilFirstPaint(Runnable painted) {
-        openUntilFirstPaint(window -> window.openShipped(DEFAULT_SCENARIO), painted);
+        openUntilFirstPaint(window -> window.openShipped(ShippedScenarios.DEFAULT), painted);
     }
 
     /**

@@ -12,6 +12,9 @@ import java.util.stream.Stream;
 /** Lists the scenarios that ship with the program. */
 public final class ShippedScenarios {
 
+    /** The name of the file that is opened if none is given: its room has some of everything. */
+    public static final String DEFAULT = "office.xml";
+
     private static final String FOLDER = "scenarios/";
     private static final String EXTENSION = ".xml";
 

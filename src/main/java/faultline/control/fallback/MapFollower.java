@@ -253,7 +253,7 @@ public final class MapFollower {
     private void checkKnown() {
         double known = knownAhead();
         if (scan.isActive()) {
-            if (known >= WORTHWHILE && (scan.margin() == 0 || known(direction - scan.margin()) >= NEEDED)) {
+            if (known >= WORTHWHILE && known(direction - scan.margin()) >= NEEDED) {
                 scan.end();
             }
         } else if (known < NEEDED) {

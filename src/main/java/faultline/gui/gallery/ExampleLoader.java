@@ -13,9 +13,6 @@ import java.util.function.Consumer;
 /** Loads the examples and renders their thumbnails, one by one, in the background. */
 final class ExampleLoader {
 
-    /** Shown first, because it has some of everything. */
-    private static final String FIRST_FILE = "office.xml";
-
     private final TaskProgress progress = new TaskProgress();
 
     /** Starts loading; callbacks are called on the event dispatch thread. */
@@ -36,8 +33,8 @@ final class ExampleLoader {
 
     private static List<String> fileNames() throws IOException {
         List<String> names = new ArrayList<>(ShippedScenarios.names());
-        names.remove(FIRST_FILE);
-        names.add(0, FIRST_FILE);
+        names.remove(ShippedScenarios.DEFAULT);
+        names.add(0, ShippedScenarios.DEFAULT);
         return names;
     }
 

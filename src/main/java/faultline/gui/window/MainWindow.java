@@ -42,6 +42,7 @@ import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
+import faultline.scenario.ShippedScenarios;
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.event.InputEvent;
@@ -61,8 +62,6 @@ import javax.swing.WindowConstants;
 public final class MainWindow extends JFrame {
 
     private static final int SIMULATION_MENU = 3;
-    /** Opened in place of a first file that cannot be opened. */
-    private static final String FALLBACK_SCENARIO = "office.xml";
 
     private final transient Workspace workspace = new Workspace();
     private final transient RunController runController = new RunController(workspace);
@@ -403,8 +402,8 @@ public final class MainWindow extends JFrame {
             }
             boolean keepsScenario =
                     what != TaskKind.OPEN || workspace.scenario().isPresent();
-            if (!keepsScenario && !file.equals(Path.of(FALLBACK_SCENARIO))) {
-                openShipped(FALLBACK_SCENARIO);
+            if (!keepsScenario && !file.equals(Path.of(ShippedScenarios.DEFAULT))) {
+                openShipped(ShippedScenarios.DEFAULT);
             }
             dialogs.showFailure(what, file, cause, keepsScenario);
         }
