@@ -79,7 +79,8 @@ class OpenRobotTest {
     void anExampleIsOpenInPlaceOfAFirstFileThatCannotBeOpened() throws IOException {
         Path bad = Files.writeString(folder.resolve("bad.faultline"), "<scenario");
         driver.close();
-        driver = WindowDriver.open(Theme.LIGHT, bad);
+        driver = WindowDriver.openEmpty();
+        runOnEdt(() -> driver.window().open(bad));
         JDialog dialog = driver.dialog("Scenario not opened");
         assertTrue(
                 WindowDriver.text(dialog).contains("bad.faultline cannot be opened. An example is open instead."),

@@ -73,6 +73,13 @@ final class WindowDriver implements AutoCloseable {
         return driver;
     }
 
+    /** Opens a window without a scenario and waits until it has the focus. */
+    static WindowDriver openEmpty() {
+        WindowDriver driver = new WindowDriver(Theme.LIGHT, WindowPreferences.nonPersistent());
+        driver.robot.open(driver.window);
+        return driver;
+    }
+
     /** Sets the language and the text size of all windows that are opened later, in the light theme. */
     static void installChoices(Language language, TextSize size) {
         runOnEdt(() -> {
