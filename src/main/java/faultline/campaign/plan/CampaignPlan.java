@@ -51,6 +51,8 @@ public final class CampaignPlan {
             "false_alarms",
             "simulated_s",
             "trajectory_hash",
+            "detection_view_s",
+            "detection_error_m",
             "failure");
 
     private final String file;

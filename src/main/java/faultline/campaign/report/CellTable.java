@@ -50,7 +50,14 @@ final class CellTable {
         Arrays.stream(Outcome.values())
                 .filter(outcome -> outcome != Outcome.CARRIED_ON)
                 .forEach(outcome -> header.add(outcome.word()));
-        header.addAll(List.of("broken", "detected", "delay_median_s", "delay_90_s", "false_alarm_runs"));
+        header.addAll(List.of(
+                "broken",
+                "detected",
+                "delay_median_s",
+                "delay_90_s",
+                "false_alarm_runs",
+                "view_median_s",
+                "error_median_m"));
         return header;
     }
 
@@ -151,7 +158,15 @@ final class CellTable {
         cells.add(Long.toString(rows.stream()
                 .filter(row -> row.number("false_alarms").orElse(0) > 0)
                 .count()));
+        cells.add(median(rows, "detection_view_s"));
+        cells.add(median(rows, "detection_error_m"));
         return cells;
+    }
+
+    /** Returns the median of the runs that have a value, empty if none has. */
+    private static String median(List<RunRow> rows, String column) {
+        double[] values = Arrays.stream(RunData.values(rows, column)).sorted().toArray();
+        return values.length == 0 ? "" : fixed(FaultSections.quantile(values, 0.5));
     }
 
     private static String count(List<RunRow> rows, String outcome) {

@@ -114,6 +114,16 @@ public final class ResultColumns {
                     "",
                     "hash over all ticks, the same for every run of the same scenario",
                     run -> RunSummary.formatHash(run.result())),
+            new ResultColumn(
+                    "detection_view_s",
+                    "s",
+                    "part of the detection delay during which a surface was within the range of the sensor",
+                    run -> fixed(run.diagnosis().secondsInView().orElse(Double.NaN), 3)),
+            new ResultColumn(
+                    "detection_error_m",
+                    "m",
+                    "largest error of a reading of the sensor during the detection delay",
+                    run -> fixed(run.diagnosis().errorBeforeDetection().orElse(Double.NaN), 4)),
             new ResultColumn("failure", "", "why the run broke, empty if it did not", run -> ""));
 
     private ResultColumns() {}

@@ -6,6 +6,7 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
 import faultline.world.Command;
 import java.util.HashSet;
 import java.util.List;
@@ -20,7 +21,10 @@ public final class DiagnosisMetrics implements TickObserver {
     private final Set<String> faulty = new HashSet<>();
     private final String firstFaulty;
     private final Set<String> wronglyDistrusted = new HashSet<>();
+    private final double tick;
     private double detected = Double.NaN;
+    private double secondsInView;
+    private double largestError;
     private String rung = "";
     private boolean diagnosed;
 
@@ -30,6 +34,7 @@ public final class DiagnosisMetrics implements TickObserver {
      * @param setup the setup of the run
      */
     public DiagnosisMetrics(SimulationSetup setup) {
+        tick = setup.dt();
         onset = CarryOnMetrics.faultTimes(setup).min().orElse(0);
         setup.timeline().stream()
                 .filter(timed -> timed.command() instanceof Command.InjectFault)
@@ -45,12 +50,29 @@ public final class DiagnosisMetrics implements TickObserver {
     public void observe(Simulation simulation) {
         Telemetry.Diagnosis diagnosis = simulation.telemetry().diagnosis();
         rung = diagnosis.rung();
+        if (!firstFaulty.isEmpty() && Double.isNaN(detected) && simulation.time() >= onset) {
+            measureFault(simulation);
+        }
         List<SensorHealth> health = diagnosis.health();
         diagnosed |= !health.isEmpty();
         for (SensorHealth sensor : health) {
             if (!sensor.isTrusted()) {
                 distrust(sensor.sensor(), simulation.time(), simulation.robot());
             }
+        }
+    }
+
+    /** Measures how far the sensor that fails first is wrong, as long as a surface is within its range. */
+    private void measureFault(Simulation simulation) {
+        int sensor = simulation.robot().indexOf(firstFaulty);
+        double distance = simulation.trueReading(sensor);
+        if (distance == Reading.NOTHING) {
+            return;
+        }
+        secondsInView += tick;
+        double reading = simulation.reportedReading(sensor);
+        if (reading < Reading.NOTHING) {
+            largestError = Math.max(largestError, Math.abs(reading - distance));
         }
     }
 
@@ -67,6 +89,22 @@ public final class DiagnosisMetrics implements TickObserver {
     /** {@return the time from the first fault until its sensor is not trusted, seconds; empty if it always is} */
     public OptionalDouble detectionDelay() {
         return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(detected - onset);
+    }
+
+    /**
+     * {@return the part of the delay during which a surface was within the range of the sensor, so that a fault could
+     * be seen, seconds; empty if the sensor is always trusted}
+     */
+    public OptionalDouble secondsInView() {
+        return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(secondsInView);
+    }
+
+    /**
+     * {@return the largest difference between a reading and the distance from the first fault until its sensor is not
+     * trusted, metres; empty if it always is}
+     */
+    public OptionalDouble errorBeforeDetection() {
+        return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(largestError);
     }
 
     /**

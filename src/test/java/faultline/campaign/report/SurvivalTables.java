@@ -56,6 +56,11 @@ final class SurvivalTables {
                 .append(rungs());
         out.append("\nOther cases, all with diagnosis unless they say otherwise:\n\n")
                 .append(cases());
+        out.append("\nDetection with diagnosis, medians. For sudden faults: seconds until the sensor is distrusted,")
+                .append(" counting only the time during which a surface is within its range. For drifts: the largest")
+                .append(" error of a reading until then, in millimetres. In brackets: in how many of the runs the")
+                .append(" fault is detected.\n\n")
+                .append(detection());
         return out.append('\n').toString();
     }
 
@@ -98,6 +103,34 @@ final class SurvivalTables {
         out.append("| all");
         sensors.forEach(sensor -> out.append(" | ").append(share(all.get(sensor))));
         return out.append(" | ").append(share(total)).append(" |\n").toString();
+    }
+
+    private String detection() throws IOException {
+        Map<String, Map<String, Map<String, String>>> cells = new LinkedHashMap<>();
+        for (Map<String, String> row : read("detection")) {
+            boolean cell = !row.get("fault_label").equals("all")
+                    && !row.get("fault_sensor").equals("all");
+            if (cell && row.get("final_rung").equals("all")) {
+                cells.computeIfAbsent(row.get("fault_label"), label -> new LinkedHashMap<>())
+                        .put(row.get("fault_sensor"), row);
+            }
+        }
+        List<String> sensors = new ArrayList<>(cells.values().iterator().next().keySet());
+        StringBuilder out = new StringBuilder(
+                "| fault | " + String.join(" | ", sensors) + " |\n|---|" + "---|".repeat(sensors.size()) + "\n");
+        cells.forEach((label, row) -> {
+            out.append("| ").append(label).append(label.startsWith("drift") ? ", mm" : ", s");
+            sensors.forEach(sensor -> out.append(" | ").append(detection(row.get(sensor))));
+            out.append(" |\n");
+        });
+        return out.toString();
+    }
+
+    private static String detection(Map<String, String> row) {
+        boolean drift = row.get("fault_label").startsWith("drift");
+        double median = Double.parseDouble(row.get(drift ? "error_median_m" : "view_median_s"));
+        String value = String.format(Locale.ROOT, drift ? "%.0f" : "%.2f", drift ? 1000 * median : median);
+        return value + " (" + row.get("detected") + " of " + row.get("runs") + ")";
     }
 
     private static String share(Map<String, String> row) {
