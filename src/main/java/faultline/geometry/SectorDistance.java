@@ -28,14 +28,26 @@ public final class SectorDistance {
     private double rightY;
 
     /**
+     * Creates a sector at the origin, about the x axis.
+     *
+     * @param cosHalf the cosine of half the full angle, in (0, 1]
+     * @param sinHalf the sine of half the full angle, in [0, 1)
+     * @param range the radius, metres, positive
+     */
+    public SectorDistance(double cosHalf, double sinHalf, double range) {
+        this.cosHalf = cosHalf;
+        this.sinHalf = sinHalf;
+        this.range = range;
+        moveTo(0, 0, 1, 0);
+    }
+
+    /**
      * Creates a movable copy of a sector.
      *
      * @param sector the sector to copy
      */
     public SectorDistance(Sector sector) {
-        cosHalf = sector.cosHalf();
-        sinHalf = sector.sinHalf();
-        range = sector.range();
+        this(sector.cosHalf(), sector.sinHalf(), sector.range());
         moveTo(
                 sector.frame().x(),
                 sector.frame().y(),

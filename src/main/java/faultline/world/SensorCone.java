@@ -60,14 +60,16 @@ final class SensorCone {
         specularTangent = ShapeOwner.tangent(specularAngle);
         outsideBody = Math.abs(position.x()) > robot.length() / 2 || Math.abs(position.y()) > robot.width() / 2;
         mount = RigidMotion.of(new Pose(position.x(), position.y(), spec.bearing()));
-        cone = new SectorDistance(sector(RigidMotion.IDENTITY));
+        cone = new SectorDistance(cosHalf, sinHalf, range);
         mountDistance = position.length();
         travel = maxTravel + maxTurn * mountDistance + MARGIN;
         horizon = Math.min(range, MIN_HORIZON);
         double half = spec.cone() / 2 + maxTurn + MARGIN;
         narrow = half < MAX_WEDGE;
         setback = narrow ? travel / StrictMath.sin(half) : 0;
-        wedge = narrow ? new SectorDistance(Sector.of(Vector2.ZERO, 0, 2 * half, range + travel + setback)) : cone;
+        wedge = narrow
+                ? new SectorDistance(StrictMath.cos(half), StrictMath.sin(half), range + travel + setback)
+                : cone;
     }
 
     /** Returns the cone in the world. */
