@@ -4,11 +4,9 @@ import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.io.XmlText;
-import faultline.scenario.xml.ScenarioContent;
 import faultline.scenario.xml.ScenarioException;
-import faultline.scenario.xml.ScenarioReader;
-import faultline.scenario.xml.ScenarioWriter;
 import faultline.scenario.xml.XmlComments;
+import faultline.scenario.xml.XmlElement;
 import java.io.IOException;
 import java.nio.file.Path;
 
@@ -45,23 +43,24 @@ public record Scenario(
     }
 
     /**
-     * {@return the scenario with the content of a file}
-     *
-     * @param content the content of the file
-     */
-    public static Scenario of(ScenarioContent content) {
-        return new Scenario(
-                content.name(), content.description(), content.recorded(), content.setup(), content.expectation());
-    }
-
-    /**
      * {@return the scenario in a file}
      *
      * @param file the file
      * @throws ScenarioException with everything that is wrong with the file
      */
     public static Scenario load(Path file) throws ScenarioException {
-        return of(ScenarioReader.read(file));
+        return ScenarioReader.read(file);
+    }
+
+    /**
+     * {@return the scenario in a tree of elements}
+     *
+     * @param file the name of the file in problems
+     * @param root the root element
+     * @throws ScenarioException with everything that is wrong
+     */
+    public static Scenario read(String file, XmlElement root) throws ScenarioException {
+        return ScenarioReader.read(file, root);
     }
 
     /**
@@ -71,7 +70,7 @@ public record Scenario(
      * @throws ScenarioException if there is none of that name
      */
     public static Scenario loadShipped(String name) throws ScenarioException {
-        return of(ScenarioReader.readShipped(name));
+        return ScenarioReader.readShipped(name);
     }
 
     /**
@@ -92,7 +91,7 @@ public record Scenario(
      * @throws IOException if the file cannot be written, or the scenario is beyond the limits of the format
      */
     public void save(Path file, XmlComments comments) throws IOException {
-        ScenarioWriter.write(content(), file, comments);
+        ScenarioWriter.write(this, file, comments);
     }
 
     /**
@@ -101,12 +100,7 @@ public record Scenario(
      * @throws IOException if the scenario is beyond the limits of the format
      */
     public byte[] toBytes() throws IOException {
-        return ScenarioWriter.toBytes(content(), XmlComments.NONE);
-    }
-
-    /** {@return the content of a file with this scenario} */
-    public ScenarioContent content() {
-        return new ScenarioContent(name, description, recorded, setup, expectation);
+        return ScenarioWriter.toBytes(this, XmlComments.NONE);
     }
 
     /**

@@ -2,7 +2,6 @@ package faultline.campaign.plan;
 
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
-import faultline.scenario.xml.ScenarioReader;
 import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
@@ -181,7 +180,7 @@ public final class CampaignPlan {
         List<ScenarioChange> edits = new ArrayList<>(constants);
         levels(run.index() % cells).forEach(level -> edits.addAll(level.edits()));
         XmlElement tree = apply(worlds.root(world(run.block())), edits, sampler, run.block());
-        return Scenario.of(ScenarioReader.read(file, withSeed(tree, run)));
+        return Scenario.read(file, withSeed(tree, run));
     }
 
     private XmlElement withSeed(XmlElement tree, PlannedRun run) throws ScenarioException {

@@ -1,9 +1,9 @@
 package faultline.campaign.plan;
 
+import faultline.scenario.Scenario;
 import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
-import faultline.scenario.xml.ScenarioReader;
 import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
@@ -45,7 +45,7 @@ final class PlanCheck {
     private void check(String world, XmlElement root, List<ScenarioChange> edits, Set<String> reported) {
         for (double uniform : uniforms(edits)) {
             try {
-                ScenarioReader.read("", plan.apply(root, edits, (stream, block) -> uniform, 0));
+                Scenario.read("", plan.apply(root, edits, (stream, block) -> uniform, 0));
             } catch (ScenarioException e) {
                 for (Problem problem : e.problems()) {
                     report(world, problem, edits, reported);

@@ -1,7 +1,7 @@
 package faultline.campaign.plan;
 
 import faultline.scenario.xml.ScenarioException;
-import faultline.scenario.xml.ScenarioReader;
+import faultline.scenario.xml.XmlFile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -65,9 +65,9 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
 
     private static byte[] readScenario(Path folder, String name) throws ScenarioException {
         try {
-            return ScenarioReader.readBytes(folder.resolve(name).normalize(), "scenario file");
+            return XmlFile.readBytes(folder.resolve(name).normalize(), "scenario file");
         } catch (InvalidPathException e) {
-            return ScenarioReader.readBytes(folder, "scenario file");
+            return XmlFile.readBytes(folder, "scenario file");
         }
     }
 
@@ -82,11 +82,11 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         return read(
                 file.toString(),
                 file,
-                (number, name) -> ScenarioReader.readBytes(folder.resolve(copyName(number)), "scenario file"));
+                (number, name) -> XmlFile.readBytes(folder.resolve(copyName(number)), "scenario file"));
     }
 
     private static CampaignPlan read(String name, Path file, Resolver resolver) throws ScenarioException {
-        return PlanReader.read(name, ScenarioReader.readBytes(file, KIND), resolver);
+        return PlanReader.read(name, XmlFile.readBytes(file, KIND), resolver);
     }
 
     /**

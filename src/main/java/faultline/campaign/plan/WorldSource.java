@@ -4,10 +4,8 @@ import faultline.campaign.RandomRoom;
 import faultline.campaign.RoomRules;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
+import faultline.scenario.Scenario;
 import faultline.scenario.xml.Problems;
-import faultline.scenario.xml.ScenarioContent;
-import faultline.scenario.xml.ScenarioWriter;
-import faultline.scenario.xml.XmlComments;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import java.io.IOException;
@@ -65,7 +63,7 @@ sealed interface WorldSource {
         public XmlElement root(int index) {
             RandomRoom room = RandomRoom.ofSeed(first + index, rules);
             SimulationSetup setup = SimulationSetup.of(room.world(), room.start());
-            return toTree(new ScenarioContent(label(index), "", false, setup, Expectation.NONE));
+            return toTree(new Scenario(label(index), "", false, setup, Expectation.NONE));
         }
 
         /** Rooms with rules other than the default have different names. */
@@ -74,10 +72,9 @@ sealed interface WorldSource {
             return corners + (rules.visitors() == 0 ? "" : "-visitors-" + rules.visitors());
         }
 
-        private static XmlElement toTree(ScenarioContent room) {
+        private static XmlElement toTree(Scenario room) {
             try {
-                byte[] bytes = ScenarioWriter.toBytes(room, XmlComments.NONE);
-                return XmlElement.parse(bytes, new Problems(room.name()), XmlFormat.SCENARIO)
+                return XmlElement.parse(room.toBytes(), new Problems(room.name()), XmlFormat.SCENARIO)
                         .orElseThrow();
             } catch (IOException e) {
                 throw new IllegalStateException(room.name() + " cannot be a scenario", e);

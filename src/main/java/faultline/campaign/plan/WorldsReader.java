@@ -2,12 +2,12 @@ package faultline.campaign.plan;
 
 import faultline.campaign.RoomRules;
 import faultline.io.MessageText;
+import faultline.scenario.Scenario;
 import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
-import faultline.scenario.xml.ScenarioReader;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import java.util.ArrayList;
@@ -93,7 +93,7 @@ final class WorldsReader {
         Problems problems = new Problems(file);
         Optional<XmlElement> root = XmlElement.parse(bytes, problems, XmlFormat.SCENARIO);
         problems.throwIfAny();
-        ScenarioReader.read(file, root.orElseThrow());
+        Scenario.read(file, root.orElseThrow());
         return root.get();
     }
 

@@ -12,7 +12,7 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
-import faultline.scenario.xml.ObstacleXml;
+import faultline.scenario.ObstacleXml;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
 import faultline.world.Obstacle;

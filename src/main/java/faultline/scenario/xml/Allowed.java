@@ -111,8 +111,14 @@ public enum Allowed implements Message.Template {
         return withHint(names(names), given, names);
     }
 
-    /** Returns a rule, followed by the known name that is most similar to a given one, if any is. */
-    static Object withHint(Object rule, String given, Collection<String> known) {
+    /**
+     * {@return a rule, followed by the known name that is most similar to a given one, if any is}
+     *
+     * @param rule the rule
+     * @param given the given name
+     * @param known the known names
+     */
+    public static Object withHint(Object rule, String given, Collection<String> known) {
         return DidYouMean.nearest(given, known)
                 .<Object>map(name -> HINT.with(rule, MessageText.excerpt(name)))
                 .orElse(rule);

@@ -70,8 +70,13 @@ public final class AttributeReader {
         return Optional.ofNullable(node.attributes().get(name));
     }
 
-    /** Returns the value of an optional attribute; empty, with a problem, if it is too long. */
-    Optional<String> text(String name, int maxLength) {
+    /**
+     * {@return the value of an optional attribute; empty, with a problem, if it is too long}
+     *
+     * @param name the attribute
+     * @param maxLength the number of characters allowed
+     */
+    public Optional<String> text(String name, int maxLength) {
         Optional<String> text = text(name);
         if (text.isPresent() && text.get().length() > maxLength) {
             report(name, text.get(), Allowed.CHARACTERS.with(maxLength));
@@ -96,31 +101,59 @@ public final class AttributeReader {
         return required(name, () -> allowed).orElse("");
     }
 
-    /** Returns the number of a required attribute. */
-    double number(String name, NumberRange range) {
+    /**
+     * {@return the number of a required attribute}
+     *
+     * @param name the attribute
+     * @param range the numbers allowed
+     */
+    public double number(String name, NumberRange range) {
         Optional<String> text = required(name, () -> numberRule(range));
         return text.isPresent() ? parseNumber(name, text.get(), range) : placeholder(range);
     }
 
-    double number(String name, NumberRange range, double fallback) {
+    /**
+     * {@return the number of an optional attribute}
+     *
+     * @param name the attribute
+     * @param range the numbers allowed
+     * @param fallback the number if the attribute is missing
+     */
+    public double number(String name, NumberRange range, double fallback) {
         Optional<String> text = text(name);
         return text.isPresent() ? parseNumber(name, text.get(), range) : fallback;
     }
 
-    /** Returns the angle of a required attribute, which is in degrees, in radians. */
-    double angle(String name, NumberRange range) {
+    /**
+     * {@return the angle of a required attribute, which is in degrees, in radians}
+     *
+     * @param name the attribute
+     * @param range the numbers of degrees allowed
+     */
+    public double angle(String name, NumberRange range) {
         return required(name, () -> plainNumberRule(range))
                 .map(text -> parseAngle(name, text, range))
                 .orElse(0.0);
     }
 
-    double angle(String name, NumberRange range, double fallback) {
+    /**
+     * {@return the angle of an optional attribute, which is in degrees, in radians}
+     *
+     * @param name the attribute
+     * @param range the numbers of degrees allowed
+     * @param fallback the angle if the attribute is missing, in radians
+     */
+    public double angle(String name, NumberRange range, double fallback) {
         Optional<String> text = text(name);
         return text.isPresent() ? parseAngle(name, text.get(), range) : fallback;
     }
 
-    /** Returns a cone angle in radians, which must be less than pi after rounding too. */
-    double cone(double fallback) {
+    /**
+     * {@return the angle of a cone in radians, which must be less than pi after rounding too}
+     *
+     * @param fallback the angle if the attribute is missing, in radians
+     */
+    public double cone(double fallback) {
         double radians = angle("cone", NumberRange.CONE, fallback);
         if (radians > 0 && radians < StrictMath.PI) {
             return radians;
@@ -129,7 +162,12 @@ public final class AttributeReader {
         return fallback;
     }
 
-    boolean flag(String name) {
+    /**
+     * {@return the truth value of a required attribute}
+     *
+     * @param name the attribute
+     */
+    public boolean flag(String name) {
         return required(name, Allowed.FLAG::with).map(text -> flag(name, text)).orElse(false);
     }
 
@@ -212,15 +250,30 @@ public final class AttributeReader {
         return true;
     }
 
-    /** Returns the option that a required attribute names; the function returns the name of an option. */
-    <T> Optional<T> choice(String name, T[] options, Function<? super T, String> names) {
+    /**
+     * {@return the option that a required attribute names; empty, with a problem, if it names none}
+     *
+     * @param <T> the type of the options
+     * @param name the attribute
+     * @param options the options
+     * @param names returns the name of an option in the file
+     */
+    public <T> Optional<T> choice(String name, T[] options, Function<? super T, String> names) {
         Map<String, T> byName = byName(options, names);
         List<String> words = List.copyOf(byName.keySet());
         return required(name, () -> Allowed.names(words)).flatMap(text -> choice(name, text, byName, words));
     }
 
-    /** Returns the option that an optional attribute names; the function returns the name of an option. */
-    <T> T choice(String name, T[] options, Function<? super T, String> names, T fallback) {
+    /**
+     * {@return the option that an optional attribute names}
+     *
+     * @param <T> the type of the options
+     * @param name the attribute
+     * @param options the options
+     * @param names returns the name of an option in the file
+     * @param fallback the option if the attribute is missing or names none
+     */
+    public <T> T choice(String name, T[] options, Function<? super T, String> names, T fallback) {
         return choice(name, byName(options, names), fallback);
     }
 
@@ -251,8 +304,14 @@ public final class AttributeReader {
         return chosen;
     }
 
-    /** Returns the points of a required attribute, written as "x,y x,y". */
-    List<Vector2> points(String name, int least, int most) {
+    /**
+     * {@return the points of a required attribute, written as "x,y x,y"}
+     *
+     * @param name the attribute
+     * @param least the smallest number of points allowed
+     * @param most the greatest number of points allowed
+     */
+    public List<Vector2> points(String name, int least, int most) {
         Message allowed = Allowed.POINTS.with(least, NumberRange.COORDINATE.rule());
         List<Vector2> points = required(name, () -> allowed)
                 .map(text -> points(name, new PointParser(text.toCharArray(), 0, text.length()), most, allowed))
@@ -283,10 +342,13 @@ public final class AttributeReader {
     }
 
     /**
-     * Returns closed rings of points, of a greatest number of all together, written as those of {@link #points} and
-     * separated by {@code |}. The attribute is required.
+     * {@return the closed rings of points of a required attribute, written as those of {@link #points} and separated by
+     * {@code |}}
+     *
+     * @param name the attribute
+     * @param most the greatest number of points of all rings together
      */
-    List<List<Vector2>> rings(String name, int most) {
+    public List<List<Vector2>> rings(String name, int most) {
         Message allowed = Allowed.RINGS.with(NumberRange.COORDINATE.rule());
         List<List<Vector2>> rings = new ArrayList<>();
         int left = most;
@@ -318,8 +380,14 @@ public final class AttributeReader {
         reportValue(name, given, () -> allowed);
     }
 
-    /** Reports a value, with a rule that is made only if the problem is listed. */
-    void reportValue(String name, String given, Supplier<Object> allowed) {
+    /**
+     * Reports an invalid value, with a rule that is made only if the problem is listed.
+     *
+     * @param name the attribute
+     * @param given its value
+     * @param allowed makes the allowed values
+     */
+    public void reportValue(String name, String given, Supplier<Object> allowed) {
         problems.add(node, () -> ProblemKind.VALUE.with(name, node.name(), MessageText.excerpt(given), allowed.get()));
     }
 

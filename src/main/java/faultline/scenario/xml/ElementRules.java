@@ -88,8 +88,13 @@ public final class ElementRules {
     /**
      * Reports an id that is already in use, and adds it to those in use. A missing or invalid id has been reported
      * before.
+     *
+     * @param node the element
+     * @param id its id
+     * @param seen the places of the ids in use
+     * @param problems the list to which problems are added
      */
-    static void checkUniqueId(XmlElement node, String id, Map<String, SourceLocation> seen, Problems problems) {
+    public static void checkUniqueId(XmlElement node, String id, Map<String, SourceLocation> seen, Problems problems) {
         if (!id.equals(node.attributes().get("id"))) {
             return;
         }

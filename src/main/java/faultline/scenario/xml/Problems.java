@@ -10,7 +10,7 @@ import java.util.function.Supplier;
 public final class Problems {
 
     /** The maximum number of problems that are listed. */
-    static final int MAX_LISTED = 100;
+    public static final int MAX_LISTED = 100;
 
     private final String file;
     private final List<Problem> problems = new ArrayList<>();
@@ -45,8 +45,13 @@ public final class Problems {
         add(place, () -> message);
     }
 
-    /** Adds a problem whose message takes time to make, as one with a suggestion does: only if it is listed. */
-    void add(XmlElement node, Supplier<Message> message) {
+    /**
+     * Adds a problem whose message takes time to make, as one with a suggestion does: it is made only if it is listed.
+     *
+     * @param node the element
+     * @param message makes the message
+     */
+    public void add(XmlElement node, Supplier<Message> message) {
         add(node.location(), message);
     }
 

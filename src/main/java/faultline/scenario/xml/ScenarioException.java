@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.io.Message;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -18,6 +19,16 @@ public final class ScenarioException extends Exception {
     public ScenarioException(List<Problem> problems) {
         super(problems.stream().map(Problem::toString).collect(Collectors.joining("\n")));
         this.problems = List.copyOf(problems);
+    }
+
+    /**
+     * Creates an exception for a problem with a file as a whole.
+     *
+     * @param file the name of the file
+     * @param message the problem
+     */
+    public ScenarioException(String file, Message message) {
+        this(List.of(new Problem(file, SourceLocation.NONE, message)));
     }
 
     /** {@return all problems in the order of the file} */

@@ -1,28 +1,28 @@
 package faultline.scenario.xml;
 
 /** The limits of a scenario file: far above any real file, and low enough to refuse a hostile one at once. */
-final class ScenarioLimits {
+public final class ScenarioLimits {
 
     /** The size of a file in bytes. The other limits are reached at about 12 million. */
-    static final long MAX_BYTES = 16L << 20;
+    public static final long MAX_BYTES = 16L << 20;
 
     /** The number of obstacles and of points of polygons, walls and motions, taken together. */
-    static final int MAX_PARTS = 100_000;
+    public static final int MAX_PARTS = 100_000;
 
     /** The number of elements of a file. */
     static final int MAX_ELEMENTS = 300_000;
 
     /** The number of sensors of a robot. */
-    static final int MAX_SENSORS = 1000;
+    public static final int MAX_SENSORS = 1000;
 
     /** The length of the name of a scenario, characters. */
-    static final int MAX_NAME_LENGTH = 10_000;
+    public static final int MAX_NAME_LENGTH = 10_000;
 
     /** The length of the description, characters. */
-    static final int MAX_DESCRIPTION_LENGTH = 100_000;
+    public static final int MAX_DESCRIPTION_LENGTH = 100_000;
 
     /** The length of a list of states, characters. */
-    static final int MAX_STATES_LENGTH = 1000;
+    public static final int MAX_STATES_LENGTH = 1000;
 
     /** The nesting depth of elements; the format needs five. */
     static final int MAX_DEPTH = 20;
@@ -31,13 +31,13 @@ final class ScenarioLimits {
      * The shortest time in which a moving obstacle visits all its way-points, seconds; otherwise one tick could hold
      * millions of legs.
      */
-    static final double MIN_LOOP_TIME = 0.01;
+    public static final double MIN_LOOP_TIME = 0.01;
 
     /** The fastest wheels, metres per second. */
-    static final double MAX_WHEEL_SPEED = 1000;
+    public static final double MAX_WHEEL_SPEED = 1000;
 
     /** The fastest pivot in place, radians per second: otherwise one tick could hold thousands of turns. */
-    static final double MAX_SPIN_RATE = 100_000;
+    public static final double MAX_SPIN_RATE = 100_000;
 
     private ScenarioLimits() {}
 }

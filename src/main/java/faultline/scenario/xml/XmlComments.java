@@ -44,13 +44,18 @@ public final class XmlComments {
      */
     public static XmlComments read(Path file) {
         try {
-            return read(ScenarioReader.readBytes(file, Allowed.SCENARIO_FILE.with()));
+            return read(XmlFile.readBytes(file, Allowed.SCENARIO_FILE.with()));
         } catch (ScenarioException unreadable) {
             return NONE;
         }
     }
 
-    static XmlComments read(byte[] bytes) {
+    /**
+     * {@return the comments of a scenario file with some bytes, none if they are not well-formed XML}
+     *
+     * @param bytes the content of the file
+     */
+    public static XmlComments read(byte[] bytes) {
         Collector collector = new Collector();
         try {
             XMLReader reader = XmlParser.newParser().getXMLReader();

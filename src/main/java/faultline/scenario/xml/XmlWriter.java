@@ -17,7 +17,7 @@ import java.util.stream.Collectors;
  * Writes indented XML: one element to a line, attributes in the given order, and a person's comments at their places. A
  * start tag is buffered until it is complete, because the comments before it depend on its id.
  */
-final class XmlWriter {
+public final class XmlWriter {
 
     private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     private final StringBuilder startTag = new StringBuilder();
@@ -28,24 +28,37 @@ final class XmlWriter {
 
     private String id = "";
 
-    XmlWriter() {
-        this(XmlComments.NONE);
-    }
-
-    XmlWriter(XmlComments comments) {
+    /**
+     * Creates a writer of one file.
+     *
+     * @param comments the comments that a person has put into it
+     */
+    public XmlWriter(XmlComments comments) {
         unwrittenComments = comments.comments().stream()
                 .collect(Collectors.groupingBy(XmlComment::anchor, TreeMap::new, Collectors.toList()));
     }
 
-    /** Begins an element. */
-    XmlWriter beginElement(String name) {
+    /**
+     * Begins an element.
+     *
+     * @param name its name
+     * @return this writer
+     */
+    public XmlWriter beginElement(String name) {
         finishStartTag(">\n");
         startTag.append('<').append(name);
         openElements.push(name);
         return this;
     }
 
-    XmlWriter attribute(String name, String value) {
+    /**
+     * Adds an attribute to the element that was begun last.
+     *
+     * @param name its name
+     * @param value its value
+     * @return this writer
+     */
+    public XmlWriter attribute(String name, String value) {
         if (name.equals("id")) {
             id = value;
         }
@@ -57,21 +70,45 @@ final class XmlWriter {
         return this;
     }
 
-    XmlWriter attribute(String name, double value) {
+    /**
+     * Adds a number as {@link #attribute(String, String)} does.
+     *
+     * @param name the name of the attribute
+     * @param value its value
+     * @return this writer
+     */
+    public XmlWriter attribute(String name, double value) {
         return attribute(name, DecimalText.format(value));
     }
 
-    XmlWriter attribute(String name, boolean value) {
+    /**
+     * Adds a truth value as {@link #attribute(String, String)} does.
+     *
+     * @param name the name of the attribute
+     * @param value its value
+     * @return this writer
+     */
+    public XmlWriter attribute(String name, boolean value) {
         return attribute(name, String.valueOf(value));
     }
 
-    /** Writes an angle in degrees. */
-    XmlWriter angleAttribute(String name, double radians) {
+    /**
+     * Adds an angle in degrees as {@link #attribute(String, String)} does.
+     *
+     * @param name the name of the attribute
+     * @param radians the angle, in radians
+     * @return this writer
+     */
+    public XmlWriter angleAttribute(String name, double radians) {
         return attribute(name, DecimalText.formatDegrees(radians));
     }
 
-    /** Ends the innermost element. */
-    XmlWriter endElement() {
+    /**
+     * Ends the innermost element.
+     *
+     * @return this writer
+     */
+    public XmlWriter endElement() {
         boolean empty = !startTag.isEmpty();
         if (empty) {
             writeStartTag();
@@ -89,14 +126,23 @@ final class XmlWriter {
         return this;
     }
 
-    /** Writes an element that contains only text. */
-    void textElement(String name, String text) {
+    /**
+     * Writes an element that contains only text.
+     *
+     * @param name its name
+     * @param text the text
+     */
+    public void textElement(String name, String text) {
         beginElement(name);
         endTextElement(text);
     }
 
-    /** Ends the innermost element, which contains only text. */
-    void endTextElement(String text) {
+    /**
+     * Ends the innermost element, which contains only text.
+     *
+     * @param text the text
+     */
+    public void endTextElement(String text) {
         String name = openElements.peek();
         finishStartTag(">");
         out.append(XmlText.escapeText(text)).append("</").append(name).append(">\n");

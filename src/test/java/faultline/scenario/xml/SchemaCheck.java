@@ -30,7 +30,7 @@ public final class SchemaCheck {
     }
 
     /** Returns a check of scenario files. */
-    static SchemaCheck ofScenarios() {
+    public static SchemaCheck ofScenarios() {
         return new SchemaCheck(XmlFormat.class.getResource("scenario-1.xsd"));
     }
 
@@ -43,7 +43,7 @@ public final class SchemaCheck {
         }
     }
 
-    boolean isValid(String text) {
+    public boolean isValid(String text) {
         try {
             validate(text.getBytes(StandardCharsets.UTF_8));
             return true;

@@ -1,10 +1,13 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.JavaProcess;
-import faultline.scenario.ManyObstacles;
+import faultline.scenario.xml.Problem;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -111,7 +114,7 @@ class HugeFilesTest {
     void aFileOfManyGoodObstaclesIsReadInAFewSeconds() throws ScenarioException {
         byte[] bytes = ManyObstacles.text().getBytes(StandardCharsets.UTF_8);
         long start = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
-        ScenarioContent content = ScenarioReader.read("file.xml", bytes);
+        Scenario content = ScenarioReader.read("file.xml", bytes);
         double seconds = (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - start) / 1e9;
         assertEquals(ManyObstacles.COUNT, content.setup().world().obstacles().size());
         assertTrue(seconds < 4, seconds + " s");

@@ -1,12 +1,13 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.XmlComments;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Random;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
@@ -99,22 +100,20 @@ class XmlCommentsTest {
 
     /** As it is written, without the attributes. */
     private static String rewritten(String file, Scenario scenario) {
-        return ScenarioWriter.toText(scenario.content(), readComments(file))
-                .replaceAll("(<\\w+)( [\\w]+=\"[^\"]*\")+", "$1");
+        return ScenarioWriter.toText(scenario, readComments(file)).replaceAll("(<\\w+)( [\\w]+=\"[^\"]*\")+", "$1");
     }
 
     @Test
     void aFileThatIsReadAndWrittenAgainIsTheSameWhereverTheyStand() throws ScenarioException {
         for (int seed = 0; seed < 300; seed++) {
             Random random = new Random(seed);
-            String plain =
-                    ScenarioWriter.toText(new RandomScenarios(seed).next().content(), XmlComments.NONE);
+            String plain = ScenarioWriter.toText(new RandomScenarios(seed).next(), XmlComments.NONE);
             String commented = plain.lines()
                     .map(line -> line + "\n" + comments(random, line))
                     .collect(Collectors.joining());
             assertEquals(
                     commented,
-                    ScenarioWriter.toText(SampleScenario.read(commented).content(), readComments(commented)),
+                    ScenarioWriter.toText(SampleScenario.read(commented), readComments(commented)),
                     "seed " + seed);
         }
     }
@@ -130,15 +129,9 @@ class XmlCommentsTest {
 
     @Test
     void aFileThatCannotBeReadHasNone() {
-        assertEquals(List.of(), XmlComments.read(folder.resolve("none.xml")).comments());
-        assertEquals(
-                List.of(),
-                XmlComments.read("<scenario><!-- a -->".getBytes(StandardCharsets.UTF_8))
-                        .comments());
-        assertEquals(
-                List.of(),
-                XmlComments.read("<!DOCTYPE scenario><!-- a --><scenario/>".getBytes(StandardCharsets.UTF_8))
-                        .comments());
+        assertSame(XmlComments.NONE, XmlComments.read(folder.resolve("none.xml")));
+        assertSame(XmlComments.NONE, readComments("<scenario><!-- a -->"));
+        assertSame(XmlComments.NONE, readComments("<!DOCTYPE scenario><!-- a --><scenario/>"));
     }
 
     private static XmlComments readComments(String file) {

@@ -1,10 +1,15 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.io.AtomicFile;
 import faultline.io.DecimalText;
 import faultline.io.MessageException;
+import faultline.scenario.xml.ProblemKind;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.XmlComments;
+import faultline.scenario.xml.XmlFormat;
+import faultline.scenario.xml.XmlWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -12,30 +17,17 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /** Writes a scenario as a file that reads back to an equal scenario. */
-public final class ScenarioWriter {
+final class ScenarioWriter {
 
     private ScenarioWriter() {}
 
-    /**
-     * Writes a scenario file, completely or not at all.
-     *
-     * @param scenario the content; it is checked that reading the file gives the same content
-     * @param file the file; an existing one is replaced
-     * @param comments the comments that a person has put into the file
-     * @throws IOException if the file cannot be written, or the content is beyond the limits of the format
-     */
-    public static void write(ScenarioContent scenario, Path file, XmlComments comments) throws IOException {
+    /** Writes a scenario file with the comments that a person has put into it, completely or not at all. */
+    static void write(Scenario scenario, Path file, XmlComments comments) throws IOException {
         AtomicFile.write(file, toBytes(scenario, comments));
     }
 
-    /**
-     * {@return the bytes of a scenario file; it is checked that reading them gives the same scenario}
-     *
-     * @param scenario the content
-     * @param comments the comments that a person has put into the file
-     * @throws IOException if the content is beyond the limits of the format
-     */
-    public static byte[] toBytes(ScenarioContent scenario, XmlComments comments) throws IOException {
+    /** Returns the bytes of a scenario file. It is checked that reading them gives the same scenario. */
+    static byte[] toBytes(Scenario scenario, XmlComments comments) throws IOException {
         byte[] bytes = toText(scenario, comments).getBytes(StandardCharsets.UTF_8);
         try {
             if (!ScenarioReader.read("", bytes).equals(scenario)) {
@@ -48,7 +40,7 @@ public final class ScenarioWriter {
         return bytes;
     }
 
-    static String toText(ScenarioContent scenario, XmlComments comments) {
+    static String toText(Scenario scenario, XmlComments comments) {
         SimulationSetup setup = scenario.setup();
         XmlWriter out = new XmlWriter(comments);
         out.beginElement("scenario")

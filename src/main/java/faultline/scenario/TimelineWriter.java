@@ -1,9 +1,10 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
+import faultline.scenario.xml.XmlWriter;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultDescriptor;
 import faultline.world.Command;

@@ -1,9 +1,10 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.geometry.Pose;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.XmlWriter;
 import faultline.sensor.SensorSpec;
 import java.util.List;
 

@@ -1,11 +1,12 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.text.Translations;
-import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;

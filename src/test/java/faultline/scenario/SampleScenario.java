@@ -1,7 +1,8 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.gui.text.Translations;
-import faultline.scenario.Scenario;
+import faultline.scenario.xml.Problem;
+import faultline.scenario.xml.ScenarioException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
@@ -52,7 +53,7 @@ final class SampleScenario {
 
     /** Reads a file under the name of room.xml. */
     static Scenario read(byte[] file) throws ScenarioException {
-        return Scenario.of(ScenarioReader.read("room.xml", file));
+        return ScenarioReader.read("room.xml", file);
     }
 
     /** Returns the problems of a text as lines, each checked to be translated; empty if the text is valid. */

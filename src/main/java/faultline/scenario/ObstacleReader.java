@@ -1,8 +1,15 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.ProblemKind;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioLimits;
+import faultline.scenario.xml.XmlElement;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;

@@ -1,5 +1,10 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
+import faultline.scenario.xml.XmlComments;
+import faultline.scenario.xml.XmlFormat;
+import faultline.scenario.xml.XmlWriter;
 import faultline.world.Obstacle;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -21,7 +26,7 @@ public final class ObstacleXml {
      * @param obstacles the obstacles
      */
     public static String format(List<Obstacle> obstacles) {
-        XmlWriter out = new XmlWriter();
+        XmlWriter out = new XmlWriter(XmlComments.NONE);
         obstacles.forEach(obstacle -> WorldWriter.writeObstacle(obstacle, out));
         return out.toString().replaceFirst("^<\\?xml[^>]*>\\n", "");
     }

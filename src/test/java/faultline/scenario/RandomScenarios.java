@@ -1,4 +1,4 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
@@ -21,7 +21,6 @@ import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
-import faultline.scenario.Scenario;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.sensor.SensorSpec;

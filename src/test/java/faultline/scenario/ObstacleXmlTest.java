@@ -1,11 +1,11 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;

@@ -1,4 +1,4 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTimeout;
@@ -7,7 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.gui.text.Translations;
-import faultline.scenario.Scenario;
+import faultline.scenario.xml.FileMutator;
+import faultline.scenario.xml.Problem;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.SchemaCheck;
+import faultline.scenario.xml.XmlComments;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -101,8 +105,7 @@ class MutatedFilesTest {
 
     private static void assertRuns(byte[] file, Scenario scenario) {
         try {
-            byte[] written =
-                    ScenarioWriter.toText(scenario.content(), XmlComments.NONE).getBytes(StandardCharsets.UTF_8);
+            byte[] written = ScenarioWriter.toText(scenario, XmlComments.NONE).getBytes(StandardCharsets.UTF_8);
             assertEquals(scenario, SampleScenario.read(written));
             try (Simulation simulation = new Simulation(scenario.setup(), ControllerMode.DIRECT)) {
                 for (int i = 0; i < TICKS; i++) {

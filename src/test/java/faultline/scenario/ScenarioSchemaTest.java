@@ -1,4 +1,4 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import static java.util.Map.entry;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -7,7 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Threshold;
 import faultline.robot.MotorFaultKind;
-import faultline.scenario.Scenario;
+import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.SchemaCheck;
 import faultline.sensor.FaultKind;
 import java.math.BigDecimal;
 import java.nio.file.Files;

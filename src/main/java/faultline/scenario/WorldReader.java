@@ -1,7 +1,15 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.io.Message;
 import faultline.io.MessageText;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.ProblemKind;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioLimits;
+import faultline.scenario.xml.SourceLocation;
+import faultline.scenario.xml.XmlElement;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.control.ControllerSpec;
 import faultline.control.GainRule;
@@ -9,6 +9,13 @@ import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerProviders;
 import faultline.io.DecimalText;
+import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.XmlElement;
+import faultline.scenario.xml.XmlWriter;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

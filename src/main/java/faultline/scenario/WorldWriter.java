@@ -1,8 +1,9 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
+import faultline.scenario.xml.XmlWriter;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;

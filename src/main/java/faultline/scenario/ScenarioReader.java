@@ -1,26 +1,34 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Vector2;
-import faultline.io.ByteCount;
 import faultline.io.DecimalText;
-import faultline.io.Message;
 import faultline.io.MessageText;
+import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.ProblemKind;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
+import faultline.scenario.xml.SourceLocation;
+import faultline.scenario.xml.XmlElement;
+import faultline.scenario.xml.XmlFile;
+import faultline.scenario.xml.XmlFormat;
 import faultline.world.Clearance;
 import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
 /** Reads a scenario, or reports everything that is wrong with it. */
-public final class ScenarioReader {
+final class ScenarioReader {
 
     private static final List<String> CHILD_ELEMENTS =
             List.of("description", "world", "robot", "controller", "timeline", "expect");
@@ -38,41 +46,25 @@ public final class ScenarioReader {
         this.worldReader = new WorldReader(problems, obstacleReader);
     }
 
-    /**
-     * {@return the content of a scenario file}
-     *
-     * @param file the file
-     * @throws ScenarioException with everything that is wrong with the file
-     */
-    public static ScenarioContent read(Path file) throws ScenarioException {
-        return read(file.toString(), readBytes(file, Allowed.SCENARIO_FILE.with()));
+    /** Returns the scenario in a file. */
+    static Scenario read(Path file) throws ScenarioException {
+        return read(file.toString(), XmlFile.readBytes(file, Allowed.SCENARIO_FILE.with()));
     }
 
-    /**
-     * {@return the content of a scenario that is part of the program}
-     *
-     * @param name the name of a file in the folder {@code scenarios}
-     * @throws ScenarioException if there is none of that name
-     */
-    public static ScenarioContent readShipped(String name) throws ScenarioException {
+    /** Returns a scenario that is part of the program; the name is that of a file in the folder {@code scenarios}. */
+    static Scenario readShipped(String name) throws ScenarioException {
         try (InputStream in = ScenarioReader.class.getResourceAsStream("/scenarios/" + name)) {
             if (in == null) {
-                throw problem(name, ProblemKind.NOT_SHIPPED.with());
+                throw new ScenarioException(name, ProblemKind.NOT_SHIPPED.with());
             }
             return read(name, in.readAllBytes());
         } catch (IOException e) {
-            throw problem(name, ProblemKind.UNREADABLE_RESOURCE.with());
+            throw new ScenarioException(name, ProblemKind.UNREADABLE_RESOURCE.with());
         }
     }
 
-    /**
-     * {@return the content of a scenario file with some bytes}
-     *
-     * @param file the name of the file in problems
-     * @param bytes the content
-     * @throws ScenarioException with everything that is wrong with it
-     */
-    public static ScenarioContent read(String file, byte[] bytes) throws ScenarioException {
+    /** Returns the scenario in a file with some bytes; the name of the file is for problems. */
+    static Scenario read(String file, byte[] bytes) throws ScenarioException {
         Problems problems = new Problems(file);
         if (bytes.length == 0) {
             problems.add(new SourceLocation(1, 1), ProblemKind.EMPTY_FILE.with());
@@ -83,60 +75,15 @@ public final class ScenarioReader {
         return read(file, root.orElseThrow());
     }
 
-    /**
-     * {@return the content of a scenario with a tree of elements}
-     *
-     * @param file the name of the file in problems
-     * @param root the root element
-     * @throws ScenarioException with everything that is wrong
-     */
-    public static ScenarioContent read(String file, XmlElement root) throws ScenarioException {
+    /** Returns the scenario in a tree of elements; the name of the file is for problems. */
+    static Scenario read(String file, XmlElement root) throws ScenarioException {
         Problems problems = new Problems(file);
-        Optional<ScenarioContent> scenario = new ScenarioReader(problems).read(root);
+        Optional<Scenario> scenario = new ScenarioReader(problems).read(root);
         problems.throwIfAny();
         return scenario.orElseThrow();
     }
 
-    /**
-     * {@return the bytes of a file}
-     *
-     * @param file the file
-     * @param kind the expected kind of file, such as {@link Allowed#SCENARIO_FILE}, for problems
-     * @throws ScenarioException if the file cannot be read, or is too large
-     */
-    public static byte[] readBytes(Path file, Object kind) throws ScenarioException {
-        String name = file.toString();
-        try {
-            checkRegularFile(name, file, kind);
-            return Files.readAllBytes(file);
-        } catch (NoSuchFileException e) {
-            throw problem(name, ProblemKind.NO_SUCH_FILE.with());
-        } catch (IOException e) {
-            throw problem(name, ProblemKind.UNREADABLE_FILE.with());
-        }
-    }
-
-    /** Checked before anything is read: a device or a pipe could continue without end. */
-    private static void checkRegularFile(String name, Path file, Object kind) throws ScenarioException, IOException {
-        if (Files.isDirectory(file)) {
-            throw problem(name, ProblemKind.FOLDER.with(kind));
-        }
-        if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw problem(name, ProblemKind.IRREGULAR_FILE.with(kind));
-        }
-        if (Files.size(file) > ScenarioLimits.MAX_BYTES) {
-            throw problem(
-                    name,
-                    ProblemKind.TOO_MANY_BYTES.with(
-                            ByteCount.format(Files.size(file)), ByteCount.format(ScenarioLimits.MAX_BYTES)));
-        }
-    }
-
-    private static ScenarioException problem(String name, Message message) {
-        return new ScenarioException(List.of(new Problem(name, SourceLocation.NONE, message)));
-    }
-
-    private Optional<ScenarioContent> read(XmlElement root) {
+    private Optional<Scenario> read(XmlElement root) {
         if (!root.name().equals("scenario")) {
             problems.add(root, ProblemKind.ROOT.with(MessageText.oneLine(root.name()), XmlFormat.SCENARIO.namespace()));
             return Optional.empty();
@@ -147,7 +94,7 @@ public final class ScenarioReader {
     }
 
     /** Reads every section, so that all problems are reported together. */
-    private Optional<ScenarioContent> readSections(XmlElement root) {
+    private Optional<Scenario> readSections(XmlElement root) {
         Header head = readHeader(root);
         Optional<WorldSpec> world = requiredSection(root, "world").map(worldReader::read);
         Optional<RobotReader.PlacedRobot> robot = requiredSection(root, "robot").map(new RobotReader(problems)::read);
@@ -170,7 +117,7 @@ public final class ScenarioReader {
         if (problems.isEmpty()) {
             checkStart(root.firstChild("robot").orElseThrow(), setup, problems);
         }
-        return Optional.of(new ScenarioContent(head.name, head.description, head.recorded, setup, expect));
+        return Optional.of(new Scenario(head.name, head.description, head.recorded, setup, expect));
     }
 
     private Header readHeader(XmlElement root) {

@@ -1,4 +1,4 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -6,6 +6,14 @@ import faultline.io.DecimalText;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.ProblemKind;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioLimits;
+import faultline.scenario.xml.SourceLocation;
+import faultline.scenario.xml.XmlElement;
 import faultline.sensor.SensorSpec;
 import java.util.HashMap;
 import java.util.LinkedHashMap;

@@ -1,11 +1,12 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.engine.SimulationSetup;
-import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.XmlComments;
 import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -26,9 +27,7 @@ class ScenarioWriterTest {
         for (int seed = 0; seed < 500; seed++) {
             Scenario scenario = new RandomScenarios(seed).next();
             assertEquals(
-                    scenario,
-                    SampleScenario.read(ScenarioWriter.toText(scenario.content(), XmlComments.NONE)),
-                    "seed " + seed);
+                    scenario, SampleScenario.read(ScenarioWriter.toText(scenario, XmlComments.NONE)), "seed " + seed);
         }
     }
 
@@ -58,7 +57,7 @@ class ScenarioWriterTest {
                   <expect collision="true" states="FOLLOW SEARCH"/>
                 </scenario>
                 """,
-                ScenarioWriter.toText(scenario.content(), XmlComments.NONE));
+                ScenarioWriter.toText(scenario, XmlComments.NONE));
     }
 
     @Test

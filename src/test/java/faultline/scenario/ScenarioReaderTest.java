@@ -1,4 +1,4 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -14,7 +14,8 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
-import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.SourceLocation;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;

@@ -1,4 +1,4 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -8,6 +8,13 @@ import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.ProblemKind;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.XmlElement;
 import faultline.sensor.FaultDescriptor;
 import faultline.sensor.FaultKind;
 import faultline.sensor.SensorSpec;

@@ -1,10 +1,17 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.engine.ControllerFactory;
 import faultline.engine.metrics.Expectation;
 import faultline.io.XmlText;
+import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioLimits;
+import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
