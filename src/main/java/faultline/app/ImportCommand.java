@@ -8,8 +8,8 @@ import faultline.geometry.Pose;
 import faultline.io.DecimalText;
 import faultline.io.LinkResolver;
 import faultline.scenario.Scenario;
-import faultline.scenario.xml.FormatLimits;
 import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Path;
@@ -21,7 +21,7 @@ final class ImportCommand {
 
     private static final List<String> OPTION_NAMES =
             List.of("--out", "--resolution", "--unknown", "--min-cells", "--smooth", "--start");
-    private static final BigDecimal MAX_COORDINATE = new BigDecimal(FormatLimits.MAX_COORDINATE);
+    private static final BigDecimal MAX_COORDINATE = new BigDecimal(ScenarioLimits.MAX_COORDINATE);
 
     private final CommandOutput output;
 

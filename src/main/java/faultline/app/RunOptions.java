@@ -7,7 +7,7 @@ import faultline.external.ControllerChoice;
 import faultline.io.DidYouMean;
 import faultline.io.LinkResolver;
 import faultline.scenario.Scenario;
-import faultline.scenario.xml.FormatLimits;
+import faultline.scenario.xml.ScenarioLimits;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.EnumMap;
@@ -72,7 +72,7 @@ record RunOptions(
     private static final List<String> FLAG_NAMES = List.of("--truth", "--json");
     private static final BigDecimal MIN_PACE = new BigDecimal("0.001");
     private static final BigDecimal MAX_PACE = new BigDecimal("1000000");
-    private static final BigDecimal MAX_DURATION = new BigDecimal(FormatLimits.MAX_DURATION);
+    private static final BigDecimal MAX_DURATION = new BigDecimal(ScenarioLimits.MAX_DURATION);
 
     static RunOptions parse(List<String> given) throws UsageException {
         Arguments arguments = new Arguments(given, OPTION_NAMES, FLAG_NAMES);

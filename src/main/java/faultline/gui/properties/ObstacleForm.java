@@ -9,7 +9,7 @@ import faultline.gui.panel.CachedDegrees;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.theme.UiText;
-import faultline.scenario.xml.FormatLimits;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WaypointPath;
@@ -78,8 +78,8 @@ final class ObstacleForm extends JPanel {
     private NumberSpinner coordinate(DoubleFunction<Pose> moved) {
         return new NumberSpinner(
                 "0.00##",
-                -FormatLimits.MAX_COORDINATE,
-                FormatLimits.MAX_COORDINATE,
+                -ScenarioLimits.MAX_COORDINATE,
+                ScenarioLimits.MAX_COORDINATE,
                 0.05,
                 value -> move(moved.apply(value)));
     }

@@ -5,7 +5,7 @@ import faultline.gui.panel.RefusalNote;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
-import faultline.scenario.xml.FormatLimits;
+import faultline.scenario.xml.ScenarioLimits;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.ArrayList;
@@ -82,7 +82,7 @@ final class PointsField extends JTextField {
             for (String number : pair.split(",", -1)) {
                 DecimalText.parse(number)
                         .map(exact -> DecimalText.toDouble(exact, number))
-                        .filter(value -> Math.abs(value) <= FormatLimits.MAX_COORDINATE)
+                        .filter(value -> Math.abs(value) <= ScenarioLimits.MAX_COORDINATE)
                         .ifPresent(numbers::add);
             }
             if (numbers.size() != 2 || pair.chars().filter(sign -> sign == ',').count() != 1) {

@@ -8,7 +8,7 @@ import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.TitledSection;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
-import faultline.scenario.xml.FormatLimits;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Clearance;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
@@ -35,9 +35,9 @@ final class PropertiesForm extends JPanel {
     private final NumberSpinner startY = new NumberSpinner("0.00##", -MAX_SIZE, MAX_SIZE, 0.1, value -> {});
     private final NumberSpinner startHeading =
             new NumberSpinner("0.##", -EditLimits.MAX_ANGLE, EditLimits.MAX_ANGLE, 5, value -> {});
-    private final NumberSpinner duration = new NumberSpinner("0.##", 0, FormatLimits.MAX_DURATION, 10, value -> {});
+    private final NumberSpinner duration = new NumberSpinner("0.##", 0, ScenarioLimits.MAX_DURATION, 10, value -> {});
     private final NumberSpinner tick =
-            new NumberSpinner("0.000##", FormatLimits.MIN_TICK, FormatLimits.MAX_TICK, 0.001, value -> {});
+            new NumberSpinner("0.000##", ScenarioLimits.MIN_TICK, ScenarioLimits.MAX_TICK, 0.001, value -> {});
     private final JTextField seed = new JTextField(TEXT_COLUMNS / 2);
     private final ExpectationForm expectation = new ExpectationForm();
 

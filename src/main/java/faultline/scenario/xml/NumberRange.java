@@ -19,10 +19,10 @@ import java.math.BigDecimal;
 public record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean maxInclusive, Allowed unit) {
 
     /** The length of an edge, metres. */
-    public static final NumberRange SIZE = closed(1e-6, FormatLimits.MAX_COORDINATE, Allowed.METRES);
+    public static final NumberRange SIZE = closed(1e-6, ScenarioLimits.MAX_COORDINATE, Allowed.METRES);
     /** A coordinate, metres. */
     public static final NumberRange COORDINATE =
-            closed(-FormatLimits.MAX_COORDINATE, FormatLimits.MAX_COORDINATE, Allowed.METRES);
+            closed(-ScenarioLimits.MAX_COORDINATE, ScenarioLimits.MAX_COORDINATE, Allowed.METRES);
     /** The range of a sensor, metres. */
     public static final NumberRange SENSOR_RANGE =
             closed(SensorLimits.MIN_RANGE, SensorLimits.MAX_RANGE, Allowed.METRES);
@@ -43,9 +43,9 @@ public record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, 
     /** A speed other than 0, metres per second. */
     public static final NumberRange POSITIVE_SPEED = positive("1000", Allowed.SPEED);
     /** A time, seconds. */
-    public static final NumberRange TIME = closed(0, FormatLimits.MAX_DURATION, Allowed.SECONDS);
+    public static final NumberRange TIME = closed(0, ScenarioLimits.MAX_DURATION, Allowed.SECONDS);
     /** The length of a tick, seconds. */
-    public static final NumberRange TICK = closed(FormatLimits.MIN_TICK, FormatLimits.MAX_TICK, Allowed.SECONDS);
+    public static final NumberRange TICK = closed(ScenarioLimits.MIN_TICK, ScenarioLimits.MAX_TICK, Allowed.SECONDS);
     /** The time constant of a motor, seconds. */
     public static final NumberRange TIME_CONSTANT = closed("0", "1000", Allowed.SECONDS);
     /** A voltage, volts. */

@@ -1,6 +1,9 @@
 package faultline.scenario.xml;
 
-/** The limits of a scenario file: far above any real file, and low enough to refuse a hostile one at once. */
+/**
+ * The limits of a scenario file and of its numbers: far above any real file, and low enough to refuse a hostile one at
+ * once. Options of the command line and fields of the window have some of them, too.
+ */
 public final class ScenarioLimits {
 
     /** The size of a file in bytes. The other limits are reached at about 12 million. */
@@ -38,6 +41,18 @@ public final class ScenarioLimits {
 
     /** The fastest pivot in place, radians per second: otherwise one tick could hold thousands of turns. */
     public static final double MAX_SPIN_RATE = 100_000;
+
+    /** The greatest absolute value of a coordinate, and the greatest size, metres. */
+    public static final int MAX_COORDINATE = 100_000;
+
+    /** The longest duration of a run and the latest time of a command, seconds. */
+    public static final int MAX_DURATION = 10_000_000;
+
+    /** The shortest tick, seconds. */
+    public static final double MIN_TICK = 0.00001;
+
+    /** The longest tick, seconds. */
+    public static final double MAX_TICK = 1;
 
     private ScenarioLimits() {}
 }
