@@ -151,7 +151,7 @@ final class RobotReader {
                 mountPosition,
                 fields.angle("bearing", NumberRange.ANGLE, defaults.bearing()),
                 fields.number("range", NumberRange.SENSOR_RANGE, defaults.range()),
-                fields.cone(defaults.cone()),
+                fields.angle("cone", NumberRange.CONE, defaults.cone()),
                 fields.flag("on", defaults.on()),
                 fields.number("noise", NumberRange.NOISE, defaults.noise()));
     }

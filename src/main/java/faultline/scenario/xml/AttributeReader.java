@@ -149,20 +149,6 @@ public final class AttributeReader {
     }
 
     /**
-     * {@return the angle of a cone in radians, which must be less than pi after rounding too}
-     *
-     * @param fallback the angle if the attribute is missing, in radians
-     */
-    public double cone(double fallback) {
-        double radians = angle("cone", NumberRange.CONE, fallback);
-        if (radians > 0 && radians < StrictMath.PI) {
-            return radians;
-        }
-        report("cone", text("cone").orElse(""), plainNumberRule(NumberRange.CONE));
-        return fallback;
-    }
-
-    /**
      * {@return the truth value of a required attribute}
      *
      * @param name the attribute
@@ -439,7 +425,9 @@ public final class AttributeReader {
                 .filter(number -> text.indexOf('e') < 0 && text.indexOf('E') < 0)
                 .filter(range::contains)
                 .map(number -> DecimalText.toRadians(number, text))
-                .filter(nearest -> nearest != 0 || range.minInclusive());
+                .filter(nearest -> nearest != 0 || range.minInclusive())
+                .filter(nearest -> range.maxInclusive()
+                        || nearest < StrictMath.toRadians(range.max().doubleValue()));
         if (radians.isEmpty()) {
             reportValue(name, text, () -> plainNumberRule(range));
         }
