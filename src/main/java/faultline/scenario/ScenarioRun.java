@@ -2,11 +2,17 @@ package faultline.scenario;
 
 import faultline.control.ControllerState;
 import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.geometry.Pose;
+import faultline.io.MessageText;
+import faultline.robot.RobotSpec;
+import faultline.scenario.xml.Allowed;
 import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
 import faultline.world.Collision;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -16,19 +22,41 @@ public final class ScenarioRun {
 
     private final Scenario scenario;
     private final RunResult result;
-    private final TickLog log;
+    /** By tick, about 200 bytes each with eight sensors. */
+    private final List<LoggedTick> ticks;
 
-    private ScenarioRun(Scenario scenario, RunResult result, TickLog recorder) {
+    /**
+     * A tick.
+     *
+     * @param pose the pose of the robot
+     * @param state the name of the controller's state
+     * @param readings the true and the reported reading of each sensor in turn, encoded as in {@link Reading}
+     */
+    private record LoggedTick(Pose pose, String state, double[] readings) {
+
+        static LoggedTick of(Simulation simulation) {
+            double[] readings = new double[2 * simulation.robot().sensors().size()];
+            for (int i = 0; i < readings.length; i += 2) {
+                readings[i] = simulation.trueReading(i / 2);
+                readings[i + 1] = simulation.reportedReading(i / 2);
+            }
+            return new LoggedTick(
+                    simulation.pose(), simulation.telemetry().state().name(), readings);
+        }
+    }
+
+    private ScenarioRun(Scenario scenario, RunResult result, List<LoggedTick> ticks) {
         this.scenario = scenario;
         this.result = result;
-        this.log = recorder;
+        this.ticks = ticks;
     }
 
     /** Runs a scenario to its duration; the trajectory is the same in every mode. */
     static ScenarioRun execute(Scenario scenario, ControllerMode mode) {
-        TickLog recorder = new TickLog();
-        RunResult result = HeadlessRun.run(scenario.setup(), mode, List.of(recorder));
-        return new ScenarioRun(scenario, result, recorder);
+        List<LoggedTick> ticks = new ArrayList<>();
+        RunResult result =
+                HeadlessRun.run(scenario.setup(), mode, List.of(simulation -> ticks.add(LoggedTick.of(simulation))));
+        return new ScenarioRun(scenario, result, ticks);
     }
 
     /** {@return the result, as in the summary of the command line} */
@@ -42,7 +70,7 @@ public final class ScenarioRun {
      * @param seconds the time, in [0, duration], rounded up to the next tick
      */
     public Pose poseAt(double seconds) {
-        return log.pose(tickAt(seconds));
+        return tickAt(seconds).pose;
     }
 
     /**
@@ -51,7 +79,7 @@ public final class ScenarioRun {
      * @param seconds the time, in [0, duration], rounded up to the next tick
      */
     public String stateAt(double seconds) {
-        return log.state(tickAt(seconds));
+        return tickAt(seconds).state;
     }
 
     /**
@@ -61,7 +89,7 @@ public final class ScenarioRun {
      * @param seconds the time, in [0, duration], rounded up to the next tick
      */
     public Reading trueReading(String sensor, double seconds) {
-        return log.trueReading(tickAt(seconds), sensor);
+        return new Reading(tickAt(seconds).readings[2 * sensorIndex(sensor)]);
     }
 
     /**
@@ -71,7 +99,7 @@ public final class ScenarioRun {
      * @param seconds the time, in [0, duration], rounded up to the next tick
      */
     public Reading reading(String sensor, double seconds) {
-        return log.reportedReading(tickAt(seconds), sensor);
+        return new Reading(tickAt(seconds).readings[2 * sensorIndex(sensor) + 1]);
     }
 
     /** {@return the names of all states that the controller passed through, in the order of their first appearance} */
@@ -99,12 +127,23 @@ public final class ScenarioRun {
         return scenario.expectation().unmet(result);
     }
 
-    private int tickAt(double seconds) {
+    private LoggedTick tickAt(double seconds) {
         long tick = scenario.setup().tickAt(seconds);
         if (!(tick >= 0 && tick <= result.ticks())) {
             throw new IllegalArgumentException(
                     "there is no " + seconds + " s in a run of " + result.simulatedSeconds() + " s");
         }
-        return (int) tick;
+        return ticks.get((int) tick);
+    }
+
+    private int sensorIndex(String sensor) {
+        RobotSpec robot = scenario.setup().robot();
+        int index = robot.indexOf(sensor);
+        if (index < 0) {
+            List<String> ids = robot.sensors().stream().map(SensorSpec::id).toList();
+            throw new IllegalArgumentException(
+                    "the robot has no sensor " + MessageText.quoted(sensor) + ", only " + Allowed.names(ids, sensor));
+        }
+        return index;
     }
 }
