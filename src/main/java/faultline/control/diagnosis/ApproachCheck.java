@@ -10,7 +10,13 @@ import faultline.sensor.Reading;
  */
 final class ApproachCheck {
 
-    private static final int POINTS = 7;
+    /** The rate of the reading is measured over at least this number of measurements. */
+    private static final int MIN_POINTS = 4;
+
+    private static final int MAX_POINTS = 7;
+
+    /** The distance over which the rate is measured if fewer than {@link #MAX_POINTS} measurements span it, metres. */
+    private static final double SPAN = 0.13;
 
     /** The minimum distance over which the rate is measured, metres. */
     private static final double MIN_DISTANCE = 0.08;
@@ -41,13 +47,17 @@ final class ApproachCheck {
         MeasurementRing measurements = sensor.measurements();
         // The distance of the point on the cone's inner edge from the path.
         double across = Math.abs(cone.y()) + measurements.reading(0) * table.innerSin();
-        if (across > BESIDE || !isStraight(measurements)) {
+        if (across > BESIDE) {
             return Reading.NOTHING;
         }
         double cos = StrictMath.cos(measurements.axis(0) - cone.bearing());
         double sin = StrictMath.sin(measurements.axis(0) - cone.bearing());
-        double driven = along(measurements, 0, cos, sin) - along(measurements, POINTS - 1, cos, sin);
-        double rate = driven < MIN_DISTANCE ? 0 : -slope(measurements, cos, sin);
+        int points = straightPoints(measurements, cos, sin);
+        if (points == 0) {
+            return Reading.NOTHING;
+        }
+        double driven = along(measurements, 0, cos, sin) - along(measurements, points - 1, cos, sin);
+        double rate = driven < MIN_DISTANCE ? 0 : -slope(measurements, points, cos, sin);
         if (rate < table.innerCos() + MARGIN) {
             return Reading.NOTHING;
         }
@@ -57,16 +67,22 @@ final class ApproachCheck {
         return measurements.reading(0) * table.innerCos() + across * tan;
     }
 
-    /** Returns whether the last measurements all saw something while the robot drove straight. */
-    private static boolean isStraight(MeasurementRing measurements) {
-        for (int i = 0; i < POINTS; i++) {
+    /**
+     * Returns the number of measurements to use: the last ones that span {@link #SPAN}. It is 0 if not all of them saw
+     * something while the robot drove straight.
+     */
+    private static int straightPoints(MeasurementRing measurements, double cos, double sin) {
+        for (int i = 0; i < MAX_POINTS; i++) {
             if (!measurements.has(i)
                     || measurements.reading(i) < 0
                     || Math.abs(measurements.axis(i) - measurements.axis(0)) > STRAIGHT) {
-                return false;
+                return 0;
+            }
+            if (i >= MIN_POINTS - 1 && along(measurements, 0, cos, sin) - along(measurements, i, cos, sin) >= SPAN) {
+                return i + 1;
             }
         }
-        return true;
+        return MAX_POINTS;
     }
 
     private static double along(MeasurementRing measurements, int age, double cos, double sin) {
@@ -74,16 +90,16 @@ final class ApproachCheck {
     }
 
     /** Returns the slope of the readings over the distance, by least squares. */
-    private static double slope(MeasurementRing measurements, double cos, double sin) {
+    private static double slope(MeasurementRing measurements, int points, double cos, double sin) {
         double meanAlong = 0;
         double meanReading = 0;
-        for (int i = 0; i < POINTS; i++) {
-            meanAlong += along(measurements, i, cos, sin) / POINTS;
-            meanReading += measurements.reading(i) / POINTS;
+        for (int i = 0; i < points; i++) {
+            meanAlong += along(measurements, i, cos, sin) / points;
+            meanReading += measurements.reading(i) / points;
         }
         double top = 0;
         double bottom = 0;
-        for (int i = 0; i < POINTS; i++) {
+        for (int i = 0; i < points; i++) {
             double offset = along(measurements, i, cos, sin) - meanAlong;
             top += offset * (measurements.reading(i) - meanReading);
             bottom += offset * offset;

@@ -4,6 +4,7 @@ import faultline.control.Observation;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
 import java.util.List;
 
 /**
@@ -31,6 +32,9 @@ public final class SensorDiagnosis {
     private TrustAssessment assessment;
     private HealthReport report;
     private double[] lastReadings = {};
+    /** For each sensor, whether its signal need not be tested as long as it sees nothing. */
+    private boolean[] quiet = {};
+
     private long tick;
     private double time;
     private double untilInspection;
@@ -68,7 +72,7 @@ public final class SensorDiagnosis {
         untilInspection -= dt;
         while (untilInspection < STEP / 2 && sensors.length > 0) {
             inspection.inspectAll(lastReadings, robot.width() / 2, time, tick);
-            untilInspection += STEP * sensors.length;
+            untilInspection += STEP * sensors.length * inspection.rate().interval();
         }
     }
 
@@ -89,6 +93,7 @@ public final class SensorDiagnosis {
         if (!same) {
             sensors = new InspectedSensor[n];
             signals = new SignalCheck[n];
+            quiet = new boolean[n];
             grid = new EvidenceGrid(n + 1);
             report = new HealthReport(newRobot);
             inspection = new SensorInspection(grid, reckoning, clock, motion, report);
@@ -111,7 +116,11 @@ public final class SensorDiagnosis {
     private void testSignals() {
         motion.advance(reckoning.rolled(), reckoning.turned());
         for (int i = 0; i < signals.length; i++) {
+            if (quiet[i] && lastReadings[i] == Reading.NOTHING) {
+                continue;
+            }
             SensorFinding finding = signals[i].test(lastReadings[i]);
+            quiet[i] = signals[i].isQuiet();
             if (signals[i].jumped()) {
                 sensors[i].jump(time);
             }

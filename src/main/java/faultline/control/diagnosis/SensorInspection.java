@@ -20,12 +20,6 @@ final class SensorInspection {
     private static final double FREE_MARGIN = 0.04;
 
     /**
-     * A measurement is tested again after these numbers of inspections, because there is more free-space evidence by
-     * then.
-     */
-    private static final int[] RETESTS = {5, 12, 24};
-
-    /**
      * As long as nothing is suspicious, a measurement is added to the grid after the sensor's cone has moved sideways
      * by this, metres.
      */
@@ -40,8 +34,11 @@ final class SensorInspection {
     /** A contradiction is suspicious for this long, seconds. */
     private static final double SUSPICION = 1;
 
-    /** The share of each count that remains after an inspection. */
-    private static final double FADE = 0.97;
+    /** A robot that turns faster than this does not drive straight on, radians per second. */
+    private static final double TURNING = 0.5;
+
+    /** A surface this near to a sensor that looks diagonally ahead may cross the path, metres. */
+    private static final double CLOSE = 0.2;
 
     private final EvidenceGrid grid;
     private final DeadReckoning reckoning;
@@ -57,6 +54,7 @@ final class SensorInspection {
     private TrustAssessment assessment;
     private MissedSurfaces missedSurfaces;
     private boolean alert;
+    private InspectionRate rate = InspectionRate.FULL;
     private double bodyMarkedDistance = Double.NEGATIVE_INFINITY;
     private double wantedDistance = Double.POSITIVE_INFINITY;
 
@@ -112,7 +110,7 @@ final class SensorInspection {
      * @param tick now
      */
     void inspectAll(double[] readings, double bodyRadius, double time, long tick) {
-        alert = !assessment.allTrusted() || time - assessment.lastSuspicion() < SUSPICION;
+        alert = isSuspicious(time);
         compareBesideWall(readings);
         for (InspectedSensor sensor : sensors) {
             inspect(sensor, readings, time);
@@ -122,6 +120,34 @@ final class SensorInspection {
             bodyMarkedDistance = reckoning.distance();
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), bodyRadius, clock.moment());
         }
+        rate = rateAfter(readings, time);
+    }
+
+    private InspectionRate rateAfter(double[] readings, double time) {
+        if (isSuspicious(time) || isClose(readings)) {
+            return InspectionRate.FULL;
+        }
+        return Math.abs(reckoning.turnRate()) > TURNING ? InspectionRate.TURNING : InspectionRate.STRAIGHT;
+    }
+
+    /** Returns the rate until the next inspection. */
+    InspectionRate rate() {
+        return rate;
+    }
+
+    /** Returns whether a sensor is not trusted, or was contradicted a short time ago. */
+    private boolean isSuspicious(double time) {
+        return !assessment.allTrusted() || time - assessment.lastSuspicion() < SUSPICION;
+    }
+
+    /** Returns whether a surface that may cross the path is near. */
+    private boolean isClose(double[] readings) {
+        for (InspectedSensor sensor : sensors) {
+            if (readings[sensor.index()] < CLOSE && NearSurfaceCheck.applies(sensor.cone())) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void compareBesideWall(double[] readings) {
@@ -145,7 +171,7 @@ final class SensorInspection {
                 missedSurfaces.test(sensor, readings, wantedDistance, clock.moment() - MEMORY, time);
             }
         }
-        assessment.fade(sensor, FADE);
+        assessment.fade(sensor, rate.fade());
         if (sensor.finding() == SensorFinding.BLIND && missedSurfaces.isRefuted(sensor, clock.moment() - MEMORY)) {
             assessment.restore(sensor, time);
         }
@@ -176,7 +202,7 @@ final class SensorInspection {
         if (due) {
             int inspections = sensor.mark(reckoning);
             if (sees && isConfirmed(sensor)) {
-                sensor.confirm(inspections);
+                sensor.confirm(inspections * rate.interval());
             }
         }
         if (radius > 0 && (due || small)) {
@@ -209,11 +235,11 @@ final class SensorInspection {
 
     private void retest(InspectedSensor sensor) {
         if (!alert) {
-            retest(sensor, RETESTS[sensor.inspections() % RETESTS.length]);
+            retest(sensor, rate.retest(sensor.inspections() % InspectionRate.RETESTS));
             return;
         }
-        for (int age : RETESTS) {
-            retest(sensor, age);
+        for (int i = 0; i < InspectionRate.RETESTS; i++) {
+            retest(sensor, rate.retest(i));
         }
     }
 
@@ -231,7 +257,7 @@ final class SensorInspection {
     private void test(InspectedSensor sensor, int age, int oldest) {
         int by = arcCheck.contradicting(sensor, age, oldest, assessment.trusted() | sensor.bit());
         if (by != ArcCheck.POSSIBLE) {
-            assessment.addContradiction(sensor.index(), by);
+            assessment.addContradiction(sensor.index(), by, rate.interval());
         }
     }
 }

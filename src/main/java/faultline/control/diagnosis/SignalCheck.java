@@ -107,6 +107,11 @@ final class SignalCheck {
         return smooth;
     }
 
+    /** Returns whether a further reading that sees nothing needs no test. */
+    boolean isQuiet() {
+        return quiet;
+    }
+
     /** Returns whether the last reading jumped: it differs from the extrapolation of the two before it. */
     boolean jumped() {
         return jumped;
@@ -124,7 +129,7 @@ final class SignalCheck {
         learnScatter(reading);
         learnFlips(reading);
         before = reading;
-        quiet = isQuiet();
+        quiet = changesNothing();
         SensorFinding remembered = remembered();
         return stuck ? SensorFinding.STUCK : remembered;
     }
@@ -147,7 +152,7 @@ final class SignalCheck {
     }
 
     /** Returns whether another reading that sees nothing would change no count. */
-    private boolean isQuiet() {
+    private boolean changesNothing() {
         return before == Reading.NOTHING
                 && flips < NEGLIGIBLE
                 && spikes < NEGLIGIBLE

@@ -8,7 +8,7 @@ import faultline.control.SensorFinding;
  */
 final class TrustAssessment {
 
-    private static final double THRESHOLD = 9;
+    private static final double THRESHOLD = 7;
 
     /** The count of a missed surface: two in a row exceed the threshold, because the robot may be driving at it. */
     private static final double MISSED = 5;
@@ -65,14 +65,15 @@ final class TrustAssessment {
      *
      * @param sensor the sensor that measured
      * @param by the sensors each of which has seen all of the measured arc free, a bit for each; 0 if only together
+     * @param weight of the contradiction
      */
-    void addContradiction(int sensor, int by) {
+    void addContradiction(int sensor, int by, double weight) {
         if (by == 0) {
-            conflicts.add(sensor, sensor, 0.5);
+            conflicts.add(sensor, sensor, 0.5 * weight);
             return;
         }
         for (int rest = by; rest != 0; rest &= rest - 1) {
-            conflicts.add(sensor, Integer.numberOfTrailingZeros(rest), 1);
+            conflicts.add(sensor, Integer.numberOfTrailingZeros(rest), weight);
         }
     }
 

@@ -87,6 +87,9 @@ public final class FaultTolerantFollower implements Controller {
     }
 
     private void switchRung() {
+        if (rung == Rung.ALL && diagnosis.allTrusted()) {
+            return;
+        }
         Rung.Strategy before = rung.strategy();
         if (before == Rung.Strategy.MAP && mapFollower.isStuck()) {
             stuckWith = diagnosis.trusted();

@@ -1,0 +1,89 @@
+package faultline.control.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.SensorFinding;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import java.util.Arrays;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** The sensors are inspected less often as long as nothing is suspicious, and count for as much over time. */
+class InspectionRateTest {
+
+    private static final double DT = 0.01;
+    private static final double VOLTS = 6;
+
+    private final RobotSpec robot = RobotSpec.DEFAULT;
+    private final InspectedSensor[] sensors = new InspectedSensor[robot.sensors().size()];
+    private final double[] readings = new double[sensors.length];
+    private final DeadReckoning reckoning = new DeadReckoning();
+    private TrustAssessment assessment;
+    private SensorInspection inspection;
+
+    @BeforeEach
+    void mount() {
+        for (int i = 0; i < sensors.length; i++) {
+            sensors[i] = new InspectedSensor(i, MountedCone.of(robot.sensors().get(i), 1));
+        }
+        Arrays.fill(readings, Reading.NOTHING);
+        assessment = new TrustAssessment(sensors);
+        inspection = new SensorInspection(
+                new EvidenceGrid(sensors.length + 1),
+                reckoning,
+                new MotionClock(),
+                new MotionAccumulator(),
+                new HealthReport(robot));
+        inspection.refit(sensors, new WallLine(sensors), assessment);
+    }
+
+    private InspectionRate rateAfter(double leftVolts, double rightVolts) {
+        reckoning.advance(robot, leftVolts, rightVolts, DT, 50);
+        inspection.inspectAll(readings, 0.1, 1, 50);
+        return inspection.rate();
+    }
+
+    @Test
+    void theFirstInspectionIsAtTheFullRate() {
+        assertEquals(InspectionRate.FULL, inspection.rate());
+    }
+
+    @Test
+    void aRobotInOpenSpaceIsInspectedLessOftenOnStraightPartsThanInTurns() {
+        assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
+        assertEquals(InspectionRate.TURNING, rateAfter(VOLTS, -VOLTS));
+        assertTrue(InspectionRate.STRAIGHT.interval() > InspectionRate.TURNING.interval());
+    }
+
+    @Test
+    void aSensorThatIsNotTrustedBringsTheFullRate() {
+        assessment.distrust(sensors[robot.indexOf("rear")], SensorFinding.STUCK, 0);
+        assertEquals(InspectionRate.FULL, rateAfter(VOLTS, VOLTS));
+    }
+
+    @Test
+    void aContradictionBringsTheFullRate() {
+        assessment.addContradiction(0, 0b110, 1);
+        assertEquals(InspectionRate.FULL, rateAfter(VOLTS, VOLTS));
+    }
+
+    @Test
+    void aNearSurfaceThatMayCrossThePathBringsTheFullRate() {
+        readings[robot.indexOf("front-right")] = 0.15;
+        assertEquals(InspectionRate.FULL, rateAfter(VOLTS, VOLTS));
+        readings[robot.indexOf("front-right")] = 0.25;
+        assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
+    }
+
+    @Test
+    void countsFadeByTheSameShareOverTime() {
+        for (InspectionRate rate : InspectionRate.values()) {
+            assertEquals(
+                    StrictMath.pow(InspectionRate.FULL.fade(), 8),
+                    StrictMath.pow(rate.fade(), 8.0 / rate.interval()),
+                    1e-12);
+        }
+    }
+}
