@@ -13,6 +13,12 @@ import java.util.List;
  */
 public final class SensorDiagnosis {
 
+    /**
+     * The maximum number of sensors that are diagnosed, because each has a bit of an {@code int} and the robot's body
+     * has another one. Of more sensors, those that are last in the robot's list are always trusted.
+     */
+    public static final int MAX_SENSORS = Integer.SIZE - 1;
+
     /** The time between two inspections, as a multiple of the number of sensors, seconds. */
     private static final double STEP = 0.01;
 
@@ -87,8 +93,9 @@ public final class SensorDiagnosis {
     }
 
     private void refit(RobotSpec newRobot) {
-        int n = newRobot.sensors().size();
-        boolean same = robot != null && n == sensors.length;
+        int n = Math.min(newRobot.sensors().size(), MAX_SENSORS);
+        boolean same =
+                robot != null && robot.sensors().size() == newRobot.sensors().size();
         robot = newRobot;
         if (!same) {
             sensors = new InspectedSensor[n];
@@ -167,7 +174,7 @@ public final class SensorDiagnosis {
         refreshReport(sensors[sensor]);
     }
 
-    /** {@return the number of the robot's sensors} */
+    /** {@return the number of sensors that are diagnosed} */
     public int sensors() {
         return sensors.length;
     }
@@ -179,10 +186,10 @@ public final class SensorDiagnosis {
      * @return whether it is; false if there is a finding
      */
     public boolean isTrusted(int sensor) {
-        return sensors[sensor].isTrusted();
+        return sensor >= sensors.length || sensors[sensor].isTrusted();
     }
 
-    /** {@return whether all sensors are trusted} */
+    /** {@return whether all diagnosed sensors are trusted} */
     public boolean allTrusted() {
         return assessment.allTrusted();
     }

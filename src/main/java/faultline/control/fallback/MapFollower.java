@@ -145,7 +145,7 @@ public final class MapFollower {
         if (untilPlan <= 0) {
             untilPlan = scan.isActive() ? SCAN_PLANNING : PLANNING;
             gear = Gear.of(diagnosis);
-            map.refresh(diagnosis, robot.sensors().size(), MEMORY, robot.boundingRadius() + NEAR);
+            map.refresh(diagnosis, diagnosis.sensors(), MEMORY, robot.boundingRadius() + NEAR);
             plan();
             wallControl = measured();
         }
@@ -267,7 +267,7 @@ public final class MapFollower {
     private void startScan() {
         double best = Double.NaN;
         double margin = 0;
-        for (int i = 0; i < robot.sensors().size(); i++) {
+        for (int i = 0; i < diagnosis.sensors(); i++) {
             if (diagnosis.isTrusted(i)) {
                 double turn = turnFor(diagnosis.cone(i), heading.unknownX(), heading.unknownY());
                 if (Double.isNaN(best) || Math.abs(turn) < Math.abs(best)) {

@@ -17,7 +17,8 @@ class InspectionRateTest {
     private static final double VOLTS = 6;
 
     private final RobotSpec robot = RobotSpec.DEFAULT;
-    private final InspectedSensor[] sensors = new InspectedSensor[robot.sensors().size()];
+    private final InspectedSensor[] sensors =
+            new InspectedSensor[robot.sensors().size()];
     private final double[] readings = new double[sensors.length];
     private final DeadReckoning reckoning = new DeadReckoning();
     private TrustAssessment assessment;
