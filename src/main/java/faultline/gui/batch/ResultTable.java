@@ -44,8 +44,7 @@ final class ResultTable extends RowTable {
     private static final String HASH = "trajectory_hash";
 
     /** The columns of what does not happen in every batch. They take no room before. */
-    private static final Set<String> OCCASIONAL =
-            Set.of("collision_time_s", "detection_delay_s", "detection_view_s", "detection_error_m", "failure");
+    private static final Set<String> OCCASIONAL = Set.of("collision_time_s", "detection_delay_s", "failure");
 
     private final Model model;
     private final transient TableRowSorter<Model> sorter;
