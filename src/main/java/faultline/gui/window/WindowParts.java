@@ -16,6 +16,8 @@ final class WindowParts {
 
     /** The height of a window that shows the instruments by default, pixels at the normal text size. */
     private static final int MIN_HEIGHT_WITH_DOCK = 700;
+    /** The part of that height that grows with the text. */
+    private static final int TEXT_HEIGHT_WITH_DOCK = 520;
 
     private final WindowPreferences preferences;
     private final UiAction instruments = UiAction.toggle("instruments", true, this::setDockShown)
@@ -58,10 +60,14 @@ final class WindowParts {
     /** Shows the instruments as the user has chosen, otherwise in a window that is high enough. */
     private void showDockByDefault(JFrame window) {
         if (!dockChosen) {
-            boolean shown = preferences.dockShown().orElse(window.getHeight() >= TextSize.scaled(MIN_HEIGHT_WITH_DOCK));
+            boolean shown = preferences.dockShown().orElse(window.getHeight() >= minHeightWithDock());
             mainPanel.setDockShown(shown);
             instruments.setOn(shown);
         }
+    }
+
+    private static int minHeightWithDock() {
+        return MIN_HEIGHT_WITH_DOCK - TEXT_HEIGHT_WITH_DOCK + TextSize.scaled(TEXT_HEIGHT_WITH_DOCK);
     }
 
     /** Shows the time line and the control panel. */

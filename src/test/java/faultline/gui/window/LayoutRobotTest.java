@@ -129,6 +129,35 @@ class LayoutRobotTest {
         }
     }
 
+    private static Stream<Arguments> largeWindows() {
+        // The last two are the default window on a screen of 1920x1080, and a maximised one of 3200x2000 at scale 2.
+        return Stream.of(
+                        Arguments.of(1366, 830, TextSize.LARGE),
+                        Arguments.of(1728, 972, TextSize.LARGEST),
+                        Arguments.of(1600, 1000, TextSize.LARGEST))
+                .flatMap(window -> Stream.of(Language.values())
+                        .map(language -> Arguments.of(window.get()[0], window.get()[1], window.get()[2], language)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("largeWindows")
+    void aLargeWindowShowsTheInstrumentsWithLargeText(int width, int height, TextSize size, Language language) {
+        WindowDriver.installChoices(language, size);
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/yard.xml"))) {
+            runOnEdt(() -> driver.window().setSize(width, height));
+            driver.robot()
+                    .waitFor("the window has its size", () -> driver.window().getHeight() == height);
+            driver.robot().waitForPaint();
+            Component chart = ComponentFinder.find(driver.window(), JComponent.class, Messages.get("strip.view"));
+            assertTrue(callOnEdt(chart::isShowing), "the instruments are hidden");
+            int chartHeight = callOnEdt(chart::getHeight);
+            assertTrue(chartHeight >= MIN_CHART, "chart " + chartHeight);
+            Dimension canvas = callOnEdt(() -> driver.canvas().getSize());
+            int root = callOnEdt(() -> driver.window().getRootPane().getHeight());
+            assertTrue(2 * canvas.height >= root, canvas + " in " + root);
+        }
+    }
+
     private static boolean scrollsSideways(WindowDriver driver) {
         return callOnEdt(() -> ComponentFinder.findAll(driver.window(), ControlPanel.class)
                 .flatMap(panel -> ComponentFinder.findAll(panel, JScrollPane.class))
