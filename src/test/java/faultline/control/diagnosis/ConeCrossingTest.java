@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.robot.RobotSpec;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class ConeCrossingTest {
 
@@ -73,5 +75,41 @@ class ConeCrossingTest {
         crossing.appear(0.4);
         move(30, 0.003, 0);
         assertFalse(crossing.canDisappear(0.3));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "2, 0.003, 0",
+        "2, -0.003, 0",
+        "6, 0.003, 0",
+        "6, -0.003, 0",
+        "2, 0, 0.003",
+        "2, 0, -0.003",
+        "0, 0, 0.003"
+    })
+    void aSurfaceCrossesFourFifthsOfTheConeInEitherDirection(int sensor, double rolled, double turned) {
+        double apex = sensor == 0 ? 0.125 : 0.1;
+        double step = Math.abs(rolled) + Math.abs(turned) * (0.25 + apex);
+        int least = (int) (0.8 * 2 * 0.25 * Math.sin(Math.toRadians(10)) / step);
+        ConeCrossing crossing = of(sensor);
+        move(1, rolled, turned);
+        crossing.appear(0.25);
+        move(least, rolled, turned);
+        assertFalse(crossing.canDisappear(0.25));
+        move(1, rolled, turned);
+        assertTrue(crossing.canDisappear(0.25));
+    }
+
+    @Test
+    void aDiagonalConeIsCrossedMoreSlowlyByRolling() {
+        // The left border of front-left lies at 55 degrees: the surface leaves there.
+        ConeCrossing crossing = of(1);
+        move(1, 0.003, 0);
+        crossing.appear(0.25);
+        int least = (int) (0.8 * 2 * 0.25 * Math.sin(Math.toRadians(10)) / (0.003 * Math.sqrt(0.5)));
+        move(least, 0.003, 0);
+        assertFalse(crossing.canDisappear(0.25));
+        move(1, 0.003, 0);
+        assertTrue(crossing.canDisappear(0.25));
     }
 }

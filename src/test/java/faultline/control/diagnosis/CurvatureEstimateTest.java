@@ -6,6 +6,7 @@ import faultline.sensor.Reading;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class CurvatureEstimateTest {
@@ -70,6 +71,58 @@ class CurvatureEstimateTest {
         for (int i = 0; i < 12; i++) {
             drive(0.45, i % 2 == 0 ? 0.6 : -0.1, 0);
             assertEquals(0, estimate.curvature(), "after leg " + i);
+        }
+    }
+
+    /** Drives while the robot turns as believed and the reading bends by itself. */
+    private void drive(double way, double turning, double readingCurvature, double sag) {
+        int steps = (int) Math.round(way / STEP);
+        for (int i = 0; i < steps; i++) {
+            double s = i * STEP;
+            estimate.update(0.25 + readingCurvature * s * s / 2, sag, STEP, turning * STEP);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        // Three legs of 0.15 m turn the robot by 18 and by 22 degrees.
+        "0.7, -0.2, 0.002, -0.5",
+        "0.86, -0.36, 0.002, 0",
+        "-0.7, 0.2, 0.002, 0.5",
+        "-0.86, 0.36, 0.002, 0",
+        "0, 0.5, 0.014, -0.5",
+        "0, 0.5, 0.016, 0",
+        "0, 0.5, -0.014, -0.5",
+        "0, 0.5, -0.016, 0",
+        "0, 0.78, 0, -0.78",
+        "0, 0.82, 0, 0",
+        "0, 0.11, 0, -0.11",
+        "0, 0.09, 0, 0"
+    })
+    void onlyStraightWallsAndGentlePathsTeach(double turning, double curvature, double sag, double expected) {
+        drive(2, turning, curvature, sag);
+        assertEquals(expected, estimate.curvature(), 0.012);
+    }
+
+    @Test
+    void sevenSamplesAreNeededAndLaterOnesReplaceThem() {
+        drive(1.3, 0, 0.5, 0);
+        assertEquals(0, estimate.curvature(), "six samples");
+        drive(0.06, 0, 0.5, 0);
+        estimate.update(0, Double.NaN, STEP, 0);
+        drive(2.5, 0, 0.5, 0);
+        assertEquals(-0.5, estimate.curvature(), 0.02);
+        estimate.update(0, Double.NaN, STEP, 0);
+        drive(2.5, 0, -0.3, 0);
+        assertEquals(0.3, estimate.curvature(), 0.02);
+    }
+
+    @Test
+    void aWallThatIsLostBeginsNewLegs() {
+        for (int i = 0; i < 60; i++) {
+            drive(0.44, 0, 0.5, 0);
+            estimate.update(0, Double.NaN, STEP, 0);
+            assertEquals(0, estimate.curvature(), "two legs and a part of the third");
         }
     }
 }

@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class SignalCheckTest {
@@ -77,5 +78,136 @@ class SignalCheckTest {
     void readingsThatComeAndGoAreFoundUnlessTheyAreNearTheRange() {
         assertEquals(SensorFinding.INTERMITTENT, run(2, 50, 0.003, 0, i -> i % 2 == 0 ? 0.3 : Reading.NOTHING));
         assertEquals(SensorFinding.NONE, run(2, 50, 0.003, 0, i -> i % 2 == 0 ? 0.79 : Reading.NOTHING));
+    }
+
+    /** Runs beside a robot that stands, so that motion explains nothing; the left sensor reads 0.3 m. */
+    private static SensorFinding runStanding(int ticks, IntToDoubleFunction reading) {
+        return run(2, ticks, 0, 0, reading);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "0.3, 0.3, 0.346, true",
+        "0.3, 0.3, 0.344, false",
+        "0.3, 0.3, 0.254, true",
+        "0.3, 0.32, 0.34, false",
+        "0.3, 0.35, 0.40, false",
+        "0.3, 0.32, 0.386, true",
+        "0.3, 0.35, 0.35, true",
+        "0.3, 0.3, Infinity, false",
+        "Infinity, 0.3, 0.3, false",
+        "0.3, 0.3, NaN, false"
+    })
+    void aReadingJumpsIfItDiffersFromTheExtrapolation(double one, double two, double three, boolean jumps) {
+        SignalCheck check =
+                new SignalCheck(MountedCone.of(RobotSpec.DEFAULT.sensors().get(2), 1), new MotionAccumulator());
+        check.test(one);
+        check.test(two);
+        check.test(three);
+        assertEquals(jumps, check.jumped());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"20, NONE", "17, NONE", "14, NOISY", "10, NOISY"})
+    void aQuarterOfAllDifferencesMayScatter(int period, SensorFinding expected) {
+        // A single longer reading makes four large third differences.
+        assertEquals(expected, runStanding(1500, i -> i % period == 0 ? 0.4 : 0.3));
+    }
+
+    @Test
+    void scatterIsForgotten() {
+        IntToDoubleFunction reading = i -> i < 400 && i % 10 == 0 ? 0.4 : 0.3 + (i & 1) * 1e-4;
+        assertEquals(SensorFinding.NOISY, runStanding(395, reading));
+        assertEquals(SensorFinding.NONE, runStanding(480, reading));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        // The spikes after each other, the reading after each, and the period; the other readings are 0.3 m.
+        "0.2 0.15 0.1 0.05, 0.3, 50, NOISY",
+        "0.2 0.15 0.1, 0.3, 50, NONE",
+        "0.2 0.15 0.1 0.05, 0.3, 300, NONE",
+        "0.2 0.2 0.2 0.2 0.2, 0.3, 50, NONE",
+        "0.2 0.17 0.2 0.17, 0.3, 50, NOISY",
+        "0.255 0.2 0.255 0.2, 0.3, 50, NOISY",
+        "0.265 0.23 0.265 0.23, 0.3, 50, NONE",
+        "0.2 0.15 0.1 0.05, 0.275, 50, NONE",
+        "0.2 0.15 0.1 0.05, 0.325, 50, NONE"
+    })
+    void threeShortReadingsThatDifferFromTheShortOneBeforeAreGhosts(
+            String spikes, double after, int period, SensorFinding expected) {
+        String[] lengths = spikes.split(" ");
+        SensorFinding found = runStanding(lengths.length * period + 2, i -> {
+            boolean isSpike = i > 0 && i % period == 0;
+            boolean isAfter = i > period && i % period == 1;
+            return isSpike ? Double.parseDouble(lengths[i / period - 1]) : isAfter ? after : 0.3;
+        });
+        assertEquals(expected, found);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "0.3, 4, 4, INTERMITTENT",
+        "0.3, 3, 4, NONE",
+        "0.3, 4, 30, NONE",
+        "0.69, 4, 4, INTERMITTENT",
+        "0.71, 8, 4, NONE"
+    })
+    void aSurfaceThatVanishesFourTimesInASecondIsIntermittent(
+            double distance, int times, int period, SensorFinding expected) {
+        assertEquals(expected, runStanding(times * period, i -> i % period == period - 1 ? Reading.NOTHING : distance));
+    }
+
+    @Test
+    void whatComesAndGoesIsForgotten() {
+        IntToDoubleFunction reading = i -> i < 40 && i % 4 == 3 ? Reading.NOTHING : 0.3 + (i & 1) * 1e-4;
+        assertEquals(SensorFinding.INTERMITTENT, runStanding(40, reading));
+        assertEquals(SensorFinding.INTERMITTENT, runStanding(100, reading));
+        assertEquals(SensorFinding.NONE, runStanding(300, reading));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        // sensor, ticks, rolled, turned, reading
+        "0, 18, 0.003, 0, 0.3, STUCK",
+        "0, 17, 0.003, 0, 0.3, NONE",
+        "0, 18, -0.003, 0, 0.3, STUCK",
+        "1, 100, 0.003, 0, 0.3, NONE",
+        "4, 100, 0.003, 0, 0.3, NONE",
+        "2, 22, 0, 0.01, 0.3, STUCK",
+        "2, 21, 0, 0.01, 0.3, NONE",
+        "2, 22, 0, -0.01, 0.3, STUCK",
+        "2, 18, 0.003, 0, 0, STUCK",
+        "2, 17, 0.003, 0, 0, NONE",
+        "2, 12, 0.003, 0.002, 0, STUCK",
+        "2, 12, 0.003, -0.002, 0, STUCK",
+        "2, 100, 0.003, 0, 0.001, NONE",
+        "2, 100, 0, 0.01, Infinity, NONE",
+        "0, 100, 0.003, 0, Infinity, NONE"
+    })
+    void aConstantReadingIsStuckOnceMotionShouldHaveChangedIt(
+            int sensor, int ticks, double rolled, double turned, double reading, SensorFinding expected) {
+        assertEquals(expected, run(sensor, ticks, rolled, turned, i -> reading));
+    }
+
+    @Test
+    void anyChangeOfTheReadingBeginsAgain() {
+        assertEquals(SensorFinding.NONE, run(2, 100, 0, 0.01, i -> i / 20 % 2 == 0 ? 0.3 : 0.3001));
+        assertEquals(SensorFinding.NONE, run(2, 62, 0, 0.01, i -> i == 60 ? 0.31 : 0.3));
+    }
+
+    @Test
+    void aSensorThatAnswersAgainIsTestedFromThenOn() {
+        assertEquals(SensorFinding.NONE, runStanding(60, i -> i == 50 ? Reading.OFF : 0.3));
+        assertEquals(SensorFinding.OFF, runStanding(51, i -> i == 50 ? Reading.OFF : 0.3));
+        assertEquals(SensorFinding.OFF, runStanding(51, i -> i == 50 ? Reading.OFF : Reading.NOTHING));
+    }
+
+    @Test
+    void polesThatARobotPassesAreNeitherGhostsNorNoise() {
+        // Each pole is in view for 24 ticks: 7 cm.
+        IntToDoubleFunction poles = i -> i % 40 < 24 ? 0.25 - 0.03 * (i / 40 % 2) + 1e-4 * (i & 1) : Reading.NOTHING;
+        assertEquals(SensorFinding.NONE, run(2, 2000, 0.003, 0, poles));
+        assertEquals(SensorFinding.INTERMITTENT, run(2, 2000, 0.0005, 0, poles));
     }
 }

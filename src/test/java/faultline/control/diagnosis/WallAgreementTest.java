@@ -84,4 +84,65 @@ class WallAgreementTest {
         assertEquals(WallAgreement.NONE, agreement.update(line, readings, way, heading));
         assertEquals(WallAgreement.NONE, drive(0.4, FRONT_LEFT, 0.05, 0));
     }
+
+    /** Drives along with an error of each of the three, and returns the first finding. */
+    private int driveWith(double metres, double ahead, double facing, double behind) {
+        for (double driven = 0; driven < metres; driven += STEP) {
+            way += STEP;
+            double[] readings = new double[8];
+            double[] errors = {ahead, facing, behind};
+            for (int place = 0; place < 3; place++) {
+                readings[line.sensor(place).index()] =
+                        beside(0.4 + errors[place])[line.sensor(place).index()];
+            }
+            int found = agreement.update(line, readings, way, heading);
+            if (found != WallAgreement.NONE) {
+                return line.sensor(found).index();
+            }
+        }
+        return WallAgreement.NONE;
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "0, 0.031, 0, 2",
+        "0, 0.029, 0, -1",
+        "0, -0.031, 0, 2",
+        "0, -0.029, 0, -1",
+        "0.038, 0.07, 0, 2",
+        "0.042, 0.08, 0, -1",
+        "0.05, 0.011, 0, 1",
+        "0.05, 0.013, 0, -1",
+        "0, 0.011, 0.05, 3",
+        "0, 0.013, 0.05, -1",
+        "-0.05, 0, 0.011, 1"
+    })
+    void oneDiffersByMoreThanThreeCentimetresFromTwoThatAgree(double ahead, double facing, double behind, int wrong) {
+        assertEquals(wrong, driveWith(3, ahead, facing, behind));
+    }
+
+    @Test
+    void theDifferenceMustBeTheSameFromLegToLeg() {
+        for (int leg = 0; leg < 12; leg++) {
+            double error = leg % 2 == 0 ? 0.05 : 0.07;
+            assertEquals(WallAgreement.NONE, driveWith(0.15, 0, error, 0), "leg " + leg);
+        }
+        assertEquals(2, driveWith(0.6, 0, 0.07, 0));
+    }
+
+    @Test
+    void threeLegsAreNeeded() {
+        assertEquals(WallAgreement.NONE, driveWith(0.44, 0, 0.05, 0));
+        assertEquals(2, driveWith(0.03, 0, 0.05, 0));
+    }
+
+    @Test
+    void onlyTheTurnWithinALegCounts() {
+        heading = 2;
+        agreement.update(line, new double[] {0, Reading.NOTHING, 0, 0, 0, 0, 0, 0}, way, heading);
+        assertEquals(2, drive(0.6, 2, 0.05, 0.0009), "2.6 degrees in a leg");
+        assertEquals(WallAgreement.NONE, drive(0.6, 2, 0.05, 0.0012), "3.4 degrees in a leg");
+        assertEquals(2, drive(0.8, 2, 0.05, -0.0009));
+        assertEquals(WallAgreement.NONE, drive(0.6, 2, 0.05, -0.0012));
+    }
 }

@@ -1,6 +1,7 @@
 package faultline.control.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.SensorFinding;
@@ -70,5 +71,42 @@ class WallLineTest {
         InspectedSensor[] distrusted = sensors();
         distrusted[2].distrust(SensorFinding.NOISY, 1);
         assertTrue(Double.isNaN(new WallLine(distrusted).sag(besideDisc(0, 500))));
+    }
+
+    @Test
+    void allThreeMustSeeSomething() {
+        WallLine line = new WallLine(SENSORS);
+        double[] seen = besideDisc(0, 500);
+        assertTrue(line.isSeen(seen));
+        for (int place = 0; place < 3; place++) {
+            int sensor = line.sensor(place).index();
+            for (double unseen : new double[] {Reading.NOTHING, Reading.OFF, 0.81}) {
+                double[] readings = seen.clone();
+                readings[sensor] = unseen;
+                assertFalse(line.isSeen(readings), "sensor " + sensor + ": " + unseen);
+            }
+        }
+        assertEquals(seen[2], line.distance(seen));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void withoutOneOfTheThreeSensorsNothingIsSeen(int missing) {
+        double[] seen = besideDisc(0, 500);
+        WallLine line = new WallLine(IntStream.range(0, 8)
+                .filter(i -> i != missing)
+                .mapToObj(i -> SENSORS[i])
+                .toArray(InspectedSensor[]::new));
+        assertFalse(line.isSeen(seen));
+        assertEquals(missing == 2 ? Reading.OFF : seen[2], line.distance(seen));
+    }
+
+    @Test
+    void eachMeasuresTheDistanceFromTheCentreLine() {
+        double[] readings = besideDisc(0, 500);
+        WallLine line = new WallLine(SENSORS);
+        for (int place = 0; place < 3; place++) {
+            assertEquals(0.35, line.aside(place, readings), 0.001, "place " + place);
+        }
     }
 }

@@ -8,6 +8,7 @@ import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -36,5 +37,13 @@ class GearTest {
         SensorDiagnosis diagnosis = new SensorDiagnosis(side);
         diagnosis.update(new Observation(0, 0.01, RobotSpec.DEFAULT, readings), 0, 0, 1);
         assertEquals(expected, Gear.of(diagnosis));
+    }
+
+    @Test
+    void backwardsTheRearLeadsAndVelocitiesAreNegative() {
+        assertEquals(0.5, Gear.FORWARDS.leading(0.5));
+        assertEquals(0.2, Gear.FORWARDS.velocity(0.2));
+        assertEquals(0.5 + Math.PI, Gear.BACKWARDS.leading(0.5));
+        assertEquals(-0.2, Gear.BACKWARDS.velocity(0.2));
     }
 }

@@ -1,0 +1,102 @@
+package faultline.control.ladder;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.control.Observation;
+import faultline.control.diagnosis.SensorDiagnosis;
+import faultline.geometry.Degrees;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
+import java.util.List;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class RungTest {
+
+    private static SensorDiagnosis diagnosis(RobotSpec robot, double side, String on) {
+        List<String> trusted = List.of(on.split(" "));
+        double[] readings = robot.sensors().stream()
+                .map(SensorSpec::id)
+                .mapToDouble(id -> trusted.contains(id) ? Reading.NOTHING : Reading.OFF)
+                .toArray();
+        SensorDiagnosis diagnosis = new SensorDiagnosis(side);
+        diagnosis.update(new Observation(0, 0.01, robot, readings), 0, 0, 1);
+        return diagnosis;
+    }
+
+    private static SensorDiagnosis turned(String id, double degrees, String on) {
+        RobotSpec robot = RobotSpec.DEFAULT;
+        SensorSpec sensor = robot.sensor(id).orElseThrow();
+        return diagnosis(robot.withSensor(sensor.withBearing(Degrees.toRadians(degrees))), 1, on);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1, front front-left left rear-left rear rear-right right front-right, ALL, SIX_STATES",
+        "1, front front-left left rear-left rear rear-right right, REDUCED, SIX_STATES",
+        "1, front left, REDUCED, SIX_STATES",
+        "1, left rear right, THREE, MAP",
+        "1, front front-left rear, THREE, MAP",
+        "1, front rear-left, TWO, MAP",
+        "1, left right, TWO, MAP",
+        "1, left, ONE, MAP",
+        "1, front-left, ONE, MAP",
+        "1, rear-left, ONE, MAP",
+        "1, front, STOP, STOP",
+        "1, front rear rear-right right front-right, STOP, STOP",
+        "1, none, STOP, STOP",
+        "-1, front right, REDUCED, SIX_STATES",
+        "-1, front-right, ONE, MAP",
+        "-1, left front, STOP, STOP"
+    })
+    void theHighestRungWhoseNeedsAreMetDrives(double side, String on, Rung rung, Rung.Strategy strategy) {
+        assertEquals(rung, Rung.of(diagnosis(RobotSpec.DEFAULT, side, on)));
+        assertEquals(strategy, rung.strategy());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "left, 71, REDUCED",
+        "left, 69, TWO",
+        "left, 109, REDUCED",
+        "left, 111, TWO",
+        "left, 41, TWO",
+        "left, 39, STOP",
+        "left, 139, TWO",
+        "left, 141, STOP",
+        "front, 19, REDUCED",
+        "front, 21, TWO",
+        "front, -19, REDUCED",
+        "front, -21, TWO"
+    })
+    void bearingsWithin20DegreesFaceAndWithin50LookSideways(String id, double degrees, Rung expected) {
+        assertEquals(expected, Rung.of(turned(id, degrees, "front left")));
+    }
+
+    @Test
+    void theTrustedSensorClosestToThePerpendicularFacesTheWall() {
+        assertEquals(OptionalInt.of(2), Rung.facingWall(diagnosis(RobotSpec.DEFAULT, 1, "front-left left rear-left")));
+        assertEquals(OptionalInt.empty(), Rung.facingWall(diagnosis(RobotSpec.DEFAULT, 1, "front-left rear-left")));
+        assertEquals(OptionalInt.of(1), Rung.facingWall(turned("front-left", 88, "front-left rear-left")));
+        assertEquals(OptionalInt.of(2), Rung.facingWall(turned("front-left", 75, "front-left left")));
+        assertEquals(OptionalInt.of(3), Rung.facingWall(turned("rear-left", 95, "front-left rear-left")));
+    }
+
+    @Test
+    void theLadderListsAllRungsFromTheTopEachWithItsCondition() {
+        assertEquals(List.of(Rung.ALL, Rung.REDUCED, Rung.THREE, Rung.TWO, Rung.ONE, Rung.STOP), Rung.LADDER);
+        assertEquals(
+                6,
+                Rung.LADDER.stream()
+                        .map(Rung::needs)
+                        .filter(needs -> !needs.isBlank())
+                        .distinct()
+                        .count());
+        assertEquals("left and front trusted", Rung.REDUCED.needs());
+        assertEquals("no trusted sensor on the side of the wall", StopReason.NO_SENSOR.condition());
+        assertEquals("no progress for a minute", StopReason.NO_PROGRESS.condition());
+    }
+}
