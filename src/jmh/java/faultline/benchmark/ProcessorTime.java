@@ -17,7 +17,7 @@ import java.util.Locale;
  */
 public final class ProcessorTime {
 
-    private static final int PASSES = 4;
+    private static final int PASSES = 8;
     private static final int SHORT_PASSES = 41;
     private static final int WARM_UP = 20;
     /** Of a short pass. */

@@ -151,7 +151,9 @@ final class ControllerXml {
         node.childrenNamed("setting").forEach(child -> {
             ElementRules.checkChildren(child, List.of(), problems);
             AttributeReader fields = new AttributeReader(child, problems);
-            settings.put(fields.id("name"), fields.requiredText("value", Allowed.TEXT.english()));
+            settings.put(
+                    fields.id("name"),
+                    fields.requiredText("value", Allowed.TEXT.english()).orElse(""));
             fields.reportUnknownAndMissing();
         });
         return settings;

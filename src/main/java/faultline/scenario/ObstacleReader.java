@@ -16,7 +16,7 @@ import faultline.world.WaypointPath;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 
 /** Reads obstacles, in the world and in the timeline, and counts the obstacles and points of the file. */
 final class ObstacleReader {
@@ -27,7 +27,8 @@ final class ObstacleReader {
     private static final List<String> CHILD_ELEMENTS = List.of("motion");
 
     private final Problems problems;
-    private final Map<String, Function<AttributeReader, ObstacleShape>> shapeReaders = new LinkedHashMap<>();
+    private final Map<String, BiFunction<XmlElement, AttributeReader, ObstacleShape>> shapeReaders =
+            new LinkedHashMap<>();
     private final List<String> elementNames;
     private int partCount;
 
@@ -35,16 +36,16 @@ final class ObstacleReader {
         this.problems = problems;
         shapeReaders.put(
                 "rectangle",
-                f -> new ObstacleShape.RectangleShape(
+                (node, f) -> new ObstacleShape.RectangleShape(
                         f.number("width", NumberRange.SIZE), f.number("height", NumberRange.SIZE)));
-        shapeReaders.put("circle", f -> new ObstacleShape.CircleShape(f.number("radius", NumberRange.SIZE)));
+        shapeReaders.put("circle", (node, f) -> new ObstacleShape.CircleShape(f.number("radius", NumberRange.SIZE)));
         shapeReaders.put(
                 "ellipse",
-                f -> new ObstacleShape.EllipseShape(
+                (node, f) -> new ObstacleShape.EllipseShape(
                         f.number("rx", NumberRange.SIZE), f.number("ry", NumberRange.SIZE)));
-        shapeReaders.put("polygon", f -> new ObstacleShape.PolygonShape(readPoints(f, 3)));
-        shapeReaders.put("wall", f -> new ObstacleShape.WallShape(readPoints(f, 2)));
-        shapeReaders.put("plan", f -> new ObstacleShape.PlanShape(readRings(f)));
+        shapeReaders.put("polygon", (node, f) -> new ObstacleShape.PolygonShape(readPoints(node, f, 3)));
+        shapeReaders.put("wall", (node, f) -> new ObstacleShape.WallShape(readPoints(node, f, 2)));
+        shapeReaders.put("plan", (node, f) -> new ObstacleShape.PlanShape(readRings(node, f)));
         elementNames = List.copyOf(shapeReaders.keySet());
     }
 
@@ -64,7 +65,7 @@ final class ObstacleReader {
                 fields.number("x", NumberRange.COORDINATE),
                 fields.number("y", NumberRange.COORDINATE),
                 fields.angle("heading", NumberRange.ANGLE, 0));
-        ObstacleShape shape = shapeReaders.get(node.name()).apply(fields);
+        ObstacleShape shape = shapeReaders.get(node.name()).apply(node, fields);
         double specular = SPECULAR_SHAPES.contains(node.name())
                 ? fields.angle("specular", NumberRange.INCIDENCE_ANGLE, Obstacle.MATT)
                 : Obstacle.MATT;
@@ -77,7 +78,7 @@ final class ObstacleReader {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         WaypointPath motion = new WaypointPath(
-                fields.number("speed", NumberRange.SPEED), fields.flag("loop", true), readPoints(fields, 1));
+                fields.number("speed", NumberRange.SPEED), fields.flag("loop", true), readPoints(node, fields, 1));
         fields.reportUnknownAndMissing();
         checkLoopTime(node, motion);
         return motion;
@@ -100,18 +101,22 @@ final class ObstacleReader {
         }
     }
 
-    private List<List<Vector2>> readRings(AttributeReader fields) {
-        List<List<Vector2>> rings = fields.rings("points", Math.max(3, ScenarioLimits.MAX_PARTS - partCount));
+    private List<List<Vector2>> readRings(XmlElement node, AttributeReader fields) {
+        List<List<Vector2>> rings = pointReader(node, fields).rings();
         for (List<Vector2> ring : rings) {
             partCount += ring.size();
         }
         return rings;
     }
 
-    private List<Vector2> readPoints(AttributeReader fields, int least) {
-        List<Vector2> points = fields.points("points", least, Math.max(least, ScenarioLimits.MAX_PARTS - partCount));
+    private List<Vector2> readPoints(XmlElement node, AttributeReader fields, int least) {
+        List<Vector2> points = pointReader(node, fields).points(least);
         partCount += points.size();
         return points;
+    }
+
+    private PointListReader pointReader(XmlElement node, AttributeReader fields) {
+        return new PointListReader(node, fields, problems, ScenarioLimits.MAX_PARTS - partCount);
     }
 
     /** Returns whether the file has more obstacles and points than it may. */

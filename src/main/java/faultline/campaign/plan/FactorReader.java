@@ -72,7 +72,7 @@ final class FactorReader {
     }
 
     private static Optional<List<AttributeValue>> readValues(AttributeReader fields, String stream) {
-        String text = fields.requiredText("value", ValueSyntax.RULE);
+        String text = fields.requiredText("value", ValueSyntax.RULE).orElse("");
         Optional<List<AttributeValue>> values = ValueSyntax.parse(text, stream);
         if (values.isEmpty() && fields.isPresent("value")) {
             fields.report("value", text, ValueSyntax.RULE);
@@ -114,7 +114,8 @@ final class FactorReader {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         Optional<AttributePath> path = readPath(fields);
-        String value = fields.requiredText("value", "what the attribute of the scenario may be");
+        String value = fields.requiredText("value", "what the attribute of the scenario may be")
+                .orElse("");
         fields.reportUnknownAndMissing();
         return path.map(
                 found -> new ScenarioChange.SetAttribute(found, new AttributeValue.FixedValue(value), node.location()));
@@ -147,7 +148,8 @@ final class FactorReader {
     private List<String> readMask(XmlElement node, List<String> sensors) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
-        List<String> on = words(fields.requiredText("on", "the sensors that are on"));
+        List<String> on =
+                words(fields.requiredText("on", "the sensors that are on").orElse(""));
         if (!sensors.containsAll(on)) {
             fields.report("on", String.join(" ", on), "some of " + Allowed.names(sensors));
         }

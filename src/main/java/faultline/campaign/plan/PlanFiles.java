@@ -1,5 +1,6 @@
 package faultline.campaign.plan;
 
+import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlFile;
 import java.io.IOException;
@@ -65,9 +66,9 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
 
     private static byte[] readScenario(Path folder, String name) throws ScenarioException {
         try {
-            return XmlFile.readBytes(folder.resolve(name).normalize(), "scenario file");
+            return XmlFile.readBytes(folder.resolve(name).normalize(), Allowed.SCENARIO_FILE.with());
         } catch (InvalidPathException e) {
-            return XmlFile.readBytes(folder, "scenario file");
+            return XmlFile.readBytes(folder, Allowed.SCENARIO_FILE.with());
         }
     }
 
@@ -82,7 +83,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         return read(
                 file.toString(),
                 file,
-                (number, name) -> XmlFile.readBytes(folder.resolve(copyName(number)), "scenario file"));
+                (number, name) -> XmlFile.readBytes(folder.resolve(copyName(number)), Allowed.SCENARIO_FILE.with()));
     }
 
     private static CampaignPlan read(String name, Path file, Resolver resolver) throws ScenarioException {

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 
 /**
  * The cells of a campaign as CSV: one row for each combination of levels, and additional rows for all faults, all
@@ -151,22 +152,20 @@ final class CellTable {
             }
         }
         cells.add(count(rows, "broken"));
-        double[] delays = FaultSections.delays(rows);
-        cells.add(Integer.toString(delays.length));
-        cells.add(delays.length == 0 ? "" : fixed(FaultSections.quantile(delays, 0.5)));
-        cells.add(delays.length == 0 ? "" : fixed(FaultSections.quantile(delays, 0.9)));
+        cells.add(Integer.toString(RunData.values(rows, FaultSections.DELAY).length));
+        cells.add(quantile(rows, FaultSections.DELAY, 0.5));
+        cells.add(quantile(rows, FaultSections.DELAY, 0.9));
         cells.add(Long.toString(rows.stream()
                 .filter(row -> row.number("false_alarms").orElse(0) > 0)
                 .count()));
-        cells.add(median(rows, "detection_view_s"));
-        cells.add(median(rows, "detection_error_m"));
+        cells.add(quantile(rows, "detection_view_s", 0.5));
+        cells.add(quantile(rows, "detection_error_m", 0.5));
         return cells;
     }
 
-    /** Returns the median of the runs that have a value, empty if none has. */
-    private static String median(List<RunRow> rows, String column) {
-        double[] values = Arrays.stream(RunData.values(rows, column)).sorted().toArray();
-        return values.length == 0 ? "" : fixed(FaultSections.quantile(values, 0.5));
+    private static String quantile(List<RunRow> rows, String column, double share) {
+        OptionalDouble value = FaultSections.quantile(rows, column, share);
+        return value.isPresent() ? fixed(value.getAsDouble()) : "";
     }
 
     private static String count(List<RunRow> rows, String outcome) {

@@ -10,6 +10,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
@@ -24,7 +25,8 @@ final class FaultSections {
                     + " share of runs in which it does, of those with a diagnosis. A fault that disturbs little need"
                     + " not be detected.";
 
-    private static final String DELAY = "detection_delay_s";
+    /** The column of the delay until a fault is detected. */
+    static final String DELAY = "detection_delay_s";
 
     /** The minimum share of runs in which the robot carries on with a sufficient set of sensors. */
     private static final double SUFFICIENT = 0.85;
@@ -102,32 +104,31 @@ final class FaultSections {
                 "Detection delays",
                 Html.paragraph(DELAYS_EXPLAINED)
                         + table(faults.get(), diagnosed, FaultSections::delayCell)
-                        + ReportCharts.histogram("detection delay (s)", delays(diagnosed)));
+                        + ReportCharts.histogram("detection delay (s)", RunData.values(diagnosed, DELAY)));
     }
 
     private static String delayCell(List<RunRow> rows) {
-        double[] delays = delays(rows);
-        if (delays.length == 0) {
+        int detected = RunData.values(rows, DELAY).length;
+        if (detected == 0) {
             return "&ndash;";
         }
-        return "<b>" + seconds(quantile(delays, 0.5)) + "</b><small>" + seconds(quantile(delays, 0.9))
-                + "</small><small>" + Html.percent((double) delays.length / rows.size()) + "</small>";
+        return "<b>" + seconds(quantile(rows, DELAY, 0.5)) + "</b><small>" + seconds(quantile(rows, DELAY, 0.9))
+                + "</small><small>" + Html.percent((double) detected / rows.size()) + "</small>";
     }
 
-    private static String seconds(double value) {
+    private static String seconds(OptionalDouble delay) {
+        double value = delay.orElseThrow();
         return Html.format(value < 10 ? "%.2f" : "%.0f", value);
     }
 
-    /** Returns the delays of detection in some runs, ascending. */
-    static double[] delays(List<RunRow> rows) {
-        return Arrays.stream(RunData.values(rows, DELAY)).sorted().toArray();
-    }
-
     /**
-     * Returns a quantile of sorted numbers: the smallest one such that at least a given share of them are not greater.
+     * Returns a quantile of a column: the smallest value such that at least a given share of the values are not
+     * greater; empty if no run has a value.
      */
-    static double quantile(double[] sorted, double share) {
-        return sorted[(int) Math.max(0, Math.ceil(share * sorted.length) - 1)];
+    static OptionalDouble quantile(List<RunRow> rows, String column, double share) {
+        double[] values = Arrays.stream(RunData.values(rows, column)).sorted().toArray();
+        int index = (int) Math.max(0, Math.ceil(share * values.length) - 1);
+        return values.length == 0 ? OptionalDouble.empty() : OptionalDouble.of(values[index]);
     }
 
     /** Returns the smallest sets of sensors with which the robot carries on, empty without masks. */

@@ -24,7 +24,6 @@ public final class DeadReckoning {
     private double decay;
     private double rolled;
     private double turned;
-    private double turnRate;
     private double distance;
     private double turning;
     private double curvature;
@@ -65,7 +64,6 @@ public final class DeadReckoning {
             distance += Math.abs(step);
             turning += Math.abs(turn);
         }
-        turnRate = turned / (ticks * dt);
     }
 
     /** Sets the curvature to the left that the motor model lacks, 1/m. */
@@ -158,11 +156,6 @@ public final class DeadReckoning {
     /** Returns the total angle turned in both directions, radians. */
     double turning() {
         return turning;
-    }
-
-    /** Returns the mean turn rate of the last step, radians per second, positive to the left. */
-    double turnRate() {
-        return turnRate;
     }
 
     /**

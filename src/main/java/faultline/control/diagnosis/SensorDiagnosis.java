@@ -38,8 +38,6 @@ public final class SensorDiagnosis {
     private TrustAssessment assessment;
     private HealthReport report;
     private double[] lastReadings = {};
-    /** For each sensor, whether its signal need not be tested as long as it sees nothing. */
-    private boolean[] quiet = {};
 
     private long tick;
     private double time;
@@ -77,7 +75,7 @@ public final class SensorDiagnosis {
         learnCurvature();
         untilInspection -= dt;
         while (untilInspection < STEP / 2 && sensors.length > 0) {
-            inspection.inspectAll(lastReadings, robot.width() / 2, time, tick);
+            inspection.inspectAll(lastReadings, robot.width() / 2, reckoning.turned() / dt, time, tick);
             untilInspection += STEP * sensors.length * inspection.rate().interval();
         }
     }
@@ -100,7 +98,6 @@ public final class SensorDiagnosis {
         if (!same) {
             sensors = new InspectedSensor[n];
             signals = new SignalCheck[n];
-            quiet = new boolean[n];
             grid = new EvidenceGrid(n + 1);
             report = new HealthReport(newRobot);
             inspection = new SensorInspection(grid, reckoning, clock, motion, report);
@@ -123,11 +120,10 @@ public final class SensorDiagnosis {
     private void testSignals() {
         motion.advance(reckoning.rolled(), reckoning.turned());
         for (int i = 0; i < signals.length; i++) {
-            if (quiet[i] && lastReadings[i] == Reading.NOTHING) {
+            if (lastReadings[i] == Reading.NOTHING && signals[i].isQuiet()) {
                 continue;
             }
             SensorFinding finding = signals[i].test(lastReadings[i]);
-            quiet[i] = signals[i].isQuiet();
             if (signals[i].jumped()) {
                 sensors[i].jump(time);
             }

@@ -106,10 +106,11 @@ final class SensorInspection {
      *
      * @param readings the readings of all sensors in the robot's order
      * @param bodyRadius the radius of the disc that the robot's body covers, metres
+     * @param turnRate the mean turn rate since the last observation, radians per second
      * @param time now, seconds
      * @param tick now
      */
-    void inspectAll(double[] readings, double bodyRadius, double time, long tick) {
+    void inspectAll(double[] readings, double bodyRadius, double turnRate, double time, long tick) {
         alert = isSuspicious(time);
         compareBesideWall(readings);
         for (InspectedSensor sensor : sensors) {
@@ -120,14 +121,14 @@ final class SensorInspection {
             bodyMarkedDistance = reckoning.distance();
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), bodyRadius, clock.moment());
         }
-        rate = rateAfter(readings, time);
+        rate = rateAfter(readings, turnRate, time);
     }
 
-    private InspectionRate rateAfter(double[] readings, double time) {
+    private InspectionRate rateAfter(double[] readings, double turnRate, double time) {
         if (isSuspicious(time) || isClose(readings)) {
             return InspectionRate.FULL;
         }
-        return Math.abs(reckoning.turnRate()) > TURNING ? InspectionRate.TURNING : InspectionRate.STRAIGHT;
+        return Math.abs(turnRate) > TURNING ? InspectionRate.TURNING : InspectionRate.STRAIGHT;
     }
 
     /** Returns the rate until the next inspection. */

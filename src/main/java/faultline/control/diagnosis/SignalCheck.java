@@ -76,11 +76,8 @@ final class SignalCheck {
         this.crossing = new ConeCrossing(cone, motion);
     }
 
-    /** Processes a reading after some motion. */
+    /** Processes a reading after some motion; need not be called while it {@linkplain #isQuiet() changes nothing}. */
     SensorFinding test(double reading) {
-        if (quiet && reading == Reading.NOTHING) {
-            return SensorFinding.NONE;
-        }
         if (continues(reading)) {
             return unremarkable ? SensorFinding.NONE : fade();
         }

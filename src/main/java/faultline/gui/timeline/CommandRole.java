@@ -36,11 +36,6 @@ public record CommandRole(Lane lane, Effect effect, List<Command> endings, Funct
         return command.accept(FINDER);
     }
 
-    /** Returns whether a command adds or removes a fault. */
-    static boolean isFaultChange(Command command) {
-        return of(command).effect == Effect.FAULT;
-    }
-
     /** Returns whether a command changes settings of the controller, of a sensor or of the platform. */
     public static boolean isSettingChange(Command command) {
         return of(command).effect == Effect.SETTING;

@@ -1,6 +1,5 @@
 package faultline.scenario.xml;
 
-import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
 import faultline.io.Message;
@@ -28,9 +27,6 @@ public final class AttributeReader {
 
     /** Stands in for an id that could not be read; no file can hold it. */
     private static final String INVALID_ID = "\0";
-
-    /** A valid outline instead of points that could not be read. */
-    private static final List<Vector2> PLACEHOLDER_POINTS = List.of(Vector2.ZERO, new Vector2(1, 0), new Vector2(0, 1));
 
     private final XmlElement node;
     private final Problems problems;
@@ -97,8 +93,8 @@ public final class AttributeReader {
      * @param name the attribute
      * @param allowed the allowed values, for the problem
      */
-    public String requiredText(String name, String allowed) {
-        return required(name, () -> allowed).orElse("");
+    public Optional<String> requiredText(String name, Object allowed) {
+        return required(name, () -> allowed);
     }
 
     /**
@@ -288,71 +284,6 @@ public final class AttributeReader {
             reportValue(name, text, () -> Allowed.names(words, XmlText.strip(text)));
         }
         return chosen;
-    }
-
-    /**
-     * {@return the points of a required attribute, written as "x,y x,y"}
-     *
-     * @param name the attribute
-     * @param least the smallest number of points allowed
-     * @param most the greatest number of points allowed
-     */
-    public List<Vector2> points(String name, int least, int most) {
-        Message allowed = Allowed.POINTS.with(least, NumberRange.COORDINATE.rule());
-        List<Vector2> points = required(name, () -> allowed)
-                .map(text -> points(name, new PointParser(text.toCharArray(), 0, text.length()), most, allowed))
-                .orElse(PLACEHOLDER_POINTS);
-        if (points.size() < least) {
-            report(name, text(name).orElse(""), allowed);
-            return PLACEHOLDER_POINTS;
-        }
-        return points;
-    }
-
-    private List<Vector2> points(String name, PointParser pairs, int most, Message allowed) {
-        List<Vector2> points = new ArrayList<>();
-        boolean more = pairs.advance();
-        while (more && points.size() < most) {
-            Vector2 point = pairs.point();
-            if (!point.isFinite()) {
-                report(name, pairs.pair(), allowed);
-                return PLACEHOLDER_POINTS;
-            }
-            points.add(point);
-            more = pairs.advance();
-        }
-        if (more) {
-            problems.add(node, ProblemKind.TOO_MANY_POINTS.with(name, node.name(), ScenarioLimits.MAX_PARTS));
-        }
-        return points;
-    }
-
-    /**
-     * {@return the closed rings of points of a required attribute, written as those of {@link #points} and separated by
-     * {@code |}}
-     *
-     * @param name the attribute
-     * @param most the greatest number of points of all rings together
-     */
-    public List<List<Vector2>> rings(String name, int most) {
-        Message allowed = Allowed.RINGS.with(NumberRange.COORDINATE.rule());
-        List<List<Vector2>> rings = new ArrayList<>();
-        int left = most;
-        String text = required(name, () -> allowed).orElse("0,0 1,0 0,1");
-        char[] characters = text.toCharArray();
-        for (int from = 0; from <= text.length(); ) {
-            int bar = text.indexOf('|', from);
-            int end = bar < 0 ? text.length() : bar;
-            List<Vector2> ring = points(name, new PointParser(characters, from, end), left, allowed);
-            if (ring.size() < 3) {
-                report(name, XmlText.strip(text.substring(from, end)), allowed);
-                return List.of(PLACEHOLDER_POINTS);
-            }
-            rings.add(ring);
-            left -= ring.size();
-            from = end + 1;
-        }
-        return rings;
     }
 
     /**

@@ -101,7 +101,12 @@ public record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, 
         return new NumberRange(BigDecimal.ZERO, false, new BigDecimal(most), true, unit);
     }
 
-    boolean contains(BigDecimal value) {
+    /**
+     * {@return whether a number is inside}
+     *
+     * @param value the number
+     */
+    public boolean contains(BigDecimal value) {
         int below = value.compareTo(min);
         int above = value.compareTo(max);
         return (minInclusive ? below >= 0 : below > 0) && (maxInclusive ? above <= 0 : above < 0);

@@ -9,6 +9,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
 
 /** The survival tables of docs/results.md, made of the csv files beside it; {@link #main} puts them into the text. */
 final class SurvivalTables {
@@ -80,50 +82,49 @@ final class SurvivalTables {
     }
 
     private String matrix(String diagnosis) throws IOException {
-        Map<String, Map<String, Map<String, String>>> cells = new LinkedHashMap<>();
-        for (Map<String, String> row : read("survival")) {
-            boolean faulty = !row.get("fault_label").equals("none");
-            if (faulty
-                    && row.get("controller_diagnosis").equals(diagnosis)
-                    && row.get("final_rung").equals("all")) {
-                cells.computeIfAbsent(row.get("fault_label"), label -> new LinkedHashMap<>())
-                        .put(row.get("fault_sensor"), row);
-            }
-        }
+        Map<String, Map<String, Map<String, String>>> cells = bySensor(read("survival").stream()
+                .filter(row -> !row.get("fault_label").equals("none"))
+                .filter(row -> row.get("controller_diagnosis").equals(diagnosis)));
         Map<String, Map<String, String>> all = cells.remove("all");
         Map<String, String> total = all.remove("all");
-        List<String> sensors = new ArrayList<>(all.keySet());
-        StringBuilder out = new StringBuilder("| fault | " + String.join(" | ", sensors) + " | all |\n|---|"
-                + "---|".repeat(sensors.size() + 1) + "\n");
+        StringBuilder out = header(all.keySet(), " | all");
         cells.forEach((label, row) -> {
             out.append("| ").append(label);
-            sensors.forEach(sensor -> out.append(" | ").append(share(row.get(sensor))));
+            all.keySet().forEach(sensor -> out.append(" | ").append(share(row.get(sensor))));
             out.append(" | ").append(share(row.get("all"))).append(" |\n");
         });
         out.append("| all");
-        sensors.forEach(sensor -> out.append(" | ").append(share(all.get(sensor))));
+        all.values().forEach(row -> out.append(" | ").append(share(row)));
         return out.append(" | ").append(share(total)).append(" |\n").toString();
     }
 
     private String detection() throws IOException {
-        Map<String, Map<String, Map<String, String>>> cells = new LinkedHashMap<>();
-        for (Map<String, String> row : read("detection")) {
-            boolean cell = !row.get("fault_label").equals("all")
-                    && !row.get("fault_sensor").equals("all");
-            if (cell && row.get("final_rung").equals("all")) {
-                cells.computeIfAbsent(row.get("fault_label"), label -> new LinkedHashMap<>())
-                        .put(row.get("fault_sensor"), row);
-            }
-        }
-        List<String> sensors = new ArrayList<>(cells.values().iterator().next().keySet());
-        StringBuilder out = new StringBuilder(
-                "| fault | " + String.join(" | ", sensors) + " |\n|---|" + "---|".repeat(sensors.size()) + "\n");
+        Map<String, Map<String, Map<String, String>>> cells = bySensor(read("detection").stream()
+                .filter(row -> !row.get("fault_label").equals("all"))
+                .filter(row -> !row.get("fault_sensor").equals("all")));
+        Set<String> sensors = cells.values().iterator().next().keySet();
+        StringBuilder out = header(sensors, "");
         cells.forEach((label, row) -> {
             out.append("| ").append(label).append(label.startsWith("drift") ? ", mm" : ", s");
             sensors.forEach(sensor -> out.append(" | ").append(detection(row.get(sensor))));
             out.append(" |\n");
         });
         return out.toString();
+    }
+
+    /** Returns the rows of all rungs together, by fault and sensor. */
+    private static Map<String, Map<String, Map<String, String>>> bySensor(Stream<Map<String, String>> rows) {
+        Map<String, Map<String, Map<String, String>>> cells = new LinkedHashMap<>();
+        rows.filter(row -> row.get("final_rung").equals("all"))
+                .forEach(row -> cells.computeIfAbsent(row.get("fault_label"), label -> new LinkedHashMap<>())
+                        .put(row.get("fault_sensor"), row));
+        return cells;
+    }
+
+    private static StringBuilder header(Set<String> sensors, String last) {
+        int columns = sensors.size() + (last.isEmpty() ? 1 : 2);
+        return new StringBuilder("| fault | " + String.join(" | ", sensors) + last + " |\n|" + "---|".repeat(columns))
+                .append('\n');
     }
 
     private static String detection(Map<String, String> row) {

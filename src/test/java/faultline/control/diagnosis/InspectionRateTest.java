@@ -42,7 +42,7 @@ class InspectionRateTest {
 
     private InspectionRate rateAfter(double leftVolts, double rightVolts) {
         reckoning.advance(robot, leftVolts, rightVolts, DT, 50);
-        inspection.inspectAll(readings, 0.1, 1, 50);
+        inspection.inspectAll(readings, 0.1, reckoning.turned() / (50 * DT), 1, 50);
         return inspection.rate();
     }
 

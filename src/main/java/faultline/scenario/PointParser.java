@@ -1,7 +1,8 @@
-package faultline.scenario.xml;
+package faultline.scenario;
 
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
+import faultline.scenario.xml.NumberRange;
 import java.math.BigDecimal;
 import java.util.Optional;
 
