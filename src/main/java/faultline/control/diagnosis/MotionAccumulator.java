@@ -5,11 +5,13 @@ final class MotionAccumulator {
 
     private double rolled;
     private double turned;
+    private double unsteadiness;
     private double netDistance;
     private double heading;
 
     /** Adds a step. */
     void advance(double rolledBy, double turnedBy) {
+        unsteadiness = Math.abs(turnedBy - turned);
         rolled = rolledBy;
         turned = turnedBy;
         netDistance += rolledBy;
@@ -24,6 +26,11 @@ final class MotionAccumulator {
     /** Returns the turn of the last step, radians, positive to the left. */
     double turned() {
         return turned;
+    }
+
+    /** Returns by how much the turn of the last step differs from that of the one before it, radians. */
+    double unsteadiness() {
+        return unsteadiness;
     }
 
     /** Returns the distance rolled forwards less that rolled backwards, metres. */

@@ -15,6 +15,18 @@ final class SignalCheck {
     /** The same over this distance along the sensor's axis, metres. */
     private static final double STUCK_DISTANCE = 0.05;
 
+    /**
+     * The same while the turn of a step changes by this much in total, radians. On a steady path along a wall a healthy
+     * reading may stay the same, but then nothing makes the robot steer.
+     */
+    private static final double STUCK_UNSTEADINESS = 1e-5;
+
+    /** The minimum number of steps over which the last rule applies. */
+    private static final int MIN_HELD_STEPS = 20;
+
+    /** A sensor nearer to the robot's centre may read the same distance in a turn, metres. */
+    private static final double MIN_LEVER = 0.01;
+
     /** A third difference of readings beyond this shows noise, metres. */
     private static final double SCATTER = 0.08;
 
@@ -50,6 +62,7 @@ final class SignalCheck {
 
     private final MountedCone cone;
     private final double axisCos;
+    private final boolean hasLever;
     private final MotionAccumulator motion;
     private final ConeCrossing crossing;
     private double before = Double.NaN;
@@ -57,6 +70,13 @@ final class SignalCheck {
     private double second = Double.NaN;
     private double turn;
     private double distance;
+    /** The total unsteadiness of the robot while the reading stays the same, radians, and the number of steps. */
+    private double held;
+
+    private int heldSteps;
+    /** The greatest total after which the reading changed. */
+    private double longestHeld;
+
     private double scatter;
     private double lastSpike = Double.NaN;
     private double flips;
@@ -72,6 +92,7 @@ final class SignalCheck {
     SignalCheck(MountedCone cone, MotionAccumulator motion) {
         this.cone = cone;
         this.motion = motion;
+        this.hasLever = StrictMath.hypot(cone.x(), cone.y()) > MIN_LEVER;
         this.axisCos = StrictMath.cos(cone.bearing());
         this.crossing = new ConeCrossing(cone, motion);
     }
@@ -95,8 +116,7 @@ final class SignalCheck {
                 && Math.abs(newFirst) <= SPIKE
                 && Math.abs(newSecond - second) <= SCATTER;
         if (smooth) {
-            turn = 0;
-            distance = 0;
+            release();
             before = reading;
             first = newFirst;
             second = newSecond;
@@ -159,16 +179,37 @@ final class SignalCheck {
                 && Double.isNaN(second);
     }
 
-    private boolean isStuck(double reading) {
-        if (reading != before || reading == Reading.NOTHING) {
+    /** Records that the reading has changed. */
+    private void release() {
+        if (heldSteps > 0) {
             turn = 0;
             distance = 0;
+            longestHeld = Math.max(longestHeld, held);
+            held = 0;
+            heldSteps = 0;
+        }
+    }
+
+    /**
+     * Returns whether the robot steers but the reading stays the same. A sensor that resolves only coarse steps does so
+     * too, so the reading must stay for twice as long as it ever did before.
+     */
+    private boolean isHeld() {
+        return heldSteps >= MIN_HELD_STEPS && held > Math.max(STUCK_UNSTEADINESS, 2 * longestHeld) && hasLever;
+    }
+
+    private boolean isStuck(double reading) {
+        if (reading != before || reading == Reading.NOTHING) {
+            release();
             return false;
         }
         turn += motion.turned();
         distance += motion.rolled();
+        held += motion.unsteadiness();
+        heldSteps++;
         return Math.abs(turn) > STUCK_TURN
                 || Math.abs(distance * axisCos) > STUCK_DISTANCE && Math.abs(cone.bearing()) < cone.half()
+                || isHeld()
                 || reading < 0.001 && Math.abs(distance) + Math.abs(turn) > STUCK_DISTANCE;
     }
 

@@ -3,8 +3,10 @@ package faultline.control.diagnosis;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.SensorFinding;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
@@ -42,6 +44,47 @@ class SignalCheckTest {
     @Test
     void aConstantReadingBesideAStraightWallIsNot() {
         assertEquals(SensorFinding.NONE, run(2, 1000, 0.003, 0, i -> 0.25));
+    }
+
+    /**
+     * Returns the number of readings until a sensor is found stuck if the turn of a step goes up and down, 0 if never.
+     */
+    private static int stepsUntilStuck(MountedCone cone, double turned, int coarseness) {
+        MotionAccumulator motion = new MotionAccumulator();
+        SignalCheck test = new SignalCheck(cone, motion);
+        for (int i = 0; i < 2000; i++) {
+            motion.advance(0.003, i % 2 == 0 ? turned : -turned);
+            // Coarse steps at first, and then none.
+            double reading = 0.25 + 0.001 * Math.min(i / coarseness, 3);
+            if (test.test(reading) == SensorFinding.STUCK) {
+                return i - 3 * coarseness;
+            }
+        }
+        return 0;
+    }
+
+    @Test
+    void aConstantReadingIsStuckIfTheRobotSteers() {
+        MountedCone left = MountedCone.of(RobotSpec.DEFAULT.sensors().get(2), 1);
+        assertEquals(20, stepsUntilStuck(left, 1e-5, 1));
+        // 2e-7 for each of 51 steps.
+        assertEquals(51, stepsUntilStuck(left, 1e-7, 1));
+        assertEquals(0, stepsUntilStuck(left, 0, 1));
+    }
+
+    @Test
+    void aSensorOfCoarseStepsMustReadTheSameForTwiceAsLongAsBefore() {
+        MountedCone left = MountedCone.of(RobotSpec.DEFAULT.sensors().get(2), 1);
+        // Ten readings are the same for nine steps after the first.
+        assertEquals(20, stepsUntilStuck(left, 0x1p-17, 10));
+        assertEquals(29, stepsUntilStuck(left, 0x1p-17, 15));
+    }
+
+    @Test
+    void aSensorInTheCentreOfTheRobotMayReadTheSameInATurn() {
+        SensorSpec left = RobotSpec.DEFAULT.sensors().get(2);
+        MountedCone centred = MountedCone.of(left.withMountPosition(Vector2.ZERO), 1);
+        assertEquals(0, stepsUntilStuck(centred, 1e-5, 1));
     }
 
     @Test
