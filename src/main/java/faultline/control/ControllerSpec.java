@@ -18,11 +18,101 @@ public sealed interface ControllerSpec {
         return 0;
     }
 
+    /**
+     * {@return the result of a visitor for this controller}
+     *
+     * @param <R> the result type
+     * @param visitor the visitor
+     */
+    <R> R accept(ControllerVisitor<R> visitor);
+
+    /**
+     * An operation with one method for each kind of controller of the program.
+     *
+     * @param <R> the result type
+     */
+    interface BuiltInVisitor<R> {
+        /**
+         * {@return the result for {@link None}}
+         *
+         * @param spec the controller to visit
+         */
+        R visit(None spec);
+
+        /**
+         * {@return the result for a {@link Drive}}
+         *
+         * @param spec the controller to visit
+         */
+        R visit(Drive spec);
+
+        /**
+         * {@return the result for a {@link WallFollowing} controller}
+         *
+         * @param spec the controller to visit
+         */
+        R visit(WallFollowing spec);
+    }
+
+    /**
+     * An operation with one method for each kind of controller.
+     *
+     * @param <R> the result type
+     */
+    interface ControllerVisitor<R> extends BuiltInVisitor<R> {
+        /**
+         * {@return the result for an {@link Extern} controller}
+         *
+         * @param spec the controller to visit
+         */
+        R visit(Extern spec);
+
+        /**
+         * {@return the result for a {@link Provided} controller}
+         *
+         * @param spec the controller to visit
+         */
+        R visit(Provided spec);
+
+        /**
+         * {@return the result for a {@link Chosen} controller}
+         *
+         * @param spec the controller to visit
+         */
+        R visit(Chosen spec);
+
+        /**
+         * {@return the result for a {@link Recorded} controller}
+         *
+         * @param spec the controller to visit
+         */
+        R visit(Recorded spec);
+    }
+
     /** A controller of the program, which can replace another controller of the program during a run. */
-    sealed interface BuiltIn extends ControllerSpec {}
+    sealed interface BuiltIn extends ControllerSpec {
+
+        /**
+         * {@return the result of a visitor for this controller}
+         *
+         * @param <R> the result type
+         * @param visitor the visitor
+         */
+        <R> R acceptBuiltIn(BuiltInVisitor<R> visitor);
+
+        @Override
+        default <R> R accept(ControllerVisitor<R> visitor) {
+            return acceptBuiltIn(visitor);
+        }
+    }
 
     /** The robot stays where it is: file type {@code none}. */
-    record None() implements BuiltIn {}
+    record None() implements BuiltIn {
+        @Override
+        public <R> R acceptBuiltIn(BuiltInVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * Constant voltages: file type {@code drive}.
@@ -30,7 +120,12 @@ public sealed interface ControllerSpec {
      * @param leftVolts the voltage on the left motors, finite
      * @param rightVolts the voltage on the right motors, finite
      */
-    record Drive(double leftVolts, double rightVolts) implements BuiltIn {}
+    record Drive(double leftVolts, double rightVolts) implements BuiltIn {
+        @Override
+        public <R> R acceptBuiltIn(BuiltInVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * The paper's six-state wall follower: file type {@code wall-follower}.
@@ -145,6 +240,11 @@ public sealed interface ControllerSpec {
             return OptionalDouble.of(distance);
         }
 
+        @Override
+        public <R> R acceptBuiltIn(BuiltInVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+
         /**
          * Creates settings.
          *
@@ -183,7 +283,12 @@ public sealed interface ControllerSpec {
      *
      * @param period the time between two decisions, seconds; 0 for every tick
      */
-    record Extern(double period) implements Foreign {}
+    record Extern(double period) implements Foreign {
+        @Override
+        public <R> R accept(ControllerVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * A controller in Java: the file type is its provider's name.
@@ -202,6 +307,11 @@ public sealed interface ControllerSpec {
          */
         public Provided {
             settings = Map.copyOf(settings);
+        }
+
+        @Override
+        public <R> R accept(ControllerVisitor<R> visitor) {
+            return visitor.visit(this);
         }
     }
 
@@ -233,6 +343,11 @@ public sealed interface ControllerSpec {
             OptionalDouble wanted = original.wantedDistance();
             return wanted.isPresent() ? wanted : Foreign.super.wantedDistance();
         }
+
+        @Override
+        public <R> R accept(ControllerVisitor<R> visitor) {
+            return visitor.visit(this);
+        }
     }
 
     /**
@@ -257,6 +372,11 @@ public sealed interface ControllerSpec {
         @Override
         public OptionalDouble wantedDistance() {
             return OptionalDouble.of(wanted);
+        }
+
+        @Override
+        public <R> R accept(ControllerVisitor<R> visitor) {
+            return visitor.visit(this);
         }
     }
 }

@@ -14,11 +14,52 @@ public sealed interface GainRule {
      */
     PdGains gains(double speed, double lag);
 
+    /**
+     * {@return the result of a visitor for this rule}
+     *
+     * @param <R> the result type
+     * @param visitor the visitor
+     */
+    <R> R accept(GainRuleVisitor<R> visitor);
+
+    /**
+     * An operation with one method for each rule.
+     *
+     * @param <R> the result type
+     */
+    interface GainRuleVisitor<R> {
+        /**
+         * {@return the result for {@link Automatic}}
+         *
+         * @param rule the rule to visit
+         */
+        R visit(Automatic rule);
+
+        /**
+         * {@return the result for a {@link Length}}
+         *
+         * @param rule the rule to visit
+         */
+        R visit(Length rule);
+
+        /**
+         * {@return the result for {@link Fixed} gains}
+         *
+         * @param rule the rule to visit
+         */
+        R visit(Fixed rule);
+    }
+
     /** Critically damped, with the shortest length that the motors can follow. */
     record Automatic() implements GainRule {
         @Override
         public PdGains gains(double speed, double lag) {
             return PdGains.forSpeed(speed, lag);
+        }
+
+        @Override
+        public <R> R accept(GainRuleVisitor<R> visitor) {
+            return visitor.visit(this);
         }
     }
 
@@ -41,6 +82,11 @@ public sealed interface GainRule {
         @Override
         public PdGains gains(double speed, double lag) {
             return PdGains.criticallyDamped(metres, speed);
+        }
+
+        @Override
+        public <R> R accept(GainRuleVisitor<R> visitor) {
+            return visitor.visit(this);
         }
     }
 
@@ -66,6 +112,11 @@ public sealed interface GainRule {
         @Override
         public PdGains gains(double speed, double lag) {
             return PdGains.withErrorLimit(proportional, derivative, speed);
+        }
+
+        @Override
+        public <R> R accept(GainRuleVisitor<R> visitor) {
+            return visitor.visit(this);
         }
     }
 

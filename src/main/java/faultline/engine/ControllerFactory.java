@@ -54,32 +54,7 @@ public final class ControllerFactory {
      * @param spec the choice of the controller and its settings
      */
     public static Controller create(ControllerSpec spec) {
-        if (spec instanceof ControllerSpec.BuiltIn builtIn) {
-            return new PeriodicController(builtIn, ControllerFactory::createDelegate);
-        }
-        if (spec instanceof ControllerSpec.Provided provided) {
-            Controller controller = ControllerProviders.create(provided.name(), provided.settings());
-            return new PeriodicController(controller, provided.period());
-        }
-        if (spec instanceof ControllerSpec.Recorded recorded) {
-            return new RecordedController(recorded, FOREIGN_STATE);
-        }
-        return observation -> {
-            throw new RunFailedException(
-                    "the scenario is driven by a controller from outside, and none was chosen", null);
-        };
-    }
-
-    /** Returns a new controller in its initial state that decides on every observation. */
-    private static Controller createDelegate(ControllerSpec.BuiltIn spec) {
-        if (spec instanceof ControllerSpec.WallFollowing wall) {
-            return wall.diagnosis() ? new FaultTolerantFollower(wall) : new WallFollower(wall);
-        }
-        Telemetry telemetry = Telemetry.ofState(initialState(spec));
-        Decision constant = spec instanceof ControllerSpec.Drive drive
-                ? new Decision(drive.leftVolts(), drive.rightVolts(), telemetry)
-                : new Decision(0, 0, telemetry);
-        return observation -> constant;
+        return spec.accept(new Creator());
     }
 
     /**
@@ -88,14 +63,7 @@ public final class ControllerFactory {
      * @param spec the choice of the controller
      */
     public static List<ControllerState> states(ControllerSpec spec) {
-        if (spec instanceof ControllerSpec.WallFollowing wall) {
-            Stream<ControllerState> stop = wall.diagnosis() ? Stream.of(FaultTolerantFollower.STOP) : Stream.empty();
-            return Stream.concat(Arrays.stream(FollowerState.values()), stop).toList();
-        }
-        if (spec instanceof ControllerSpec.Foreign || spec instanceof ControllerSpec.Recorded) {
-            return List.of();
-        }
-        return List.of(ControllerState.of(spec instanceof ControllerSpec.Drive ? "DRIVE" : "NONE"));
+        return spec instanceof ControllerSpec.BuiltIn builtIn ? builtIn.acceptBuiltIn(new StateLister()) : List.of();
     }
 
     /**
@@ -105,5 +73,98 @@ public final class ControllerFactory {
      */
     public static ControllerState initialState(ControllerSpec spec) {
         return states(spec).stream().findFirst().orElse(FOREIGN_STATE);
+    }
+
+    /** Creates controllers. */
+    private static final class Creator implements ControllerSpec.ControllerVisitor<Controller> {
+
+        private static Controller periodic(ControllerSpec.BuiltIn spec) {
+            return new PeriodicController(spec, settings -> settings.acceptBuiltIn(new DelegateCreator()));
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.None spec) {
+            return periodic(spec);
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.Drive spec) {
+            return periodic(spec);
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.WallFollowing spec) {
+            return periodic(spec);
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.Extern spec) {
+            return observation -> failNotChosen();
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.Provided spec) {
+            Controller controller = ControllerProviders.create(spec.name(), spec.settings());
+            return new PeriodicController(controller, spec.period());
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.Chosen spec) {
+            return observation -> failNotChosen();
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.Recorded spec) {
+            return new RecordedController(spec, FOREIGN_STATE);
+        }
+
+        private static Decision failNotChosen() {
+            throw new RunFailedException(
+                    "the scenario is driven by a controller from outside, and none was chosen", null);
+        }
+    }
+
+    /** Creates controllers of the program that decide on every observation. */
+    private static final class DelegateCreator implements ControllerSpec.BuiltInVisitor<Controller> {
+
+        private static Controller constant(ControllerSpec.BuiltIn spec, double leftVolts, double rightVolts) {
+            Decision decision = new Decision(leftVolts, rightVolts, Telemetry.ofState(initialState(spec)));
+            return observation -> decision;
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.None spec) {
+            return constant(spec, 0, 0);
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.Drive spec) {
+            return constant(spec, spec.leftVolts(), spec.rightVolts());
+        }
+
+        @Override
+        public Controller visit(ControllerSpec.WallFollowing spec) {
+            return spec.diagnosis() ? new FaultTolerantFollower(spec) : new WallFollower(spec);
+        }
+    }
+
+    /** Lists the states of controllers of the program. */
+    private static final class StateLister implements ControllerSpec.BuiltInVisitor<List<ControllerState>> {
+
+        @Override
+        public List<ControllerState> visit(ControllerSpec.None spec) {
+            return List.of(ControllerState.of("NONE"));
+        }
+
+        @Override
+        public List<ControllerState> visit(ControllerSpec.Drive spec) {
+            return List.of(ControllerState.of("DRIVE"));
+        }
+
+        @Override
+        public List<ControllerState> visit(ControllerSpec.WallFollowing spec) {
+            Stream<ControllerState> stop = spec.diagnosis() ? Stream.of(FaultTolerantFollower.STOP) : Stream.empty();
+            return Stream.concat(Arrays.stream(FollowerState.values()), stop).toList();
+        }
     }
 }

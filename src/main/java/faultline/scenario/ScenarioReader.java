@@ -99,7 +99,7 @@ final class ScenarioReader {
         Optional<WorldSpec> world = requiredSection(root, "world").map(worldReader::read);
         Optional<RobotReader.PlacedRobot> robot = requiredSection(root, "robot").map(new RobotReader(problems)::read);
         ControllerSpec controller = root.firstChild("controller")
-                .map(node -> ControllerXml.read(node, problems))
+                .map(node -> ControllerReader.read(node, problems))
                 .orElse(ControllerSpec.WallFollowing.DEFAULT);
         Expectation expect = root.firstChild("expect")
                 .map(new ExpectationReader(problems, controller)::read)

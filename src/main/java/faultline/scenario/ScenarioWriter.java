@@ -57,7 +57,7 @@ final class ScenarioWriter {
         }
         WorldWriter.write(setup.world(), out);
         RobotWriter.write(setup.robot(), setup.start(), out);
-        ControllerXml.write(setup.controller(), out);
+        ControllerWriter.write(setup.controller(), out);
         if (!setup.timeline().isEmpty()) {
             TimelineWriter.write(setup.timeline(), setup.controller(), out);
         }

@@ -71,7 +71,7 @@ final class TimelineReader {
         this.problems = problems;
         this.obstacleReader = obstacles;
         this.robot = robot;
-        this.follower = ControllerXml.defaultsFor(controller);
+        this.follower = ControllerReader.defaultsFor(controller);
         this.obstacleIds = new LinkedHashSet<>(obstacleIds);
         robot.sensors().forEach(sensor -> sensors.put(sensor.id(), sensor));
         readers.put("fault", this::readFault);
@@ -211,7 +211,7 @@ final class TimelineReader {
     }
 
     private Stream<TimedCommand> readController(XmlElement node, AttributeReader fields, double at) {
-        return singleCommand(at, new Command.ConfigureController(ControllerXml.readBuiltIn(fields, follower)));
+        return singleCommand(at, new Command.ConfigureController(ControllerReader.readBuiltIn(fields, follower)));
     }
 
     private static Stream<TimedCommand> singleCommand(double at, Command command) {

@@ -26,7 +26,7 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
 
     /** Writes the commands of a scenario, whose controller has the values of omitted attributes. */
     static void write(List<TimedCommand> commands, ControllerSpec controller, XmlWriter out) {
-        TimelineWriter writer = new TimelineWriter(ControllerXml.defaultsFor(controller), out);
+        TimelineWriter writer = new TimelineWriter(ControllerReader.defaultsFor(controller), out);
         out.beginElement("timeline");
         for (int i = 0; i < commands.size(); i++) {
             writer.time = commands.get(i).time();
@@ -139,6 +139,6 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
 
     @Override
     public XmlWriter visit(Command.ConfigureController command) {
-        return ControllerXml.writeBuiltIn(command.controller(), follower, true, begin("controller"));
+        return command.controller().accept(new ControllerWriter(begin("controller"), follower, true));
     }
 }

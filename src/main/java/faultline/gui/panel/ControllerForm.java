@@ -32,11 +32,26 @@ public final class ControllerForm {
         NONE,
         FOREIGN;
 
+        private static final ControllerSpec.BuiltInVisitor<ControllerKind> FINDER =
+                new ControllerSpec.BuiltInVisitor<>() {
+                    @Override
+                    public ControllerKind visit(ControllerSpec.None spec) {
+                        return NONE;
+                    }
+
+                    @Override
+                    public ControllerKind visit(ControllerSpec.Drive spec) {
+                        return DRIVE;
+                    }
+
+                    @Override
+                    public ControllerKind visit(WallFollowing spec) {
+                        return FOLLOWER;
+                    }
+                };
+
         static ControllerKind of(ControllerSpec spec) {
-            if (!(spec instanceof ControllerSpec.BuiltIn)) {
-                return FOREIGN;
-            }
-            return spec instanceof WallFollowing ? FOLLOWER : spec instanceof ControllerSpec.Drive ? DRIVE : NONE;
+            return spec instanceof ControllerSpec.BuiltIn builtIn ? builtIn.acceptBuiltIn(FINDER) : FOREIGN;
         }
     }
 

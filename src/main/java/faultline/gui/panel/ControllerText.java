@@ -14,22 +14,34 @@ public final class ControllerText {
 
     /** Returns the kind of a controller with its settings. */
     public static String format(ControllerSpec.BuiltIn spec) {
-        if (spec instanceof WallFollowing follower) {
-            return Messages.get(
-                            "controller.follower.text",
-                            DecimalText.format(follower.distance()),
-                            Messages.get("controller.hand." + follower.side().fileName()),
-                            gains(follower.gainRule()),
-                            Messages.get("spin.rule." + follower.timingRule().fileName()))
-                    + unusual(follower);
+        return spec.acceptBuiltIn(new KindText());
+    }
+
+    /** The kind of a controller with its settings. */
+    private static final class KindText implements ControllerSpec.BuiltInVisitor<String> {
+        @Override
+        public String visit(ControllerSpec.None spec) {
+            return Messages.get("controller.none");
         }
-        if (spec instanceof ControllerSpec.Drive drive) {
+
+        @Override
+        public String visit(ControllerSpec.Drive spec) {
             return Messages.get(
                     "controller.drive.text",
-                    DecimalText.format(drive.leftVolts()),
-                    DecimalText.format(drive.rightVolts()));
+                    DecimalText.format(spec.leftVolts()),
+                    DecimalText.format(spec.rightVolts()));
         }
-        return Messages.get("controller.none");
+
+        @Override
+        public String visit(WallFollowing spec) {
+            return Messages.get(
+                            "controller.follower.text",
+                            DecimalText.format(spec.distance()),
+                            Messages.get("controller.hand." + spec.side().fileName()),
+                            spec.gainRule().accept(new GainText()),
+                            Messages.get("spin.rule." + spec.timingRule().fileName()))
+                    + unusual(spec);
+        }
     }
 
     /** Describes the settings that differ from the defaults and are not described otherwise. */
@@ -51,16 +63,24 @@ public final class ControllerText {
         return text.toString();
     }
 
-    private static String gains(GainRule rule) {
-        if (rule instanceof GainRule.Length length) {
-            return Messages.get("controller.gains.length.text", DecimalText.format(length.metres()));
+    /** The rule for the gains with its values. */
+    private static final class GainText implements GainRule.GainRuleVisitor<String> {
+        @Override
+        public String visit(GainRule.Automatic rule) {
+            return Messages.get("controller.gains.automatic.text");
         }
-        if (rule instanceof GainRule.Fixed fixed) {
+
+        @Override
+        public String visit(GainRule.Length rule) {
+            return Messages.get("controller.gains.length.text", DecimalText.format(rule.metres()));
+        }
+
+        @Override
+        public String visit(GainRule.Fixed rule) {
             return Messages.get(
                     "controller.gains.fixed.text",
-                    DecimalText.format(fixed.proportional()),
-                    DecimalText.format(fixed.derivative()));
+                    DecimalText.format(rule.proportional()),
+                    DecimalText.format(rule.derivative()));
         }
-        return Messages.get("controller.gains.automatic.text");
     }
 }

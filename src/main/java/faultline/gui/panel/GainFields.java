@@ -23,9 +23,22 @@ final class GainFields extends JPanel {
         LENGTH,
         FIXED;
 
-        static GainChoice of(GainRule rule) {
-            return rule instanceof GainRule.Length ? LENGTH : rule instanceof GainRule.Fixed ? FIXED : AUTOMATIC;
-        }
+        private static final GainRule.GainRuleVisitor<GainChoice> FINDER = new GainRule.GainRuleVisitor<>() {
+            @Override
+            public GainChoice visit(GainRule.Automatic rule) {
+                return AUTOMATIC;
+            }
+
+            @Override
+            public GainChoice visit(GainRule.Length rule) {
+                return LENGTH;
+            }
+
+            @Override
+            public GainChoice visit(GainRule.Fixed rule) {
+                return FIXED;
+            }
+        };
     }
 
     private static final double MAX_GAIN = 10_000;
@@ -81,7 +94,7 @@ final class GainFields extends JPanel {
         shown = follower.gainRule();
         double lag = robot.motor().timeConstant() + dt * PeriodicController.ticksPerPeriod(follower.period(), dt);
         PdGains gains = shown.gains(robot.speed(), lag);
-        choice.setValue(GainChoice.of(shown));
+        choice.setValue(shown.accept(GainChoice.FINDER));
         proportional.setWorldValue(
                 shown instanceof GainRule.Fixed ? gains.proportional() : rounded(gains.proportional()));
         derivative.setWorldValue(shown instanceof GainRule.Fixed ? gains.derivative() : rounded(gains.derivative()));

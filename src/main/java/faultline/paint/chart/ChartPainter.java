@@ -75,14 +75,14 @@ public final class ChartPainter {
                     TextStyle.plain(TITLE_SIZE, style.palette().text()).withBold());
         }
         legend.paint(surface, plotArea.x(), plotArea.y() - legend.height() - 2);
-        paintCells();
+        paintSeries(true);
         painter.paintGrid(LineStyle.solid(style.grid(), 1));
         if (!chart.y().rows().isEmpty()) {
             List<Vector2> zero = List.of(
                     new Vector2(0, chart.y().low()), new Vector2(0, chart.y().high()));
             painter.paintLine(zero, LineStyle.solid(style.palette().muted(), 1));
         }
-        chart.series().forEach(series -> painter.paint(series, style));
+        paintSeries(false);
         surface.draw(
                 Shapes.polygon(PlotPainter.corners(plotArea, 0, 0, 1, 1)),
                 LineStyle.solid(style.palette().text(), 1));
@@ -91,13 +91,12 @@ public final class ChartPainter {
         paintLabels();
     }
 
-    /** Maps fill the whole plot, so they lie beneath the grid. */
-    private void paintCells() {
-        for (Series series : chart.series()) {
-            if (series instanceof Series.Cells cells) {
-                painter.paintCells(cells, style);
-            }
-        }
+    /** Paints the maps, which fill the whole plot and lie beneath the grid, or the other series. */
+    private void paintSeries(boolean maps) {
+        SeriesPainter seriesPainter = new SeriesPainter(painter, style);
+        chart.series().stream()
+                .filter(series -> series instanceof Series.Cells == maps)
+                .forEach(series -> series.accept(seriesPainter));
     }
 
     private void paintLabels() {

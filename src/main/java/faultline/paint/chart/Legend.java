@@ -7,6 +7,7 @@ import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.Shapes;
 import faultline.paint.surface.Surface;
 import faultline.paint.surface.TextStyle;
+import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -19,27 +20,19 @@ final class Legend {
     private final TextStyle textStyle;
     private final LegendRows<LegendItem> rows;
 
-    /** A name, and the series or class that it belongs to. */
-    private record LegendItem(String name, Series series, int index) {}
+    /** Paints a sample of a series at the point in the middle of its left edge. */
+    private interface Sample {
+        void paint(Surface surface, Vector2 left);
+    }
+
+    private record LegendItem(String name, Sample sample) {}
 
     Legend(List<Series> allSeries, ChartStyle style, double width) {
         this.style = style;
         textStyle = TextStyle.plain(11, style.palette().text());
-        rows = LegendRows.of(items(allSeries), LegendItem::name, textStyle::estimateWidth, width);
-    }
-
-    private static List<LegendItem> items(List<Series> allSeries) {
-        List<LegendItem> items = new ArrayList<>();
-        for (Series series : allSeries) {
-            if (series instanceof Series.Cells cells) {
-                for (int i = 0; i < cells.names().size(); i++) {
-                    items.add(new LegendItem(cells.names().get(i), series, i));
-                }
-            } else if (!(series instanceof Series.Note) && !series.name().isEmpty()) {
-                items.add(new LegendItem(series.name(), series, 0));
-            }
-        }
-        return items;
+        ItemList items = new ItemList();
+        allSeries.forEach(series -> series.accept(items));
+        rows = LegendRows.of(items.items, LegendItem::name, textStyle::estimateWidth, width);
     }
 
     /** Returns the height of all rows, pixels. */
@@ -48,23 +41,60 @@ final class Legend {
     }
 
     void paint(Surface surface, double x, double y) {
-        rows.paint(surface, textStyle, new Vector2(x, y), ROW_HEIGHT, (item, left) -> paintSample(surface, item, left));
+        rows.paint(surface, textStyle, new Vector2(x, y), ROW_HEIGHT, (item, left) -> item.sample.paint(surface, left));
     }
 
-    private void paintSample(Surface surface, LegendItem entry, Vector2 left) {
-        List<Vector2> box = PlotPainter.corners(
-                new PixelRectangle(left.x(), left.y() - 5, LegendRows.SAMPLE_WIDTH, 10), 0, 1, 1, 0);
-        if (entry.series() instanceof Series.Line line) {
-            Vector2 right = left.plus(new Vector2(LegendRows.SAMPLE_WIDTH, 0));
-            surface.draw(Shapes.polyline(List.of(left, right)), style.lineStyle(line.styleIndex()));
-        } else if (entry.series() instanceof Series.Points points) {
-            MarkerPainter.paint(
-                    surface, left.plus(new Vector2(LegendRows.SAMPLE_WIDTH / 2, 0)), points.styleIndex(), style);
-        } else if (entry.series() instanceof Series.Band band) {
-            surface.fill(Shapes.polygon(box), ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2));
-        } else {
-            surface.fill(Shapes.polygon(box), style.classes().get(entry.index()));
-            surface.draw(Shapes.polygon(box), LineStyle.solid(style.palette().text(), 0.6));
+    private static List<Vector2> box(Vector2 left) {
+        return PlotPainter.corners(new PixelRectangle(left.x(), left.y() - 5, LegendRows.SAMPLE_WIDTH, 10), 0, 1, 1, 0);
+    }
+
+    /** Collects the items of the series that it visits. */
+    private final class ItemList implements Series.SeriesVisitor {
+
+        private final List<LegendItem> items = new ArrayList<>();
+
+        private void add(Series series, Sample sample) {
+            if (!series.name().isEmpty()) {
+                items.add(new LegendItem(series.name(), sample));
+            }
+        }
+
+        @Override
+        public void visit(Series.Line line) {
+            add(line, (surface, left) -> {
+                Vector2 right = left.plus(new Vector2(LegendRows.SAMPLE_WIDTH, 0));
+                surface.draw(Shapes.polyline(List.of(left, right)), style.lineStyle(line.styleIndex()));
+            });
+        }
+
+        @Override
+        public void visit(Series.Points points) {
+            Vector2 middle = new Vector2(LegendRows.SAMPLE_WIDTH / 2, 0);
+            add(points, (surface, left) -> MarkerPainter.paint(surface, left.plus(middle), points.styleIndex(), style));
+        }
+
+        @Override
+        public void visit(Series.Band band) {
+            Color colour = ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2);
+            add(band, (surface, left) -> surface.fill(Shapes.polygon(box(left)), colour));
+        }
+
+        @Override
+        public void visit(Series.Cells cells) {
+            for (int i = 0; i < cells.names().size(); i++) {
+                Color colour = style.classes().get(i);
+                items.add(new LegendItem(cells.names().get(i), (surface, left) -> {
+                    surface.fill(Shapes.polygon(box(left)), colour);
+                    surface.draw(
+                            Shapes.polygon(box(left)),
+                            LineStyle.solid(style.palette().text(), 0.6));
+                }));
+            }
+        }
+
+        @Override
+        public void visit(Series.Note note) {
+            // A text explains itself.
         }
     }
 }

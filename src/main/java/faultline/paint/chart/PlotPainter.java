@@ -6,7 +6,6 @@ import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.Shapes;
 import faultline.paint.surface.Surface;
-import faultline.paint.surface.TextStyle;
 import faultline.paint.surface.TextStyle.Anchor;
 import java.awt.Color;
 import java.util.ArrayList;
@@ -80,29 +79,6 @@ public record PlotPainter(Surface surface, Plot plot) {
                 .forEach(piece -> surface.draw(Shapes.polyline(toPicture(piece)), style));
     }
 
-    /** Paints a series in the colours of a style. */
-    void paint(Series series, ChartStyle style) {
-        if (series instanceof Series.Line line) {
-            paintLine(line.points(), style.lineStyle(line.styleIndex()));
-        } else if (series instanceof Series.Points points) {
-            points.points().stream()
-                    .map(plot::toFractions)
-                    .filter(PlotPainter::isInside)
-                    .forEach(at -> MarkerPainter.paint(surface, toPicture(at), points.styleIndex(), style));
-        } else if (series instanceof Series.Band band) {
-            paintBand(band, style);
-        } else if (series instanceof Series.Note note) {
-            surface.drawText(
-                    note.name(),
-                    plot.toPicture(note.position()),
-                    TextStyle.plain(11, style.palette().text()));
-        }
-    }
-
-    private void paintBand(Series.Band band, ChartStyle style) {
-        paintBand(band.upper(), band.lower(), ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2));
-    }
-
     /** Fills the band between two lines, both in the order of x. */
     public void paintBand(List<Vector2> upper, List<Vector2> lower, Color colour) {
         List<Vector2> outline = new ArrayList<>(lower);
@@ -113,21 +89,6 @@ public record PlotPainter(Surface surface, Plot plot) {
         surface.fill(Shapes.polygon(toPicture(clamped)), colour);
     }
 
-    /** Paints the cells of a map, which fill the plot. */
-    void paintCells(Series.Cells cells, ChartStyle style) {
-        double height = 1.0 / cells.rows().size();
-        for (int row = 0; row < cells.rows().size(); row++) {
-            List<Integer> classes = cells.rows().get(row);
-            double width = 1.0 / classes.size();
-            for (int column = 0; column < classes.size(); column++) {
-                surface.fill(
-                        Shapes.polygon(corners(
-                                plot.area(), column * width, row * height, (column + 1) * width, (row + 1) * height)),
-                        style.classes().get(classes.get(column)));
-            }
-        }
-    }
-
     /** Returns the corners of a rectangle whose sides are at fractions of an area. */
     static List<Vector2> corners(PixelRectangle area, double left, double low, double right, double high) {
         return List.of(
@@ -136,6 +97,14 @@ public record PlotPainter(Surface surface, Plot plot) {
 
     private void drawLine(Vector2 from, Vector2 to, LineStyle style) {
         surface.draw(Shapes.polyline(List.of(from, to)), style);
+    }
+
+    /** Paints a marker at each of some values that is inside the plot. */
+    void paintMarkers(List<Vector2> values, int styleIndex, ChartStyle style) {
+        values.stream()
+                .map(plot::toFractions)
+                .filter(PlotPainter::isInside)
+                .forEach(at -> MarkerPainter.paint(surface, toPicture(at), styleIndex, style));
     }
 
     private List<Vector2> toPicture(List<Vector2> fractions) {

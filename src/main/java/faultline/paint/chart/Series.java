@@ -12,6 +12,27 @@ public sealed interface Series {
     /** Returns the name in the legend; empty for a series without an entry. */
     String name();
 
+    /** Calls the method of a visitor for this series. */
+    void accept(SeriesVisitor visitor);
+
+    /** An operation with one method for each kind of series. */
+    interface SeriesVisitor {
+        /** Visits a line. */
+        void visit(Line line);
+
+        /** Visits points. */
+        void visit(Points points);
+
+        /** Visits a band. */
+        void visit(Band band);
+
+        /** Visits the cells of a map. */
+        void visit(Cells cells);
+
+        /** Visits a text. */
+        void visit(Note note);
+    }
+
     /**
      * A line.
      *
@@ -22,6 +43,11 @@ public sealed interface Series {
     record Line(String name, List<Vector2> points, int styleIndex) implements Series {
         public Line {
             points = List.copyOf(points);
+        }
+
+        @Override
+        public void accept(SeriesVisitor visitor) {
+            visitor.visit(this);
         }
     }
 
@@ -35,6 +61,11 @@ public sealed interface Series {
     record Points(String name, List<Vector2> points, int styleIndex) implements Series {
         public Points {
             points = List.copyOf(points);
+        }
+
+        @Override
+        public void accept(SeriesVisitor visitor) {
+            visitor.visit(this);
         }
     }
 
@@ -50,6 +81,11 @@ public sealed interface Series {
         public Band {
             upper = List.copyOf(upper);
             lower = List.copyOf(lower);
+        }
+
+        @Override
+        public void accept(SeriesVisitor visitor) {
+            visitor.visit(this);
         }
     }
 
@@ -70,6 +106,11 @@ public sealed interface Series {
         public String name() {
             return "";
         }
+
+        @Override
+        public void accept(SeriesVisitor visitor) {
+            visitor.visit(this);
+        }
     }
 
     /**
@@ -78,5 +119,10 @@ public sealed interface Series {
      * @param name the text
      * @param position the position of its start
      */
-    record Note(String name, Vector2 position) implements Series {}
+    record Note(String name, Vector2 position) implements Series {
+        @Override
+        public void accept(SeriesVisitor visitor) {
+            visitor.visit(this);
+        }
+    }
 }
