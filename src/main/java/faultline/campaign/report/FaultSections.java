@@ -112,12 +112,13 @@ final class FaultSections {
         if (detected == 0) {
             return "&ndash;";
         }
-        return "<b>" + seconds(quantile(rows, DELAY, 0.5)) + "</b><small>" + seconds(quantile(rows, DELAY, 0.9))
-                + "</small><small>" + Html.percent((double) detected / rows.size()) + "</small>";
+        return "<b>" + seconds(rows, 0.5) + "</b><small>" + seconds(rows, 0.9) + "</small><small>"
+                + Html.percent((double) detected / rows.size()) + "</small>";
     }
 
-    private static String seconds(OptionalDouble delay) {
-        double value = delay.orElseThrow();
+    /** Returns a quantile of the delays of runs, of which at least one has a delay. */
+    private static String seconds(List<RunRow> rows, double share) {
+        double value = quantile(rows, DELAY, share).orElseThrow();
         return Html.format(value < 10 ? "%.2f" : "%.0f", value);
     }
 

@@ -130,7 +130,8 @@ class LayoutRobotTest {
     }
 
     private static Stream<Arguments> largeWindows() {
-        // The last two are the default window on a screen of 1920x1080, and a maximised one of 3200x2000 at scale 2.
+        // A window of usual size, the default one on a screen of 1920x1080, and a maximised one on 3200x2000 at scale
+        // 2.
         return Stream.of(
                         Arguments.of(1366, 830, TextSize.LARGE),
                         Arguments.of(1728, 972, TextSize.LARGEST),
