@@ -21,11 +21,11 @@ final class Legend {
     private final LegendRows<LegendItem> rows;
 
     /** Paints a sample of a series at the point in the middle of its left edge. */
-    private interface SamplePainter {
+    private interface ItemSample {
         void paint(Surface surface, Vector2 left);
     }
 
-    private record LegendItem(String name, SamplePainter sample) {}
+    private record LegendItem(String name, ItemSample sample) {}
 
     Legend(List<Series> allSeries, ChartStyle style, double width) {
         this.style = style;
@@ -53,7 +53,7 @@ final class Legend {
 
         private final List<LegendItem> items = new ArrayList<>();
 
-        private void add(Series series, SamplePainter sample) {
+        private void add(Series series, ItemSample sample) {
             if (!series.name().isEmpty()) {
                 items.add(new LegendItem(series.name(), sample));
             }
