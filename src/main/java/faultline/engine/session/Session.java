@@ -38,6 +38,7 @@ public final class Session implements SessionView, AutoCloseable {
     private final Thread thread = new Thread(this::run, "faultline-world");
     private volatile boolean frameWanted;
     private volatile boolean closed;
+    private volatile Runnable pausedChangeListener = () -> {};
 
     // Used by the simulation thread only, after the replay.
     private final Simulation simulation;
@@ -212,6 +213,11 @@ public final class Session implements SessionView, AutoCloseable {
         return latestStatus.get();
     }
 
+    @Override
+    public void setPausedChangeListener(Runnable listener) {
+        pausedChangeListener = listener;
+    }
+
     /**
      * {@return the commands executed so far} The future completes on the simulation thread between two ticks, or
      * exceptionally if the session is closed before.
@@ -315,6 +321,7 @@ public final class Session implements SessionView, AutoCloseable {
     }
 
     private void publish() {
+        boolean changed = false;
         if (frameOutdated && (frameWanted || !running || !answers.isEmpty())) {
             frameWanted = false;
             frameOutdated = false;
@@ -322,12 +329,18 @@ public final class Session implements SessionView, AutoCloseable {
                 simulation.resample();
             }
             latestFrame.set(currentFrame());
+            changed = !running;
         }
         SessionStatus now = currentStatus();
-        if (!now.equals(latestStatus.get())) {
+        SessionStatus before = latestStatus.get();
+        if (!now.equals(before)) {
             latestStatus.set(now);
+            changed = !(now.running() && before.running());
         }
         sendAnswers();
+        if (changed) {
+            pausedChangeListener.run();
+        }
     }
 
     /** Answers requests, in their order, now that a frame that shows their effect is published. */

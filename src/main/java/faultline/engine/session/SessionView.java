@@ -8,4 +8,13 @@ public interface SessionView {
 
     /** {@return the current status} */
     SessionStatus status();
+
+    /**
+     * Sets the listener for changes that happen while the run is paused, instead of the one before. It is called on the
+     * simulation thread after a frame or a status has been published, and must return quickly. Changes before the call
+     * are not reported.
+     *
+     * @param listener the listener
+     */
+    void setPausedChangeListener(Runnable listener);
 }

@@ -95,12 +95,14 @@ public final class ComparisonController implements WorkspaceListener {
                 failure -> completeTask(
                         progress,
                         () -> workspace.fire(listener -> listener.taskFailed(TaskKind.GHOST, name, failure))));
+        workspace.fire(WorkspaceListener::comparisonChanged);
     }
 
     private void completeTask(TaskProgress progress, Runnable outcome) {
         if (progress.isActive()) {
             pendingTask = null;
             outcome.run();
+            workspace.fire(WorkspaceListener::comparisonChanged);
         }
     }
 
@@ -123,6 +125,7 @@ public final class ComparisonController implements WorkspaceListener {
     public void removeReference() {
         cancelPendingTask();
         comparison = null;
+        workspace.fire(WorkspaceListener::comparisonChanged);
     }
 
     /** Returns whether a reference run is being loaded. */

@@ -32,6 +32,9 @@ public interface WorkspaceListener {
     /** A task that worked on a file has failed and has changed nothing. */
     default void taskFailed(TaskKind task, Path file, Throwable failure) {}
 
+    /** A reference run is being loaded, has been loaded, or has been removed. */
+    default void comparisonChanged() {}
+
     /** The scenario has been saved to a file; another one may be open by now. */
     default void scenarioSaved(Path file) {}
 

@@ -201,6 +201,12 @@ public final class MainWindow extends JFrame {
 
     private void showNote(String sentence) {
         mainPanel.statusBar().showNote(sentence);
+        runPoller.wake();
+    }
+
+    /** Returns whether nothing has happened for a second, so that nothing is polled. */
+    boolean isResting() {
+        return runPoller.isResting();
     }
 
     private void showSavedNote(Path file) {

@@ -1,19 +1,21 @@
 package faultline.gui.window;
 
 import java.awt.AWTEvent;
+import java.awt.EventQueue;
 import java.awt.Toolkit;
 import java.awt.event.AWTEventListener;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import javax.swing.Timer;
 
 /**
- * Polls about sixty times per second while something happens, and twice per second when nothing has happened for a
- * second, so that a paused window takes no processor time. Any event of the user restores the higher rate at once.
+ * Polls about sixty times per second while something happens, and stops when nothing has happened for a second, so that
+ * a paused window takes no processor time. Any event of the user or a {@link #signal()} starts it again. To be used on
+ * the event dispatch thread, except {@code signal}.
  */
 final class PollTimer {
 
-    static final int BUSY_MILLIS = 16;
-    static final int RESTING_MILLIS = 500;
+    static final int MILLIS = 16;
     /**
      * The number of polls without a change after which the timer rests; enough for values that are updated
      * occasionally.
@@ -28,8 +30,10 @@ final class PollTimer {
             | AWTEvent.WINDOW_EVENT_MASK;
 
     private final BooleanSupplier poll;
-    private final Timer timer = new Timer(BUSY_MILLIS, event -> poll());
+    private final Timer timer = new Timer(MILLIS, event -> poll());
     private final AWTEventListener waker = event -> wake();
+    private final AtomicBoolean signalled = new AtomicBoolean();
+    private boolean started;
     private int quietPolls;
 
     /** Creates a stopped timer; {@code poll} returns whether something has changed or is in progress. */
@@ -40,10 +44,12 @@ final class PollTimer {
 
     void start() {
         Toolkit.getDefaultToolkit().addAWTEventListener(waker, USER_EVENTS);
-        timer.start();
+        started = true;
+        wake();
     }
 
     void stop() {
+        started = false;
         timer.stop();
         Toolkit.getDefaultToolkit().removeAWTEventListener(waker);
     }
@@ -51,25 +57,35 @@ final class PollTimer {
     /** Polls once. */
     void poll() {
         quietPolls = poll.getAsBoolean() ? 0 : quietPolls + 1;
-        if (quietPolls == POLLS_BEFORE_REST) {
-            timer.setDelay(RESTING_MILLIS);
-        } else if (quietPolls == 0 && isResting()) {
-            wake();
+        if (isResting()) {
+            timer.stop();
         }
     }
 
-    /** Switches to frequent polling. */
+    /** Wakes the timer soon; any thread may call this. */
+    void signal() {
+        if (!signalled.getAndSet(true)) {
+            EventQueue.invokeLater(() -> {
+                signalled.set(false);
+                wake();
+            });
+        }
+    }
+
+    /** Polls from now on, until nothing has happened for a second. */
     void wake() {
         quietPolls = 0;
-        if (isResting()) {
-            timer.setDelay(BUSY_MILLIS);
-            if (timer.isRunning()) {
-                timer.restart();
-            }
+        if (started && !timer.isRunning()) {
+            timer.start();
         }
     }
 
+    /** Returns whether nothing has happened for a second. */
     boolean isResting() {
-        return timer.getDelay() == RESTING_MILLIS;
+        return quietPolls >= POLLS_BEFORE_REST;
+    }
+
+    boolean isRunning() {
+        return timer.isRunning();
     }
 }

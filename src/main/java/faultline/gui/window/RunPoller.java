@@ -47,10 +47,32 @@ final class RunPoller implements WorkspaceListener {
         timer.stop();
     }
 
+    /** Polls from now on, until nothing has happened for a second. */
+    void wake() {
+        timer.wake();
+    }
+
+    /** Returns whether nothing has happened for a second, so that nothing is polled. */
+    boolean isResting() {
+        return timer.isResting();
+    }
+
     @Override
     public void sessionStarted() {
         mainPanel.statusBar().reset();
         replayNotifier.reset();
+        workspace.session().ifPresent(session -> session.setPausedChangeListener(timer::signal));
+        wake();
+    }
+
+    @Override
+    public void taskFinished() {
+        wake();
+    }
+
+    @Override
+    public void comparisonChanged() {
+        wake();
     }
 
     /** Shows the newest state of the run, and returns whether it has changed or may change soon without the user. */
@@ -61,10 +83,10 @@ final class RunPoller implements WorkspaceListener {
         boolean changed = !Objects.equals(status, polledStatus) || mainPanel.shownFrame() != before;
         polledStatus = status;
         return changed
-                || status == null
-                || status.running()
                 || workspace.task().isPresent()
-                || mainPanel.statusBar().isNoteShown() && status.failure().isEmpty();
+                || status != null && status.running()
+                || mainPanel.statusBar().isNoteShown()
+                        && (status == null || status.failure().isEmpty());
     }
 
     /** Shows the newest frame of a session, and returns its status. */

@@ -14,7 +14,9 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -66,6 +68,24 @@ class SessionTest {
         session.step();
         await(() -> tick() == 2);
         assertFalse(session.status().running());
+    }
+
+    @Test
+    void changesOfAPausedRunAreReportedWhenTheyAreVisible() {
+        BlockingQueue<Long> ticks = new LinkedBlockingQueue<>();
+        session.setPausedChangeListener(() -> ticks.add(tick()));
+        session.step();
+        await(() -> ticks.contains(1L));
+        session.setSpeed(2);
+        await(() -> session.status().speed() == 2 && ticks.size() == 2);
+        session.resume();
+        await(() -> tick() > 20);
+        session.pause();
+        await(() -> !session.status().running());
+        // One report for the start and one for the end, none in between.
+        await(() -> ticks.size() == 4);
+        long last = tick();
+        await(() -> ticks.contains(last));
     }
 
     @Test

@@ -3,14 +3,22 @@ package faultline.gui.window;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.EventQueue;
+import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** The timer rests when nothing happens. The test polls in its place. */
+/** The timer rests when nothing happens. Most tests poll in its place. */
 class PollTimerTest {
 
     private final AtomicBoolean busy = new AtomicBoolean();
     private final PollTimer timer = new PollTimer(busy::get);
+
+    @AfterEach
+    void stop() {
+        timer.stop();
+    }
 
     private void poll(int times) {
         for (int i = 0; i < times; i++) {
@@ -46,6 +54,26 @@ class PollTimerTest {
         busy.set(true);
         poll(1);
         assertFalse(timer.isResting());
+    }
+
+    @Test
+    void itPollsUntilItRestsAndAgainAfterASignal() throws InterruptedException, InvocationTargetException {
+        EventQueue.invokeAndWait(() -> {
+            timer.start();
+            assertTrue(timer.isRunning());
+            poll(PollTimer.POLLS_BEFORE_REST);
+            assertFalse(timer.isRunning());
+        });
+        timer.signal();
+        timer.signal();
+        // The signal is handled before the next event.
+        EventQueue.invokeAndWait(() -> assertTrue(timer.isRunning()));
+    }
+
+    @Test
+    void aSignalDoesNotStartAStoppedTimer() throws InterruptedException, InvocationTargetException {
+        timer.signal();
+        EventQueue.invokeAndWait(() -> assertFalse(timer.isRunning()));
     }
 
     @Test
