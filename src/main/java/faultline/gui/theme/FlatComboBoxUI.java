@@ -61,8 +61,8 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
         return new Dimension(size.width + 2 * INDENT, size.height + 6);
     }
 
-    /** A list with the border of menus, instead of Swing's black line. */
-    private static final class FlatPopup extends BasicComboPopup {
+    /** A list with the border of menus, instead of Swing's black line, and as wide as its texts. */
+    static final class FlatPopup extends BasicComboPopup {
 
         FlatPopup(JComboBox<Object> box) {
             super(box);
@@ -79,6 +79,20 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
             super.configureScroller();
             scroller.setBorder(new EmptyBorder(LIST_MARGIN, LIST_MARGIN, LIST_MARGIN, LIST_MARGIN));
             scroller.setBackground(list.getBackground());
+        }
+
+        @Override
+        protected Rectangle computePopupBounds(int x, int y, int width, int height) {
+            return super.computePopupBounds(x, y, widthFor(width, height), height);
+        }
+
+        /** Returns the width of a list of a height below a box of a width, pixels. */
+        int widthFor(int boxWidth, int height) {
+            Dimension texts = list.getPreferredSize();
+            int bar = texts.height + 2 * LIST_MARGIN > height
+                    ? scroller.getVerticalScrollBar().getPreferredSize().width
+                    : 0;
+            return Math.max(boxWidth, texts.width + bar + 2 * LIST_MARGIN);
         }
     }
 }

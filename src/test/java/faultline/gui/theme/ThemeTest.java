@@ -32,6 +32,19 @@ import org.junit.jupiter.api.Test;
 
 class ThemeTest {
 
+    @Test
+    void theListOfANarrowComboBoxIsAsWideAsItsTexts() {
+        runOnEdt(() -> {
+            JComboBox<String> box = new JComboBox<>(new String[] {"left", "the sensor at the rear on the right side"});
+            FlatComboBoxUI.FlatPopup popup =
+                    (FlatComboBoxUI.FlatPopup) box.getUI().getAccessibleChild(box, 0);
+            int texts = popup.getList().getPreferredSize().width;
+            assertTrue(popup.widthFor(44, 400) >= texts);
+            assertTrue(popup.widthFor(44, 20) > popup.widthFor(44, 400), "room for a scroll bar");
+            assertEquals(2 * texts, popup.widthFor(2 * texts, 400));
+        });
+    }
+
     @AfterEach
     void light() {
         runOnEdt(Theme.LIGHT::install);
