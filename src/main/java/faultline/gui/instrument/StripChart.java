@@ -2,6 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
+import faultline.gui.action.ScrolledMenuLayout;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.RefreshSteps;
@@ -135,13 +136,18 @@ public final class StripChart extends JPanel {
         }
     }
 
-    /** Creates a menu of the lines with the same unit as the chosen signal. */
+    /**
+     * Creates a menu of the lines with the same unit as the chosen signal. It stays open after a click, because several
+     * lines are often added together.
+     */
     JPopupMenu createAdditionsMenu() {
         JPopupMenu menu = new JPopupMenu();
+        ScrolledMenuLayout.install(menu);
         if (choice.getSelectedItem() instanceof SignalGroup signal) {
             for (ChartLine line : SignalGroup.additions(signal, groups)) {
                 JCheckBoxMenuItem item = new JCheckBoxMenuItem(line.name(), isAdded(line));
                 item.addActionListener(event -> toggle(line));
+                item.putClientProperty("CheckBoxMenuItem.doNotCloseOnMouseClick", true);
                 menu.add(item);
             }
         }

@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ObstacleActions;
+import faultline.gui.action.ScrolledMenuLayout;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.text.Messages;
@@ -111,7 +112,7 @@ final class Menus {
 
     /** Gives a menu the name and the mnemonic of a key, and lets it scroll. */
     static void name(JMenu menu, String key) {
-        ScrolledMenuLayout.install(menu);
+        ScrolledMenuLayout.install(menu.getPopupMenu());
         RefreshSteps.add(menu, self -> {
             String name = Messages.get("menu." + key);
             self.setText(name.replace("&", ""));

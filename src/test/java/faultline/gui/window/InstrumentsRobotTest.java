@@ -14,14 +14,22 @@ import faultline.gui.timeline.TimelinePanel;
 import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JButton;
 import javax.swing.JTable;
+import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The instruments and going back in time in a real window. */
 @ExtendWith(EdtChecker.class)
@@ -29,6 +37,8 @@ import org.junit.jupiter.api.extension.ExtendWith;
         value = "java.awt.GraphicsEnvironment#isHeadless",
         disabledReason = "drives a real window, which needs a display")
 class InstrumentsRobotTest {
+
+    private static final int MANY = 40;
 
     private WindowDriver driver;
 
@@ -98,6 +108,46 @@ class InstrumentsRobotTest {
         driver.waitForFrame(
                 "the run is at that moment", frame -> Math.abs(frame.snapshot().time() - time) < 1e-9);
         assertTrue(callOnEdt(() -> !driver.isRunning()));
+    }
+
+    /** The robot has so many sensors that the menu, with two lines for each, is higher than the screen. */
+    @Test
+    void severalLinesAreAddedToAChartFromAMenuThatFitsOnTheScreen(@TempDir Path folder) throws IOException {
+        driver.close();
+        Path file = folder.resolve("many.xml");
+        String sensors = IntStream.range(0, MANY)
+                .mapToObj(i -> "<sensor id=\"s" + i + "\" x=\"0\" y=\"0\" bearing=\"" + i + "\"/>")
+                .collect(Collectors.joining("", "<robot x=\"2\" y=\"2\" heading=\"0\">", "</robot>"));
+        Files.writeString(
+                file,
+                "<scenario xmlns=\"urn:faultline:scenario:1\" name=\"many\"><world width=\"4\" height=\"4\"/>" + sensors
+                        + "</scenario>");
+        driver = WindowDriver.open(Theme.LIGHT, file);
+        JButton add = ComponentFinder.find(dock(), JButton.class, "Add signals");
+        driver.robot().waitFor("the instruments show", add::isShowing);
+        driver.robot().click(add, 5, 5, InputEvent.BUTTON1_DOWN_MASK);
+        driver.robot().waitFor("the menu shows", () -> item(1).isShowing());
+        Rectangle menu = callOnEdt(() -> new Rectangle(
+                item(0).getParent().getLocationOnScreen(), item(0).getParent().getSize()));
+        Rectangle screen = driver.window().getGraphicsConfiguration().getBounds();
+        assertTrue(screen.contains(menu), menu + " on " + screen);
+        for (int i = 0; i < 2; i++) {
+            int index = i;
+            AbstractButton line = callOnEdt(() -> item(index));
+            driver.robot().click(line, 5, 5, InputEvent.BUTTON1_DOWN_MASK);
+            driver.robot().waitFor("a line is added and the menu stays", () -> line.isSelected() && line.isShowing());
+        }
+        String table = callOnEdt(() -> dock().chart().content().orElseThrow().toCsv());
+        assertTrue(table.contains("Sensor front, reported (m)") && table.contains("Sensor front, true (m)"), table);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+    }
+
+    /** Returns an item of the open menu, which is a button that does not show if none is open. */
+    private static AbstractButton item(int index) {
+        return Stream.of(MenuSelectionManager.defaultManager().getSelectedPath())
+                .findFirst()
+                .map(menu -> (AbstractButton) menu.getSubElements()[index].getComponent())
+                .orElseGet(JButton::new);
     }
 
     @Test

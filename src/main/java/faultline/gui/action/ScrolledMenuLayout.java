@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.action;
 
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
@@ -19,7 +19,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.BoxLayout;
 import javax.swing.JComponent;
-import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JPopupMenu;
 import javax.swing.MenuElement;
@@ -34,7 +33,7 @@ import javax.swing.plaf.basic.DefaultMenuLayout;
  * Lays out the items of a menu. A menu that is higher than the screen shows some of its items between two arrows: it
  * scrolls to the selected item, with the mouse wheel and while the mouse is on an arrow.
  */
-final class ScrolledMenuLayout implements LayoutManager {
+public final class ScrolledMenuLayout implements LayoutManager {
 
     private static final int ARROW_HEIGHT = 14;
     private static final int SCROLL_MILLIS = 90;
@@ -50,8 +49,8 @@ final class ScrolledMenuLayout implements LayoutManager {
     }
 
     /** Lets a menu scroll if it is too high. */
-    static void install(JMenu menu) {
-        ScrolledMenuLayout layout = new ScrolledMenuLayout(menu.getPopupMenu());
+    public static void install(JPopupMenu menu) {
+        ScrolledMenuLayout layout = new ScrolledMenuLayout(menu);
         layout.popup.setLayout(layout);
         layout.popup.addPopupMenuListener(layout.new Opening());
         layout.popup.addMouseWheelListener(event -> layout.scroll(event.getWheelRotation()));

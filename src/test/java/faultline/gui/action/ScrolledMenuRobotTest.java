@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.action;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
@@ -45,7 +45,7 @@ class ScrolledMenuRobotTest {
             Theme.LIGHT.install();
             menu = new JMenu("Many");
             menu.setMnemonic('M');
-            ScrolledMenuLayout.install(menu);
+            ScrolledMenuLayout.install(menu.getPopupMenu());
             items = IntStream.range(0, COUNT).mapToObj(this::createItem).toList();
             items.forEach(menu::add);
             JMenuBar bar = new JMenuBar();
