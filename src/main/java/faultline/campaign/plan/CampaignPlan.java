@@ -5,9 +5,7 @@ import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 
 /**
@@ -195,13 +193,7 @@ public final class CampaignPlan {
             throws ScenarioException {
         XmlElement tree = root;
         for (ScenarioChange edit : edits) {
-            if (edit instanceof ScenarioChange.SetAttribute set) {
-                tree = ScenarioTree.set(tree, set.path(), set.value().text(numbers, block), file, set.location());
-            } else if (edit instanceof ScenarioChange.AddFault fault) {
-                Map<String, String> attributes = new LinkedHashMap<>();
-                fault.attributes().forEach((name, value) -> attributes.put(name, value.text(numbers, block)));
-                tree = ScenarioTree.addFault(tree, attributes, fault.location());
-            }
+            tree = edit.apply(tree, numbers, block, file);
         }
         return tree;
     }

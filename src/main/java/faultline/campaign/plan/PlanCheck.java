@@ -57,7 +57,7 @@ final class PlanCheck {
     /** Returns the draws that give both ends of every interval and every word of every choice. */
     private static Set<Double> uniforms(List<ScenarioChange> edits) {
         Set<Double> uniforms = new TreeSet<>(Set.of(0.0, Math.nextDown(1.0)));
-        edits.forEach(edit -> values(edit).forEach(value -> {
+        edits.forEach(edit -> edit.values().forEach(value -> {
             if (value instanceof AttributeValue.Drawn drawn && drawn.range() instanceof DrawRange.Words choice) {
                 for (int i = 0; i < choice.words().size(); i++) {
                     uniforms.add((i + 0.5) / choice.words().size());
@@ -65,12 +65,6 @@ final class PlanCheck {
             }
         }));
         return uniforms;
-    }
-
-    private static List<AttributeValue> values(ScenarioChange edit) {
-        return edit instanceof ScenarioChange.SetAttribute set
-                ? List.of(set.value())
-                : List.copyOf(((ScenarioChange.AddFault) edit).attributes().values());
     }
 
     /**

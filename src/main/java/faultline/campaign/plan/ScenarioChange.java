@@ -1,7 +1,12 @@
 package faultline.campaign.plan;
 
+import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
+import faultline.scenario.xml.XmlElement;
+import java.util.Collection;
+import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** A change of a scenario that a plan specifies. */
@@ -10,13 +15,44 @@ sealed interface ScenarioChange {
     /** Returns the location of the change in the plan. */
     SourceLocation location();
 
+    /** Returns the values that the change sets. */
+    Collection<AttributeValue> values();
+
+    /** Returns the changed tree of a block of runs, counted from 0; the file of the plan is named in problems. */
+    XmlElement apply(XmlElement tree, AttributeValue.Uniforms numbers, long block, String file)
+            throws ScenarioException;
+
     /** Sets an attribute. */
-    record SetAttribute(AttributePath path, AttributeValue value, SourceLocation location) implements ScenarioChange {}
+    record SetAttribute(AttributePath path, AttributeValue value, SourceLocation location) implements ScenarioChange {
+
+        @Override
+        public Collection<AttributeValue> values() {
+            return List.of(value);
+        }
+
+        @Override
+        public XmlElement apply(XmlElement tree, AttributeValue.Uniforms numbers, long block, String file)
+                throws ScenarioException {
+            return ScenarioTree.set(tree, path, value.text(numbers, block), file, location);
+        }
+    }
 
     /** Adds a {@code fault} with these attributes at the end of the timeline. */
     record AddFault(Map<String, AttributeValue> attributes, SourceLocation location) implements ScenarioChange {
         public AddFault {
-            attributes = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
+            attributes = Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
+        }
+
+        @Override
+        public Collection<AttributeValue> values() {
+            return attributes.values();
+        }
+
+        @Override
+        public XmlElement apply(XmlElement tree, AttributeValue.Uniforms numbers, long block, String file) {
+            Map<String, String> texts = new LinkedHashMap<>();
+            attributes.forEach((name, value) -> texts.put(name, value.text(numbers, block)));
+            return ScenarioTree.addFault(tree, texts, location);
         }
     }
 }

@@ -72,4 +72,9 @@ final class CommandEdit implements Edit {
     public String name() {
         return EditNames.nameOf(List.copyOf(results.values()));
     }
+
+    @Override
+    public void apply(UndoController controller, boolean redone) {
+        controller.submit(this, redone);
+    }
 }

@@ -17,6 +17,11 @@ record SetupEdit(Supplier<String> nameSource, int gestureId, Runnable undoAction
         return nameSource.get();
     }
 
+    @Override
+    public void apply(UndoController controller, boolean redone) {
+        (redone ? redoAction : undoAction).run();
+    }
+
     /** Returns one edit that replaces this one and a later one of the same gesture. */
     SetupEdit mergedWith(SetupEdit later) {
         return new SetupEdit(later.nameSource, gestureId, undoAction, later.redoAction);

@@ -166,14 +166,13 @@ public final class UndoController {
 
     private void apply(Edit edit, boolean done) {
         history.mark(edit, done);
-        if (edit instanceof CommandEdit command) {
-            submit(
-                    done ? command.redoCommands() : command.undoCommands(),
-                    results -> commandsExecuted(command, done, results));
-        } else if (edit instanceof SetupEdit setup) {
-            (done ? setup.redoAction() : setup.undoAction()).run();
-        }
+        edit.apply(this, done);
         onStateChange.run();
+    }
+
+    /** Sends the commands that redo or undo an edit. */
+    void submit(CommandEdit edit, boolean done) {
+        submit(done ? edit.redoCommands() : edit.undoCommands(), results -> commandsExecuted(edit, done, results));
     }
 
     private void commandsExecuted(CommandEdit edit, boolean done, List<CommandResult> results) {
