@@ -20,18 +20,7 @@ public final class SpecularDistance {
      *
      * @param sector the sector
      * @param segment the surface
-     * @param incidence the greatest angle of incidence that reflects light back, radians in (0, pi / 2)
-     */
-    public static double nearest(Sector sector, Segment segment, double incidence) {
-        return nearest(new SectorDistance(sector), segment, StrictMath.tan(incidence));
-    }
-
-    /**
-     * {@return the same distance from the tangent of the greatest angle of incidence, without allocation}
-     *
-     * @param sector the sector
-     * @param segment the surface
-     * @param tangent the tangent of the greatest angle of incidence, positive
+     * @param tangent the tangent of the greatest angle of incidence that reflects light back, positive
      */
     public static double nearest(SectorDistance sector, Segment segment, double tangent) {
         double dx = segment.bx() - segment.ax();

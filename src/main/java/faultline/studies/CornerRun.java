@@ -5,7 +5,6 @@ import faultline.engine.SimulationSetup;
 import faultline.geometry.Degrees;
 import faultline.robot.RobotSpec;
 import faultline.studies.figure.SortedSample;
-import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -71,16 +70,5 @@ final class CornerRun {
         return SortedSample.of(IntStream.range(0, starts)
                 .mapToObj(start -> distanceError(degrees, sensors, start))
                 .flatMapToDouble(OptionalDouble::stream));
-    }
-
-    /**
-     * Returns the distance error to the second wall when the robot has been aligned with it, millimetres; not a number
-     * if it was not.
-     */
-    static double distanceError(RunTrace trace) {
-        List<Integer> handOvers = trace.handOvers();
-        return handOvers.size() < 2
-                ? Double.NaN
-                : 1000 * (trace.distances().get(handOvers.get(1)) - WallFollowing.DEFAULT.distance());
     }
 }

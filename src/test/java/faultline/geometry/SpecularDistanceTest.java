@@ -13,9 +13,12 @@ class SpecularDistanceTest {
     private static final Segment WALL = new Segment(-10, 1, 10, 1);
     private static final double CONE = Math.toRadians(20);
 
+    private static double nearest(Sector sector, Segment segment, double incidence) {
+        return SpecularDistance.nearest(new SectorDistance(sector), segment, StrictMath.tan(incidence));
+    }
+
     private static double reading(double bearing, double incidence) {
-        return SpecularDistance.nearest(
-                Sector.of(Vector2.ZERO, Math.toRadians(bearing), CONE, 5), WALL, Math.toRadians(incidence));
+        return nearest(Sector.of(Vector2.ZERO, Math.toRadians(bearing), CONE, 5), WALL, Math.toRadians(incidence));
     }
 
     @Test
@@ -37,13 +40,8 @@ class SpecularDistanceTest {
     @Test
     void aSurfaceFarFromItsFootIsNotSeen() {
         Segment aside = new Segment(2, 1, 3, 1);
-        assertEquals(
-                Double.POSITIVE_INFINITY,
-                SpecularDistance.nearest(Sector.of(Vector2.ZERO, 0.4, 2, 5), aside, Math.toRadians(60)));
-        assertEquals(
-                Math.sqrt(5),
-                SpecularDistance.nearest(Sector.of(Vector2.ZERO, 0.4, 2, 5), aside, Math.toRadians(64)),
-                1e-12);
+        assertEquals(Double.POSITIVE_INFINITY, nearest(Sector.of(Vector2.ZERO, 0.4, 2, 5), aside, Math.toRadians(60)));
+        assertEquals(Math.sqrt(5), nearest(Sector.of(Vector2.ZERO, 0.4, 2, 5), aside, Math.toRadians(64)), 1e-12);
     }
 
     @Test
@@ -58,11 +56,7 @@ class SpecularDistanceTest {
             Sector sector = Sector.of(
                     Vector2.ZERO, random.nextDouble(6.3), random.nextDouble(0.1, 2.5), random.nextDouble(0.5, 3));
             double incidence = random.nextDouble(0.05, 1.5);
-            assertEquals(
-                    sampled(sector, segment, incidence),
-                    SpecularDistance.nearest(sector, segment, incidence),
-                    2e-3,
-                    "case " + i);
+            assertEquals(sampled(sector, segment, incidence), nearest(sector, segment, incidence), 2e-3, "case " + i);
         }
     }
 
@@ -79,9 +73,9 @@ class SpecularDistanceTest {
                     random.nextDouble(-2, 2));
             double incidence = random.nextDouble(0.3, 1.5);
             Vector2 place = new Vector2(random.nextDouble(-9, 9), random.nextDouble(-9, 9));
-            double expected = SpecularDistance.nearest(Sector.of(Vector2.ZERO, bearing, 2, 3), segment, incidence);
-            double moved = SpecularDistance.nearest(
-                    Sector.of(place, bearing, 2, 3), segment.translated(place.x(), place.y()), incidence);
+            double expected = nearest(Sector.of(Vector2.ZERO, bearing, 2, 3), segment, incidence);
+            double moved =
+                    nearest(Sector.of(place, bearing, 2, 3), segment.translated(place.x(), place.y()), incidence);
             assertEquals(expected, moved, 1e-9, "case " + i);
             seen += expected < Double.POSITIVE_INFINITY ? 1 : 0;
         }
@@ -92,7 +86,7 @@ class SpecularDistanceTest {
     void aSpeckReflectsInEveryDirection() {
         Sector sector = Sector.of(Vector2.ZERO, Math.toRadians(90), CONE, 5);
         Segment speck = new Segment(0.1, 1, 0.1, 1);
-        assertEquals(Math.sqrt(1.01), SpecularDistance.nearest(sector, speck, 0.01), 1e-12);
+        assertEquals(Math.sqrt(1.01), nearest(sector, speck, 0.01), 1e-12);
     }
 
     @Test

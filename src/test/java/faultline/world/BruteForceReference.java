@@ -135,7 +135,7 @@ final class BruteForceReference {
             double angle = one.obstacle().specularAngle();
             for (ConvexShape part : one.geometry().parts()) {
                 double distance = angle < Obstacle.MATT && part instanceof Segment segment
-                        ? SpecularDistance.nearest(sector, segment, angle)
+                        ? SpecularDistance.nearest(new SectorDistance(sector), segment, StrictMath.tan(angle))
                         : SectorDistance.nearest(sector, part);
                 least = Math.min(least, distance);
             }

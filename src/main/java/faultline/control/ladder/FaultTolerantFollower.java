@@ -58,11 +58,6 @@ public final class FaultTolerantFollower implements Controller {
         this.sixStates = new WallFollower(spec);
     }
 
-    /** {@return the live diagnosis} */
-    public SensorDiagnosis diagnosis() {
-        return diagnosis;
-    }
-
     @Override
     public Decision decide(Observation observation) {
         boolean left = spec.side() == WallSide.LEFT;

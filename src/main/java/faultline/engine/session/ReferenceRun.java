@@ -52,17 +52,6 @@ public final class ReferenceRun {
      * ticks}
      *
      * @param journal the journal of the earlier run
-     * @throws RunFailedException if the controller threw an exception
-     */
-    public static ReferenceRun replay(Journal journal) {
-        return replay(journal, tick -> true);
-    }
-
-    /**
-     * {@return the repeated run of a journal, at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES}
-     * ticks}
-     *
-     * @param journal the journal of the earlier run
      * @param onward called before each tick with the tick before; false cancels the run
      * @throws RunFailedException if the controller threw an exception
      * @throws CancellationException if the run was cancelled

@@ -175,7 +175,7 @@ class StripChartTest {
 
     @Test
     void theGhostIsNamedWhileThereIsOne() {
-        ReferenceRun ghost = ReferenceRun.replay(new Journal(SampleRuns.ROOM_SETUP, List.of(), 100));
+        ReferenceRun ghost = ReferenceRun.replay(new Journal(SampleRuns.ROOM_SETUP, List.of(), 100), tick -> true);
         runOnEdt(() -> chart.setReference(ghost));
         isLegendComplete(330);
         assertEquals(List.of("distance used", "target", "ghost"), namesAbovePlot());

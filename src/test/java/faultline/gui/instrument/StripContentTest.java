@@ -76,7 +76,7 @@ class StripContentTest {
     @Test
     void theReferenceRunHasItsOwnCurves() {
         ReferenceRun other = ReferenceRun.replay(
-                new Journal(SampleRuns.ROOM_SETUP.withStart(new Pose(2, 1.3, 0.1)), List.of(), 2000));
+                new Journal(SampleRuns.ROOM_SETUP.withStart(new Pose(2, 1.3, 0.1)), List.of(), 2000), tick -> true);
         Color colour = Theme.LIGHT.palette().reference();
         assertEquals(0, SampleRuns.count(content(SPAN, List.of(), null).toImage(Theme.LIGHT, 1), colour));
         assertTrue(SampleRuns.count(content(SPAN, List.of(), other).toImage(Theme.LIGHT, 1), colour) > 20);
@@ -195,7 +195,7 @@ class StripContentTest {
     @Test
     void aTableHasColumnsForTheReferenceRunAsFarAsItGoes() {
         Journal journal = new Journal(SampleRuns.ROOM_SETUP.withStart(new Pose(2, 1.3, 0.1)), List.of(), 1500);
-        ReferenceRun other = ReferenceRun.replay(journal);
+        ReferenceRun other = ReferenceRun.replay(journal, tick -> true);
         List<String> rows = content(SPAN, List.of(), other).toCsv().lines().toList();
         assertEquals(
                 "t (s),\"target (m)\",\"distance used (m)\",\"ghost, target (m)\",\"ghost, distance used (m)\"",
@@ -207,10 +207,12 @@ class StripContentTest {
 
     @Test
     void theAxisCoversTheReferenceRun() {
-        ReferenceRun close = ReferenceRun.replay(new Journal(
-                SampleRuns.ROOM_SETUP.withController(ControllerSpec.WallFollowing.DEFAULT.withDistance(0.45)),
-                List.of(),
-                2000));
+        ReferenceRun close = ReferenceRun.replay(
+                new Journal(
+                        SampleRuns.ROOM_SETUP.withController(ControllerSpec.WallFollowing.DEFAULT.withDistance(0.45)),
+                        List.of(),
+                        2000),
+                tick -> true);
         double alone = content(SPAN, List.of(), null)
                 .scale(500, 200, false)
                 .plot()

@@ -54,7 +54,7 @@ public final class ReadmePictures {
         Scenario office = Scenario.loadShipped("office.xml");
         Simulation run = new Simulation(office.setup(), ControllerMode.DIRECT);
         long ticks = Math.round(SHOWN_AT / office.setup().dt());
-        ReferenceRun ghost = ReferenceRun.replay(new Journal(office.setup(), List.of(), ticks + 1));
+        ReferenceRun ghost = ReferenceRun.replay(new Journal(office.setup(), List.of(), ticks + 1), tick -> true);
         while (run.time() < FAULTS_AT) {
             run.tick();
         }

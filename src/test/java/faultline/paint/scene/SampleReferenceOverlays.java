@@ -15,7 +15,7 @@ public final class SampleReferenceOverlays {
     public static ReferenceOverlay office() {
         try {
             Scenario office = Scenario.loadShipped("office.xml");
-            ReferenceRun run = ReferenceRun.replay(new Journal(office.setup(), List.of(), 2000));
+            ReferenceRun run = ReferenceRun.replay(new Journal(office.setup(), List.of(), 2000), tick -> true);
             return new ReferenceOverlay(
                     run,
                     List.of("Ghost: Office", "Differs from 10 s on"),
