@@ -13,8 +13,10 @@ import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.BoundedRangeModel;
 import javax.swing.Box;
+import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JLabel;
+import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.JToolBar;
 import javax.swing.UIManager;
@@ -39,16 +41,25 @@ final class ToolBar extends JToolBar {
         addGroup("undo", "redo");
         add(createRunButton());
         addGroup("stepBack", "step", "restart", "record");
-        JLabel label = UiText.label("speed");
-        SpeedSlider slider = new SpeedSlider(speed);
-        label.setLabelFor(slider);
-        add(label);
-        add(Box.createHorizontalStrut(GROUP_GAP / 2));
-        add(slider);
-        add(slider.numberLabel());
+        add(createSpeedControl(speed));
         add(Box.createHorizontalStrut(GROUP_GAP));
         addGroup("fit", "path", "follow");
         add(createButton(actions.get("dark")));
+    }
+
+    /** Creates the slider of the speed with its name and its value, which stay in one row. */
+    private static JPanel createSpeedControl(BoundedRangeModel speed) {
+        JPanel control = new JPanel();
+        control.setLayout(new BoxLayout(control, BoxLayout.LINE_AXIS));
+        control.setOpaque(false);
+        JLabel label = UiText.label("speed");
+        SpeedSlider slider = new SpeedSlider(speed);
+        label.setLabelFor(slider);
+        control.add(label);
+        control.add(Box.createHorizontalStrut(GROUP_GAP / 2));
+        control.add(slider);
+        control.add(slider.numberLabel());
+        return control;
     }
 
     private void addGroup(String... keys) {

@@ -197,6 +197,33 @@ class MainPanelTest {
         }
     }
 
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void theSpeedStaysBesideItsNameAndItsValueInABarOfSeveralRows(Language language) {
+        try {
+            build(TextSize.LARGEST, language);
+            for (int width = 500; width < 1100; width += 20) {
+                int room = width;
+                runOnEdt(() -> setSizeAndLayOut(room, 560));
+                Rectangle slider = placeOf(SpeedSlider.class);
+                Rectangle name = placeOf(JLabel.class);
+                assertEquals(slider.getCenterY(), name.getCenterY(), 2, width + ": " + slider + ", " + name);
+                assertTrue(name.getMaxX() <= slider.getX(), width + ": " + slider + ", " + name);
+            }
+        } finally {
+            build(TextSize.NORMAL, Language.ENGLISH);
+        }
+    }
+
+    /** Returns the place in the contents of the window of the first part of the tool bar of a type. */
+    private Rectangle placeOf(Class<? extends Component> type) {
+        return callOnEdt(() -> ComponentFinder.findAll(mainPanel, ToolBar.class)
+                .flatMap(bar -> ComponentFinder.findAll(bar, type))
+                .findFirst()
+                .map(part -> SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), mainPanel))
+                .orElseThrow());
+    }
+
     private void build(TextSize size, Language language) {
         runOnEdt(size::install);
         Messages.setLanguage(language);
