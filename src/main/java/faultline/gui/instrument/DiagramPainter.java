@@ -20,10 +20,12 @@ import faultline.paint.surface.GraphicsSurface;
 import faultline.paint.surface.LineStyle;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Predicate;
 
 /**
@@ -35,6 +37,7 @@ final class DiagramPainter {
     private static final Font NAME_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
     private static final Font SMALL_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
     private static final double MIN_FONT_SIZE = 8;
+    private static final double FONT_STEP = 0.25;
     /** The height of a box that has room for a second line. */
     private static final double TWO_LINES = 31;
 
@@ -166,15 +169,30 @@ final class DiagramPainter {
                 .orElse("–");
     }
 
-    /** Draws a text, in a smaller font if the width is too small. */
+    /** Draws a text, in a smaller font if the width is too small, and shortened if it is too small for the smallest. */
     private void drawFitted(String text, Vector2 foot, double room, Font font, Color colour) {
-        double share = Math.min(1, room / g.getFontMetrics(font).stringWidth(text));
-        drawCentred(
-                text,
-                foot.x(),
-                foot.y(),
-                font.deriveFont((float) Math.max(MIN_FONT_SIZE, font.getSize2D() * share)),
-                colour);
+        Font fitted = fitted(text, font, room, g::getFontMetrics);
+        drawCentred(shortened(text, g.getFontMetrics(fitted), room), foot.x(), foot.y(), fitted, colour);
+    }
+
+    /** Returns the largest font up to a given one in which a text has the room, pixels, or else the smallest font. */
+    static Font fitted(String text, Font font, double room, Function<Font, FontMetrics> metrics) {
+        double share = Math.min(1, room / metrics.apply(font).stringWidth(text));
+        Font result = font.deriveFont((float) Math.max(MIN_FONT_SIZE, font.getSize2D() * share));
+        // The width of a text is not exactly in proportion to the size of its font.
+        while (metrics.apply(result).stringWidth(text) > room && result.getSize2D() > MIN_FONT_SIZE) {
+            result = result.deriveFont((float) Math.max(MIN_FONT_SIZE, result.getSize2D() - FONT_STEP));
+        }
+        return result;
+    }
+
+    /** Returns a text without its end if it is wider than the room, pixels. */
+    static String shortened(String text, FontMetrics metrics, double room) {
+        String shown = text;
+        for (int end = text.length() - 1; end > 0 && metrics.stringWidth(shown) > room; end--) {
+            shown = text.substring(0, end) + "…";
+        }
+        return shown;
     }
 
     private void drawCentred(String text, double x, double baseLine, Font font, Color colour) {

@@ -26,6 +26,12 @@ public final class StateDiagramLayout {
 
     private static final List<List<FollowerState>> ROWS =
             List.of(List.of(SEARCH, TURN, MEASURE), List.of(ROUND, FOLLOW, ALIGN));
+    /** The width below which the margins and the gaps between the columns shrink, and that of the smallest ones. */
+    private static final double FULL_WIDTH = 330;
+
+    private static final double SMALL_WIDTH = 150;
+    private static final double SMALL_SIDE_MARGIN = 4;
+    private static final double SMALL_COLUMN_GAP_SHARE = 0.15;
     private static final double SIDE_MARGIN = 14;
     private static final double TOP_MARGIN = 30;
     private static final double BOTTOM_MARGIN = 30;
@@ -48,6 +54,7 @@ public final class StateDiagramLayout {
     private static final double ARCH_HEIGHT = 22;
 
     private final PixelRectangle area;
+    private final double sideMargin;
     private final double topMargin;
     private final double bottomMargin;
     private final double boxWidth;
@@ -56,7 +63,10 @@ public final class StateDiagramLayout {
     /** Creates the layout that fills an area. */
     public StateDiagramLayout(PixelRectangle area) {
         this.area = area;
-        boxWidth = Math.min(MAX_BOX_WIDTH, (area.width() - 2 * SIDE_MARGIN) / 3 * (1 - GAP_SHARE));
+        double width = (area.width() - SMALL_WIDTH) / (FULL_WIDTH - SMALL_WIDTH);
+        sideMargin = between(SMALL_SIDE_MARGIN, SIDE_MARGIN, width);
+        double gapShare = between(SMALL_COLUMN_GAP_SHARE, GAP_SHARE, width);
+        boxWidth = Math.min(MAX_BOX_WIDTH, (area.width() - 2 * sideMargin) / 3 * (1 - gapShare));
         topMargin = shrunk(SMALL_TOP_MARGIN, TOP_MARGIN);
         bottomMargin = shrunk(SMALL_BOTTOM_MARGIN, BOTTOM_MARGIN);
         boxHeight = Math.min(
@@ -64,9 +74,12 @@ public final class StateDiagramLayout {
                 (area.height() - topMargin - bottomMargin) / 2 * (1 - shrunk(SMALL_GAP_SHARE, GAP_SHARE)));
     }
 
-    /** Returns a value between that of a small area and the full one. */
+    /** Returns a value between that of a low area and the full one. */
     private double shrunk(double small, double full) {
-        double share = (area.height() - SMALL_HEIGHT) / (FULL_HEIGHT - SMALL_HEIGHT);
+        return between(small, full, (area.height() - SMALL_HEIGHT) / (FULL_HEIGHT - SMALL_HEIGHT));
+    }
+
+    private static double between(double small, double full, double share) {
         return small + Math.max(0, Math.min(1, share)) * (full - small);
     }
 
@@ -74,7 +87,7 @@ public final class StateDiagramLayout {
     public Rectangle2D box(FollowerState state) {
         int row = ROWS.get(0).contains(state) ? 0 : 1;
         int column = ROWS.get(row).indexOf(state);
-        double x = area.x() + SIDE_MARGIN + column * (area.width() - 2 * SIDE_MARGIN - boxWidth) / 2;
+        double x = area.x() + sideMargin + column * (area.width() - 2 * sideMargin - boxWidth) / 2;
         double y = area.y() + (row == 0 ? topMargin : area.height() - bottomMargin - boxHeight);
         return new Rectangle2D.Double(x, y, boxWidth, boxHeight);
     }

@@ -23,6 +23,7 @@ import faultline.paint.chart.StateDiagramLayout;
 import faultline.paint.surface.PixelRectangle;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -110,6 +111,32 @@ class StateDiagramViewTest {
         double gap = low.box(FollowerState.FOLLOW).getMinY()
                 - low.box(FollowerState.TURN).getMaxY();
         assertTrue(gap >= 8, "gap " + gap);
+    }
+
+    /** The room that a window of 640 by 480 leaves beside the control panel. */
+    @Test
+    void inANarrowWindowTheNamesStayInTheirBoxes() {
+        StateDiagramLayout narrow = new StateDiagramLayout(new PixelRectangle(0, 0, 155, 90));
+        FontMetrics smallest = view.getFontMetrics(new Font(Font.SANS_SERIF, Font.PLAIN, 8));
+        for (FollowerState state : FollowerState.values()) {
+            double room = narrow.box(state).getWidth();
+            assertTrue(room >= 40, state + " has " + room);
+            String name = DiagramPainter.shortened(StateText.name(state), smallest, room);
+            assertEquals(StateText.name(state), name);
+            String part = DiagramPainter.shortened("a name that is far too long", smallest, room);
+            assertTrue(part.startsWith("a n") && part.endsWith("…") && smallest.stringWidth(part) <= room, part);
+        }
+    }
+
+    @Test
+    void aNameIsMadeSmallerBeforeItIsShortened() {
+        Font bold = new Font(Font.SANS_SERIF, Font.BOLD, 13);
+        String name = "Pomiar";
+        int smallest = view.getFontMetrics(bold.deriveFont(8f)).stringWidth(name);
+        for (int room = smallest; room < 60; room++) {
+            Font fitted = DiagramPainter.fitted(name, bold, room, view::getFontMetrics);
+            assertTrue(view.getFontMetrics(fitted).stringWidth(name) <= room, room + " pixels in " + fitted);
+        }
     }
 
     @Test
