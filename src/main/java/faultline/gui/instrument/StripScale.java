@@ -30,6 +30,8 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
     private static final int BOTTOM_MARGIN = 20;
     /** The minimum height of a plot below several rows of a legend, pixels. */
     private static final int MIN_PLOT_HEIGHT = 45;
+    /** The minimum height of a plot below a row of a legend, pixels. */
+    private static final int LOW_PLOT_HEIGHT = 30;
     /** The minimum width of a plot beside a legend, pixels. */
     private static final int MIN_PLOT_WIDTH = 100;
 
@@ -56,21 +58,24 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
 
     /**
      * Returns the legend above the plot, or to the right of it if it is too high. Rows for which there is no room are
-     * omitted.
+     * omitted, and all if one name is wider than the picture.
      */
     private static LegendPlace legend(StripContent content, int width, int height) {
         TextStyle style = TextStyle.plain(FONT_SIZE, Color.BLACK);
         List<LegendEntry> entries = LegendEntry.of(content.signal(), content.reference() != null);
         int plotWidth = width - LEFT_MARGIN - RIGHT_MARGIN;
         LegendRows<LegendEntry> above = LegendEntry.rows(entries, style::estimateWidth, plotWidth);
-        int room = Math.max(1, (height - TOP_MARGIN - BOTTOM_MARGIN - MIN_PLOT_HEIGHT) / LegendPlace.ROW_HEIGHT);
+        int plotHeight = height - TOP_MARGIN - BOTTOM_MARGIN;
+        int fewest = plotHeight - LegendPlace.ROW_HEIGHT >= LOW_PLOT_HEIGHT ? 1 : 0;
+        int room = Math.max(fewest, (plotHeight - MIN_PLOT_HEIGHT) / LegendPlace.ROW_HEIGHT);
         LegendRows<LegendEntry> column = LegendEntry.rows(entries, style::estimateWidth, 0);
         int beside = (int) Math.ceil(column.width());
         if (above.rows().size() > room && plotWidth - beside >= MIN_PLOT_WIDTH) {
             return LegendPlace.beside(
                     column.first(height / LegendPlace.ROW_HEIGHT), width - beside - LegendPlace.GAP, beside);
         }
-        return LegendPlace.above(above.first(room), LEFT_MARGIN);
+        LegendRows<LegendEntry> shown = above.first(room);
+        return shown.width() > width - LEFT_MARGIN ? LegendPlace.NONE : LegendPlace.above(shown, LEFT_MARGIN);
     }
 
     /** Returns the index of a sensor in the robot's order, 0 if there is none. */

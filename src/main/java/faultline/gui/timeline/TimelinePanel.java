@@ -32,6 +32,9 @@ public final class TimelinePanel extends JPanel {
     /** The share of the window's height that the lanes take where there is little room. */
     private static final double MIN_WINDOW_SHARE = 0.1;
 
+    /** The height below which no lane would show whole, pixels at the normal text size. */
+    private static final int LOWEST_LANES = 28;
+
     private static final int LANE_NAME_WIDTH = 80;
 
     private final TimeBar bar;
@@ -167,8 +170,13 @@ public final class TimelinePanel extends JPanel {
         int window = getRootPane() == null ? stage : getRootPane().getHeight();
         int least = (int) (MIN_WINDOW_SHARE * window);
         int room = stage - sliderHeight() - (window + 1) / 2;
-        // Beside large instruments the canvas has less than half anyway; then the lanes grow with their text.
-        return room >= least ? room : TextSize.scaled(least);
+        if (room >= least || stage == 0) {
+            return Math.max(room, least);
+        }
+        // Beside large instruments the canvas has less than half of the window anyway; then the lanes grow with their
+        // text, as long as the canvas has half of what is left.
+        int shared = Math.min(TextSize.scaled(least), stage / 2 - sliderHeight());
+        return shared >= TextSize.scaled(LOWEST_LANES) ? shared : 0;
     }
 
     private int sliderHeight() {

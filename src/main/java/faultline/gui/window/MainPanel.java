@@ -43,8 +43,10 @@ final class MainPanel extends JPanel {
     private static final int MIN_STAGE_WIDTH = 300;
     /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
-    /** Minimum height of the instruments at the normal text size, pixels. */
-    private static final int MIN_DOCK_HEIGHT = 130;
+    /** Minimum height of a chart in which the lines can be told apart, pixels. */
+    private static final int MIN_CHART_HEIGHT = 86;
+    /** Height of the tabs and controls above a chart at the normal text size, pixels. */
+    private static final int CHART_BARS_HEIGHT = 74;
 
     private final SimulationCanvas canvas;
     private final ControlPanel controlPanel;
@@ -229,8 +231,11 @@ final class MainPanel extends JPanel {
     /** Sets the height of the instruments, pixels; the canvas keeps at least half of the window. */
     void setDockHeight(int height) {
         dockHeight = height;
-        dockSplit.place(
-                size -> size - Math.min(height, Math.max(TextSize.scaled(MIN_DOCK_HEIGHT), size - minStageHeight())));
+        dockSplit.place(size -> size - Math.min(height, Math.max(minDockHeight(), size - minStageHeight())));
+    }
+
+    private static int minDockHeight() {
+        return MIN_CHART_HEIGHT + TextSize.scaled(CHART_BARS_HEIGHT);
     }
 
     /** Returns the height of the canvas as half of the window, and the time line below it, pixels. */

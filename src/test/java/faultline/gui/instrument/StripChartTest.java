@@ -119,6 +119,20 @@ class StripChartTest {
                 .toList());
     }
 
+    @Test
+    void aLowChartHasRoomForItsLinesBeforeThatOfTheirNames() {
+        TimeSpan span = TimeSpan.DEFAULT.endingAt(FRAME.snapshot().time());
+        for (int height = 86; height < 130; height++) {
+            StripScale scale = content(FRAME, span, ValueRange.FROM_ZERO).scale(190, height, true);
+            assertTrue(
+                    scale.plot().area().height() >= 30,
+                    height + ": " + scale.plot().area());
+            assertEquals(height >= 89, !scale.legend().rows().rows().isEmpty(), "names at " + height);
+        }
+        StripScale narrow = content(FRAME, span, ValueRange.FROM_ZERO).scale(125, 120, true);
+        assertEquals(LegendPlace.NONE, narrow.legend(), "a name is wider than the picture");
+    }
+
     @ParameterizedTest
     @EnumSource(TextSize.class)
     void namesLieAbovePlotAndRibbonOfAChartOfAnySize(TextSize size) {

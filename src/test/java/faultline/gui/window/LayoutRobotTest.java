@@ -14,6 +14,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.LaneView;
+import faultline.gui.timeline.TimeBar;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Rectangle;
@@ -126,6 +127,44 @@ class LayoutRobotTest {
             assertEquals(0, callOnEdt(() -> last.getVisibleRect().height));
             runOnEdt(last::requestFocusInWindow);
             driver.robot().waitFor("the last field shows", () -> last.getVisibleRect().height == last.getHeight());
+        }
+    }
+
+    private static Stream<Arguments> smallScreens() {
+        return Stream.of(new Dimension(640, 480), new Dimension(800, 600))
+                .flatMap(screen -> Stream.of(TextSize.NORMAL, TextSize.LARGEST)
+                        .map(size -> Arguments.of(screen.width, screen.height, size)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("smallScreens")
+    void aSmallScreenShowsTheChartAndTheCanvasOnRequest(int width, int height, TextSize size) {
+        WindowDriver.installChoices(Language.ENGLISH, size);
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/yard.xml"))) {
+            runOnEdt(() -> {
+                driver.window().setMinimumSize(new Dimension(200, 200));
+                driver.window().setSize(width, height);
+            });
+            Component chart = ComponentFinder.find(driver.window(), JComponent.class, Messages.get("strip.view"));
+            driver.robot()
+                    .waitFor(
+                            "the instruments are hidden",
+                            () -> driver.window().getWidth() == width && !chart.isShowing());
+            driver.choose("instruments");
+            driver.robot().waitFor("the chart shows", chart::isShowing);
+            driver.robot().waitForPaint();
+            int chartHeight = callOnEdt(chart::getHeight);
+            assertTrue(chartHeight >= 80, "chart " + chartHeight);
+            Rectangle lanes = callOnEdt(() -> ComponentFinder.findAll(driver.window(), LaneView.class)
+                    .findFirst()
+                    .orElseThrow()
+                    .getVisibleRect());
+            TimeBar slider = ComponentFinder.findAll(driver.window(), TimeBar.class)
+                    .findFirst()
+                    .orElseThrow();
+            int canvas = callOnEdt(() -> driver.canvas().getHeight());
+            assertTrue(canvas >= 40 && canvas >= lanes.height, "canvas " + canvas + ", lanes " + lanes);
+            assertEquals(slider.getHeight(), callOnEdt(() -> slider.getVisibleRect().height), "slider");
         }
     }
 
