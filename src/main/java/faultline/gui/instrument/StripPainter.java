@@ -35,6 +35,7 @@ final class StripPainter {
     private static final int RIBBON_HEIGHT = 15;
     private static final int STATE_COLOUR_HEIGHT = 3;
     private static final int FAULT_ALPHA = 45;
+    private static final int GRID_ALPHA = 75;
 
     private final Surface surface;
     private final Theme theme;
@@ -64,7 +65,8 @@ final class StripPainter {
         StateIntervals.within(content.frame(), content.span()).forEach(this::paintState);
         content.items().forEach(this::paintItem);
         PlotPainter painter = new PlotPainter(surface, scale.plot());
-        painter.paintGrid(LineStyle.solid(theme.palette().gridMajor(), 1));
+        // Translucent, so that it differs from the shading of faults as well as from the canvas.
+        painter.paintGrid(LineStyle.solid(Palette.withAlpha(theme.palette().muted(), GRID_ALPHA), 1));
         painter.paintTicks(new TickStyle(mutedStyle, 0, 6, 15, " s"));
         surface.drawText(scale.signal().unit(), new Vector2(4, ribbonTop + RIBBON_BASELINE), mutedStyle);
         StripLines lines = new StripLines(painter, theme, scale);

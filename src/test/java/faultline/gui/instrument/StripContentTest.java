@@ -23,12 +23,16 @@ import java.awt.Color;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.awt.image.BufferedImage;
 import java.math.BigDecimal;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JCheckBoxMenuItem;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** What strip charts show beside the lines of one signal, and the files that they become. */
 class StripContentTest {
@@ -71,6 +75,44 @@ class StripContentTest {
         assertEquals(rgb(content(SPAN, List.of(), null), 11, 0.03), rgb(with, 11, 0.03));
         assertNotEquals(rgb(content(SPAN, List.of(), null), 13, 0.03), rgb(with, 13, 0.03));
         assertNotEquals(rgb(content(SPAN, List.of(fault("front")), null), 13, 0.03), rgb(with, 13, 0.03));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void theGridIsSeenWhereASensorIsOffOrFaulty(Theme theme) {
+        for (Command start :
+                List.of(new Command.SwitchSensor("front", false), new Command.InjectFault("left", new Fault.Dead()))) {
+            StripContent content = content(SPAN, List.of(new TimelineItem(start, 10, 20)), null);
+            StripScale scale = content.scale(900, 420, true);
+            BufferedImage image = content.toImage(theme, 1);
+            // A line of the grid below all curves, between two lines across.
+            double value = scale.plot().vertical().ticks().get(1);
+            int x = (int) scale.plot().x(12.5);
+            int y = (int) scale.plot().y(value);
+            double contrast = IntStream.rangeClosed(-1, 1)
+                    .mapToDouble(
+                            row -> contrast(new Color(image.getRGB(x, y + row)), new Color(image.getRGB(x, y - 8))))
+                    .max()
+                    .orElseThrow();
+            assertTrue(contrast >= 1.12, start + " at " + value + ": " + contrast);
+        }
+    }
+
+    /** Returns the WCAG contrast ratio of two colours, with a gamma of 2.2. */
+    private static double contrast(Color one, Color other) {
+        double a = luminance(one);
+        double b = luminance(other);
+        return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    }
+
+    private static double luminance(Color colour) {
+        return 0.2126 * linear(colour.getRed())
+                + 0.7152 * linear(colour.getGreen())
+                + 0.0722 * linear(colour.getBlue());
+    }
+
+    private static double linear(int component) {
+        return Math.pow(component / 255.0, 2.2);
     }
 
     @Test
