@@ -27,7 +27,7 @@ final class ExpectationForm extends JPanel {
         EXPECTED
     }
 
-    private static final int STATE_COLUMNS = 3;
+    private static final int STATE_COLUMNS = 2;
     private static final double USUAL_COVERAGE = 0.8;
     private static final double USUAL_RMS = 0.02;
 

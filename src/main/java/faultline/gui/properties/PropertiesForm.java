@@ -22,7 +22,7 @@ import javax.swing.JTextField;
 /** The fields of a scenario's properties. */
 final class PropertiesForm extends JPanel {
 
-    private static final int TEXT_COLUMNS = 30;
+    private static final int TEXT_COLUMNS = 25;
     private static final double MIN_SIZE = 0.5;
     private static final double MAX_SIZE = 1000;
 

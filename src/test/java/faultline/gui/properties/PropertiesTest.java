@@ -20,6 +20,9 @@ import faultline.gui.document.Workspace;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.panel.NumberSpinner;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.ShippedScenarios;
@@ -65,6 +68,25 @@ class PropertiesTest {
     }
 
     /** What is not touched in the form stays to the bit. */
+    /** A dialog on a screen of 800 by 600 has this width between its borders and beside a scroll bar. */
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void theFormIsAsWideAsASmallScreenWithLargeText(Language language) {
+        runOnEdt(() -> {
+            TextSize.LARGEST.install();
+            Theme.LIGHT.install();
+            Messages.setLanguage(language);
+            try {
+                int width = new PropertiesForm().getPreferredSize().width;
+                assertTrue(width <= 720, width + " pixels");
+            } finally {
+                TextSize.NORMAL.install();
+                Theme.LIGHT.install();
+                Messages.setLanguage(Language.ENGLISH);
+            }
+        });
+    }
+
     @Test
     void theFormKeepsTheScenariosThatShipWithTheProgram() throws Exception {
         for (String name : ShippedScenarios.names()) {
