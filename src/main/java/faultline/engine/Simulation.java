@@ -204,6 +204,14 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
+     * Executes the timeline's commands for the next tick, so that a frame taken before it shows their effect after
+     * {@link #resample}.
+     */
+    public void executeDueCommands() {
+        executeDueCommands(world.tick() + 1);
+    }
+
+    /**
      * Stops recording the path, for a run of which no one shows a frame: its ticks then allocate nothing. Frames keep
      * the path recorded before.
      */

@@ -87,7 +87,7 @@ public final class Session implements SessionView, AutoCloseable {
      * @throws CancellationException if the replay was cancelled
      */
     public static Session replay(Journal journal, long tick, LongPredicate shouldContinue) {
-        return start(journal, tick, false, shouldContinue);
+        return start(journal, tick, session -> {}, shouldContinue);
     }
 
     /**
@@ -102,17 +102,37 @@ public final class Session implements SessionView, AutoCloseable {
      * @throws CancellationException if the replay was cancelled
      */
     public static Session replayEdited(Journal journal, long tick, LongPredicate shouldContinue) {
-        return start(journal, tick, true, shouldContinue);
+        return start(journal, tick, Session::executeNextCommands, shouldContinue);
     }
 
-    private static Session start(Journal journal, long tick, boolean edited, LongPredicate shouldContinue) {
+    /**
+     * Replays an earlier run with a changed setup as {@link #replayEdited} does, and also executes the timeline's
+     * commands for the next tick: the change may have moved commands from the journal to the timeline.
+     *
+     * @param journal the earlier run with the changed setup
+     * @param tick the tick to replay to, not negative
+     * @param shouldContinue called after each replayed tick with that tick; false cancels the replay
+     * @return the session; its first frame is available at once
+     * @throws RunFailedException if the controller threw an exception or did not answer
+     * @throws CancellationException if the replay was cancelled
+     */
+    public static Session resimulate(Journal journal, long tick, LongPredicate shouldContinue) {
+        return start(
+                journal,
+                tick,
+                session -> {
+                    session.simulation.executeDueCommands();
+                    session.executeNextCommands();
+                },
+                shouldContinue);
+    }
+
+    private static Session start(
+            Journal journal, long tick, Consumer<Session> afterReplay, LongPredicate shouldContinue) {
         Session made = new Session(journal);
         try {
             made.replayTo(tick, shouldContinue);
-            if (edited) {
-                made.player.executeCommands(made.simulation);
-                made.simulation.resample();
-            }
+            afterReplay.accept(made);
         } catch (RuntimeException e) {
             made.simulation.close();
             throw e;
@@ -121,6 +141,11 @@ public final class Session implements SessionView, AutoCloseable {
         made.latestStatus.set(made.currentStatus());
         made.thread.start();
         return made;
+    }
+
+    private void executeNextCommands() {
+        player.executeCommands(simulation);
+        simulation.resample();
     }
 
     private void replayTo(long tick, LongPredicate shouldContinue) {

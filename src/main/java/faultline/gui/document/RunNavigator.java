@@ -6,6 +6,7 @@ import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.LongPredicate;
 import java.util.function.ToLongFunction;
 
 /** Moves the run to other ticks: a new session replays the journal of the old one. Event dispatch thread only. */
@@ -34,7 +35,7 @@ public final class RunNavigator implements WorkspaceListener {
      */
     public void seek(long tick) {
         endResimulation();
-        workspace.openDocument().ifPresent(now -> replay(now, past -> tick));
+        workspace.openDocument().ifPresent(now -> replay(now, past -> tick, Session::replayEdited));
     }
 
     /** Simulates the run with its edited setup up to the present tick, asynchronously; a running one then resumes. */
@@ -43,12 +44,18 @@ public final class RunNavigator implements WorkspaceListener {
             resuming |= now.session().status().running();
             resimulating = true;
             discardFuture();
-            replay(now, Journal::ticks);
+            replay(now, Journal::ticks, Session::resimulate);
         });
     }
 
+    /** Starts a session after a replay. */
+    @FunctionalInterface
+    private interface Replay {
+        Session start(Journal journal, long tick, LongPredicate shouldContinue);
+    }
+
     /** Pauses a run and replays it up to a tick. */
-    private void replay(OpenDocument now, ToLongFunction<Journal> end) {
+    private void replay(OpenDocument now, ToLongFunction<Journal> end, Replay replay) {
         now.session().pause();
         CompletableFuture<Journal> past = now.session().journal();
         CompletableFuture<Journal> whole = now.session()
@@ -58,11 +65,10 @@ public final class RunNavigator implements WorkspaceListener {
         workspace.start(task, () -> {
             Journal journal = whole.join();
             long tick = end.applyAsLong(past.join());
-            return new OpenDocument(
-                    now.document(), Session.replayEdited(withChosenController(journal), tick, reached -> {
-                        task.progress().setFraction((double) reached / tick);
-                        return true;
-                    }));
+            return new OpenDocument(now.document(), replay.start(withChosenController(journal), tick, reached -> {
+                task.progress().setFraction((double) reached / tick);
+                return true;
+            }));
         });
     }
 

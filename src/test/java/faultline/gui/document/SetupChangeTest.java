@@ -144,6 +144,27 @@ class SetupChangeTest {
         Await.until("the original place", () -> pose("copier").y() == 0.3);
     }
 
+    @Test
+    void aSwitchAtThePresentTickStaysWhenTheTimelineChanges() {
+        runOnEdt(() -> edits.send(SWITCH));
+        Await.until("the edit", () -> edits.undoName().isPresent());
+        assertFalse(isFrontOn());
+        List<TimedCommand> withFault = new ArrayList<>(timeline());
+        withFault.add(new TimedCommand(0.9, FAULT));
+        setTimeline(withFault);
+        assertEquals(TICKS, tick());
+        assertFalse(isFrontOn(), "it shows before the next tick");
+    }
+
+    private boolean isFrontOn() {
+        return SessionFrames.frame(workspace).snapshot().sensors().stream()
+                .filter(sensor -> sensor.spec().id().equals("front"))
+                .findFirst()
+                .orElseThrow()
+                .spec()
+                .on();
+    }
+
     private Pose pose(String obstacle) {
         return SessionFrames.frame(workspace).snapshot().obstacles().stream()
                 .filter(now -> now.id().equals(obstacle))
