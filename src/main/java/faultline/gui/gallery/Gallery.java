@@ -12,6 +12,8 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.FlowLayout;
 import java.awt.Window;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.WindowAdapter;
@@ -22,6 +24,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JList;
@@ -29,6 +32,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 
@@ -44,6 +48,7 @@ public final class Gallery extends JDialog {
 
     private final transient ExampleFilter filter = new ExampleFilter();
     private final JList<Example> list = new JList<>(filter.shown());
+    private final JTextField search = new JTextField(SEARCH_COLUMNS);
     private final JTextArea description = new JTextArea(2, 20);
     private final transient Consumer<String> onOpen;
     private final transient ExampleLoader loader;
@@ -88,12 +93,13 @@ public final class Gallery extends JDialog {
             filter.setGroup((ExampleGroup) group.getSelectedItem());
             selectFirst();
         });
-        JTextField search = new JTextField(SEARCH_COLUMNS);
         search.getAccessibleContext().setAccessibleName(Messages.get("gallery.search"));
         search.getDocument().addDocumentListener(new TextListener(() -> {
             filter.setText(search.getText());
             selectFirst();
         }));
+        search.registerKeyboardAction(
+                event -> list.requestFocusInWindow(), KeyStroke.getKeyStroke("DOWN"), JComponent.WHEN_FOCUSED);
         JLabel searchLabel = new JLabel(Messages.get("gallery.search"));
         searchLabel.setLabelFor(search);
         JPanel controls = new JPanel(new FlowLayout(FlowLayout.LEADING, 8, 0));
@@ -111,6 +117,15 @@ public final class Gallery extends JDialog {
         list.ensureIndexIsVisible(0);
     }
 
+    /** Moves a letter or digit that is typed in the list, and the focus, to the search field. */
+    private void searchFor(KeyEvent event) {
+        boolean shortcut = event.isControlDown() || event.isAltDown() || event.isMetaDown();
+        if (Character.isLetterOrDigit(event.getKeyChar()) && !shortcut) {
+            search.setText(search.getText() + event.getKeyChar());
+            search.requestFocusInWindow();
+        }
+    }
+
     private JScrollPane scroll() {
         list.setLayoutOrientation(JList.HORIZONTAL_WRAP);
         list.setVisibleRowCount(0);
@@ -118,6 +133,12 @@ public final class Gallery extends JDialog {
         list.setCellRenderer(new ExampleCard());
         list.setFixedCellWidth(ExampleCard.SIZE.width);
         list.setFixedCellHeight(ExampleCard.SIZE.height);
+        list.addKeyListener(new KeyAdapter() {
+            @Override
+            public void keyTyped(KeyEvent event) {
+                searchFor(event);
+            }
+        });
         list.getAccessibleContext().setAccessibleName(Messages.get("gallery.title"));
         list.addListSelectionListener(event ->
                 description.setText(selectedExample().map(Example::description).orElse("")));
