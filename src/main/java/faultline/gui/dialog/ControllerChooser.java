@@ -10,7 +10,6 @@ import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
-import java.awt.EventQueue;
 import java.awt.Window;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -20,7 +19,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 
@@ -37,8 +35,7 @@ public final class ControllerChooser implements WorkspaceListener {
     private final RunController runController;
     private final ComparisonController comparison;
     private final Consumer<String> note;
-    /** The newest line of a child's standard error that is not shown yet. */
-    private final AtomicReference<String> unshownLine = new AtomicReference<>();
+    private final ErrorLines errorLines;
 
     private final Timer watch = new Timer(WATCH_MILLIS, event -> checkFiles());
     private ControllerSelection choice = ControllerSelection.SCENARIO;
@@ -58,18 +55,21 @@ public final class ControllerChooser implements WorkspaceListener {
      * @param runController restarts the run
      * @param comparison shows a run with another controller as a ghost
      * @param note shows a sentence to the user
+     * @param removeNote removes a sentence if it is still shown
      */
     public ControllerChooser(
             Window owner,
             Workspace workspace,
             RunController runController,
             ComparisonController comparison,
-            Consumer<String> note) {
+            Consumer<String> note,
+            Consumer<String> removeNote) {
         this.owner = owner;
         this.workspace = workspace;
         this.runController = runController;
         this.comparison = comparison;
         this.note = note;
+        this.errorLines = new ErrorLines(note, removeNote);
         workspace.addListener(this);
     }
 
@@ -83,7 +83,7 @@ public final class ControllerChooser implements WorkspaceListener {
         actions.add(UiAction.of(
                 "compareController", () -> ask("compareController", ghostChoice).ifPresent(chosen -> {
                     ghostChoice = chosen;
-                    comparison.compareWith(chosen, this::showErrorLine);
+                    comparison.compareWith(chosen, errorLines.forGhost());
                 })));
     }
 
@@ -94,7 +94,7 @@ public final class ControllerChooser implements WorkspaceListener {
     /** Selects the controller of the next session and all later ones. */
     public void select(ControllerSelection chosen) {
         choice = chosen;
-        workspace.setControllerChoice(setup -> chosen.applyTo(setup, scenarioName, this::showErrorLine));
+        workspace.setControllerChoice(setup -> chosen.applyTo(setup, scenarioName, errorLines.forNewController()));
     }
 
     /** Selects the controllers of the scenario that is opened next and of a ghost beside it, null for none. */
@@ -103,13 +103,6 @@ public final class ControllerChooser implements WorkspaceListener {
         ghostPending = ghostOrNull != null;
         if (ghostPending) {
             ghostChoice = ghostOrNull;
-        }
-    }
-
-    /** Shows the newest line, because lines may arrive faster than they can be shown. */
-    private void showErrorLine(String line) {
-        if (unshownLine.getAndSet(line) == null) {
-            EventQueue.invokeLater(() -> note.accept(unshownLine.getAndSet(null)));
         }
     }
 
@@ -125,9 +118,10 @@ public final class ControllerChooser implements WorkspaceListener {
 
     @Override
     public void sessionStarted() {
+        errorLines.controllerStarted();
         if (ghostPending) {
             ghostPending = false;
-            comparison.compareWith(ghostChoice, this::showErrorLine);
+            comparison.compareWith(ghostChoice, errorLines.forGhost());
         }
         watch.stop();
         ControllerSelection chosen = choice;

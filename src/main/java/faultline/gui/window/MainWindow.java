@@ -67,8 +67,8 @@ public final class MainWindow extends JFrame {
     private final transient RunController runController = new RunController(workspace);
     private final transient ComparisonController comparisonController =
             new ComparisonController(workspace, runController.navigator());
-    private final transient ControllerChooser controllerChooser =
-            new ControllerChooser(this, workspace, runController, comparisonController, this::showNote);
+    private final transient ControllerChooser controllerChooser = new ControllerChooser(
+            this, workspace, runController, comparisonController, this::showNote, this::removeNote);
     private final transient UndoController undoController =
             new UndoController(runController::send, this::updateEditActions);
     private final transient ScenarioEditor scenarioEditor = new ScenarioEditor(runController, undoController);
@@ -197,6 +197,10 @@ public final class MainWindow extends JFrame {
 
     private boolean commitPendingEdit() {
         return mainPanel.controlPanel().commitPendingEdit();
+    }
+
+    private void removeNote(String sentence) {
+        mainPanel.statusBar().removeNote(sentence);
     }
 
     private void showNote(String sentence) {
@@ -362,6 +366,9 @@ public final class MainWindow extends JFrame {
 
     /** Responds to events of the workspace. */
     private final class WorkspaceEvents implements WorkspaceListener {
+        /** Whether an example has been opened in place of a first file that could not be opened. */
+        private boolean exampleOpened;
+
         @Override
         public void scenarioOpened() {
             undoController.clear();
@@ -408,7 +415,8 @@ public final class MainWindow extends JFrame {
             }
             boolean keepsScenario =
                     what != TaskKind.OPEN || workspace.scenario().isPresent();
-            if (!keepsScenario && !file.equals(Path.of(ShippedScenarios.DEFAULT))) {
+            if (!keepsScenario && !exampleOpened) {
+                exampleOpened = true;
                 openShipped(ShippedScenarios.DEFAULT);
             }
             dialogs.showFailure(what, file, cause, keepsScenario);

@@ -111,6 +111,13 @@ final class StatusBar extends JPanel {
         noteFramesLeft = 0;
     }
 
+    /** Removes a sentence if it is still shown. */
+    void removeNote(String sentence) {
+        if (note.getText().equals(sentence)) {
+            clearNote();
+        }
+    }
+
     /** Shows a sentence for as long as it takes to read. */
     void showNote(String sentence) {
         note.setText(sentence);

@@ -49,6 +49,16 @@ class LanguagesTest {
     }
 
     @Test
+    void aTextThatEndsWithAUnitDoesSoInBoth() {
+        Pattern unit = Pattern.compile(", (?:m|s|°|V|°/s|m/s|m/s/V|rad/m|rad/s/m)$");
+        List<String> without = keys().filter(
+                        key -> unit.matcher(text(ENGLISH, key)).results().anyMatch(found -> !text(POLISH, key)
+                                .endsWith(found.group())))
+                .toList();
+        assertEquals(List.of(), without);
+    }
+
+    @Test
     void quotesAreDoubledInTextsWithPlaceholders() {
         Pattern lone = Pattern.compile("(?<!')'(?!')");
         Stream.of(ENGLISH, POLISH)

@@ -29,6 +29,7 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JMenuItem;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -85,6 +86,18 @@ class OpenRobotTest {
         assertTrue(
                 WindowDriver.text(dialog).contains("bad.faultline cannot be opened. An example is open instead."),
                 WindowDriver.text(dialog));
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.waitForTitle("Office");
+    }
+
+    @Test
+    void theFirstFileMayHaveTheNameOfTheExample() {
+        driver.close();
+        driver = WindowDriver.openEmpty();
+        runOnEdt(() -> driver.window().open(Path.of("office.xml"), () -> {
+            throw new IOException("damaged");
+        }));
+        driver.dialog("Faultline");
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.waitForTitle("Office");
     }
@@ -224,6 +237,29 @@ class OpenRobotTest {
         driver.robot().waitFor("another scenario is open", () -> !driver.window()
                 .getTitle()
                 .startsWith("office.xml"));
+    }
+
+    @Test
+    void lettersTypedInTheListOfExamplesSearch() {
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_O);
+        JDialog gallery = driver.dialog("Examples");
+        JList<?> list =
+                ComponentFinder.findAll(gallery, JList.class).findFirst().orElseThrow();
+        driver.robot().waitFor("ten examples are there", () -> list.getModel().getSize() >= 10);
+        driver.robot().waitFor("the list has the focus", list::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_Y);
+        driver.robot().pressKeys(KeyEvent.VK_A);
+        driver.robot().pressKeys(KeyEvent.VK_R);
+        driver.robot().pressKeys(KeyEvent.VK_D);
+        JTextField search = ComponentFinder.find(gallery, JTextField.class, "Search");
+        driver.robot().waitFor("the search", () -> search.getText().equals("yard"));
+        driver.robot()
+                .waitFor(
+                        "the yard",
+                        () -> list.getModel().getSize() >= 1 && list.getModel().getSize() < 10);
+        driver.robot().pressKeys(KeyEvent.VK_DOWN);
+        driver.robot().waitFor("the list has the focus again", list::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
     }
 
     @Test

@@ -72,6 +72,15 @@ class StatusBarTest {
     }
 
     @Test
+    void onlyTheNoteThatIsNoLongerTrueIsRemoved() {
+        runOnEdt(() -> bar.showNote("old"));
+        runOnEdt(() -> bar.removeNote("other"));
+        assertTrue(texts().contains("old"));
+        runOnEdt(() -> bar.removeNote("old"));
+        assertFalse(texts().contains("old"));
+    }
+
+    @Test
     void theReasonOfAFailedRunStays() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         for (int i = 0; i < 400; i++) {

@@ -1,0 +1,72 @@
+package faultline.gui.dialog;
+
+import java.awt.EventQueue;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+
+/**
+ * Shows the newest line that a controller writes to its standard error. A line of a controller that has been replaced
+ * is removed, and a later one is not shown.
+ */
+final class ErrorLines {
+
+    private static final int NEVER_REPLACED = Integer.MAX_VALUE;
+
+    private record Line(int controller, String text) {}
+
+    private final Consumer<String> show;
+    private final Consumer<String> remove;
+    /** The newest line that is not shown yet. */
+    private final AtomicReference<Line> unshown = new AtomicReference<>();
+
+    private final AtomicInteger created = new AtomicInteger();
+    private int driving;
+    private Line shown = new Line(NEVER_REPLACED, "");
+
+    /**
+     * Creates a display of lines.
+     *
+     * @param show shows a line, on the event dispatch thread
+     * @param remove removes a line if it is still shown, on the event dispatch thread
+     */
+    ErrorLines(Consumer<String> show, Consumer<String> remove) {
+        this.show = show;
+        this.remove = remove;
+    }
+
+    /** Returns the receiver of the lines of a new controller of the run. Any thread may call both. */
+    Consumer<String> forNewController() {
+        int controller = created.incrementAndGet();
+        return text -> add(new Line(controller, text));
+    }
+
+    /** Returns the receiver of the lines of a ghost's controller. Any thread may call it. */
+    Consumer<String> forGhost() {
+        return text -> add(new Line(NEVER_REPLACED, text));
+    }
+
+    /** Shows the newest line only, because lines may arrive faster than they can be shown. */
+    private void add(Line line) {
+        if (unshown.getAndSet(line) == null) {
+            EventQueue.invokeLater(this::showNewest);
+        }
+    }
+
+    private void showNewest() {
+        Line line = unshown.getAndSet(null);
+        if (line.controller() >= driving) {
+            shown = line;
+            show.accept(line.text());
+        }
+    }
+
+    /** Lets the newest controller replace the earlier ones. */
+    void controllerStarted() {
+        assert EventQueue.isDispatchThread();
+        driving = created.get();
+        if (shown.controller() < driving) {
+            remove.accept(shown.text());
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package faultline.gui.dialog;
+
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+
+/** The lines of two controllers, one of which replaces the other. */
+class ErrorLinesTest {
+
+    private final List<String> shown = new ArrayList<>();
+    private final ErrorLines lines = new ErrorLines(shown::add, shown::remove);
+
+    private void write(Consumer<String> controller, String line) {
+        controller.accept(line);
+        runOnEdt(() -> {});
+    }
+
+    @Test
+    void aReloadRemovesTheLineOfTheOldController() {
+        Consumer<String> old = lines.forNewController();
+        runOnEdt(lines::controllerStarted);
+        write(old, "old");
+        assertEquals(List.of("old"), shown);
+        lines.forNewController();
+        runOnEdt(lines::controllerStarted);
+        assertEquals(List.of(), shown);
+    }
+
+    @Test
+    void theLastWordsOfTheOldControllerAreNotShown() {
+        Consumer<String> old = lines.forNewController();
+        runOnEdt(lines::controllerStarted);
+        lines.forNewController();
+        runOnEdt(lines::controllerStarted);
+        write(old, "interrupted");
+        assertEquals(List.of(), shown);
+    }
+
+    @Test
+    void aLineWrittenDuringTheStartStays() {
+        lines.forNewController();
+        runOnEdt(lines::controllerStarted);
+        write(lines.forNewController(), "ready");
+        runOnEdt(lines::controllerStarted);
+        assertEquals(List.of("ready"), shown);
+    }
+
+    @Test
+    void aControllerThatCannotStartReplacesNone() {
+        Consumer<String> old = lines.forNewController();
+        runOnEdt(lines::controllerStarted);
+        lines.forNewController();
+        write(old, "still driving");
+        assertEquals(List.of("still driving"), shown);
+    }
+
+    @Test
+    void theLinesOfAGhostStay() {
+        write(lines.forGhost(), "ghost");
+        lines.forNewController();
+        runOnEdt(lines::controllerStarted);
+        assertEquals(List.of("ghost"), shown);
+    }
+}
