@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import faultline.control.TimingRule;
 import faultline.geometry.Angles;
 import faultline.gui.text.Messages;
+import faultline.gui.text.TurnTimes;
 import java.util.List;
 import java.util.Locale;
 
@@ -21,12 +22,13 @@ final class AlignmentText {
 
     static List<NamedValue> rows(AlignmentTrace spin, TimingRule rule) {
         double predicted = spin.isTimed() ? spin.predictedHeading() : Double.NaN;
+        TurnTimes times = TurnTimes.of(spin.origin() + spin.f3(), spin.origin() + spin.f4());
         return List.of(
                 row("rule", Messages.get("spin.rule." + rule.fileName())),
-                row("f3", seconds(spin.origin() + spin.f3())),
-                row("f4", seconds(spin.origin() + spin.f4())),
-                row("tD", seconds(spin.tD())),
-                row("tP", seconds(spin.tP())),
+                row("f3", seconds(spin.isTimed(), times.f3())),
+                row("f4", seconds(spin.isTimed(), times.f4())),
+                row("tD", seconds(spin.isTimed(), times.tD())),
+                row("tP", seconds(spin.isTimed(), times.tP())),
                 row("predicted", degrees(predicted, "%.2f°")),
                 row("achieved", degrees(spin.achievedHeading(), "%.2f°")),
                 row("error", degrees(spin.headingError().orElse(Double.NaN), "%+.2f°")));
@@ -36,8 +38,8 @@ final class AlignmentText {
         return new NamedValue(Messages.get("spin." + key), value);
     }
 
-    private static String seconds(double value) {
-        return Double.isNaN(value) ? "–" : String.format(Locale.ROOT, "%.3f s", value);
+    private static String seconds(boolean known, String value) {
+        return known ? value + " s" : "–";
     }
 
     private static String degrees(double radians, String format) {

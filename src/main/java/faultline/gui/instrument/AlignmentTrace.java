@@ -96,7 +96,8 @@ record AlignmentTrace(
             samples.add(new AlignmentSample(
                     (headingAt(level, tick - 1) - start) / rate, level.min(TraceChannels.MEASURED_DISTANCE, tick)));
         }
-        Telemetry.EdgeTimes shown = frame.telemetry().edges();
+        double origin = (ticks.align() - 1) * dt(frame) - Math.abs(turnedBy / rate);
+        Telemetry.EdgeTimes shown = edges(frame, ticks, origin);
         double now = headingAt(level, ticks.follow() - 1);
         return new AlignmentTrace(
                 samples,
@@ -106,8 +107,27 @@ record AlignmentTrace(
                 shown.tF3(),
                 shown.tF4(),
                 shown.tP(),
-                (ticks.align() - 1) * dt(frame) - Math.abs(turnedBy / rate),
+                origin,
                 ticks.done() ? now : Double.NaN);
+    }
+
+    /**
+     * Returns the controller's times; those of the event log if the controller no longer reports them, because another
+     * strategy drives since the turn.
+     */
+    private static Telemetry.EdgeTimes edges(SessionFrame frame, PhaseTicks ticks, double origin) {
+        Telemetry.EdgeTimes reported = frame.telemetry().edges();
+        EventLog log = frame.recording().events();
+        for (long i = log.endIndex() - 1;
+                i >= log.firstIndex()
+                        && Double.isNaN(reported.tP())
+                        && log.get(i).tick() >= ticks.align();
+                i--) {
+            if (log.get(i) instanceof RunEvent.AlignmentTimed timed) {
+                return new Telemetry.EdgeTimes(timed.f3() - origin, timed.f4() - origin, timed.tP());
+            }
+        }
+        return reported;
     }
 
     private static double dt(SessionFrame frame) {

@@ -5,6 +5,7 @@ import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
+import faultline.gui.text.TurnTimes;
 import java.util.Locale;
 
 /** Describes the events of a run in the user's language. */
@@ -31,12 +32,8 @@ public final class EventText implements RunEvent.EventVisitor<String> {
 
     @Override
     public String visit(RunEvent.AlignmentTimed event) {
-        return Messages.get(
-                "event.timed",
-                threeDecimals(event.f3()),
-                threeDecimals(event.f4()),
-                threeDecimals(event.f4() - event.f3()),
-                threeDecimals(event.tP()));
+        TurnTimes times = TurnTimes.of(event.f3(), event.f4());
+        return Messages.get("event.timed", times.f3(), times.f4(), times.tD(), times.tP());
     }
 
     @Override

@@ -12,6 +12,8 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
+import faultline.sensor.Fault;
+import faultline.world.Command;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.LongStream;
@@ -114,13 +116,44 @@ class AlignmentTraceTest {
     }
 
     @Test
+    void theTimesStayWhenAnotherStrategyDrives() {
+        double end = 20;
+        SimulationSetup setup = SampleRuns.ROOM_SETUP.withTimeline(
+                List.of(new SimulationSetup.TimedCommand(end, new Command.InjectFault("left", new Fault.Stuck(0.6)))));
+        SessionFrame before = SampleRuns.frame(setup, 1990);
+        RunEvent.AlignmentTimed timed = lastTiming(before);
+        long tick = 2000;
+        SessionFrame frame = before;
+        while (!Double.isNaN(frame.telemetry().edges().tP()) && tick < 2600) {
+            tick += 20;
+            frame = SampleRuns.frame(setup, tick);
+        }
+        assertTrue(Double.isNaN(frame.telemetry().edges().tP()), "another strategy drives");
+        AlignmentTrace trace = AlignmentTrace.latest(frame).orElseThrow();
+        assertEquals(timed, lastTiming(frame), "no other turn");
+        assertEquals(timed.f3(), trace.origin() + trace.f3(), 1e-9);
+        assertEquals(timed.f4(), trace.origin() + trace.f4(), 1e-9);
+        assertEquals(timed.tP(), trace.tP());
+    }
+
+    private static RunEvent.AlignmentTimed lastTiming(SessionFrame frame) {
+        EventLog log = frame.recording().events();
+        return LongStream.range(log.firstIndex(), log.endIndex())
+                .mapToObj(log::get)
+                .filter(RunEvent.AlignmentTimed.class::isInstance)
+                .map(RunEvent.AlignmentTimed.class::cast)
+                .reduce((first, second) -> second)
+                .orElseThrow();
+    }
+
+    @Test
     void allNumbersAreSaidForReadersOfTheScreen() {
         AlignmentView instrument = callOnEdt(AlignmentView::new);
         runOnEdt(() -> instrument.setFrame(FRAME));
         String words = callOnEdt(() -> instrument.getAccessibleContext().getAccessibleDescription());
         assertTrue(
                 words.matches("timing rule equal readings, F3 \\d+\\.\\d{3} s, F4 \\d+\\.\\d{3} s, t_D \\d\\.\\d{3} "
-                        + "s, t_p \\d\\.\\d{3} s, predicted heading .+°, actual heading "
+                        + "s, t_p \\d\\.\\d{4} s, predicted heading .+°, actual heading "
                         + ".+°, error [+\u2212]0\\.\\d\\d°"),
                 words);
         runOnEdt(() -> SampleRuns.render(instrument, 900, 200));
