@@ -13,16 +13,16 @@ final class ErrorLines {
 
     private static final int NEVER_REPLACED = Integer.MAX_VALUE;
 
-    private record Line(int controller, String text) {}
+    private record ErrorLine(int controller, String text) {}
 
     private final Consumer<String> show;
     private final Consumer<String> remove;
     /** The newest line that is not shown yet. */
-    private final AtomicReference<Line> unshown = new AtomicReference<>();
+    private final AtomicReference<ErrorLine> unshown = new AtomicReference<>();
 
     private final AtomicInteger created = new AtomicInteger();
     private int driving;
-    private Line shown = new Line(NEVER_REPLACED, "");
+    private ErrorLine shown = new ErrorLine(NEVER_REPLACED, "");
 
     /**
      * Creates a display of lines.
@@ -38,23 +38,23 @@ final class ErrorLines {
     /** Returns the receiver of the lines of a new controller of the run. Any thread may call both. */
     Consumer<String> forNewController() {
         int controller = created.incrementAndGet();
-        return text -> add(new Line(controller, text));
+        return text -> add(new ErrorLine(controller, text));
     }
 
     /** Returns the receiver of the lines of a ghost's controller. Any thread may call it. */
     Consumer<String> forGhost() {
-        return text -> add(new Line(NEVER_REPLACED, text));
+        return text -> add(new ErrorLine(NEVER_REPLACED, text));
     }
 
     /** Shows the newest line only, because lines may arrive faster than they can be shown. */
-    private void add(Line line) {
+    private void add(ErrorLine line) {
         if (unshown.getAndSet(line) == null) {
             EventQueue.invokeLater(this::showNewest);
         }
     }
 
     private void showNewest() {
-        Line line = unshown.getAndSet(null);
+        ErrorLine line = unshown.getAndSet(null);
         if (line.controller() >= driving) {
             shown = line;
             show.accept(line.text());
