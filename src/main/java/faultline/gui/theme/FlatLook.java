@@ -1,10 +1,15 @@
 package faultline.gui.theme;
 
 import java.awt.Font;
+import java.awt.KeyboardFocusManager;
 import java.awt.RenderingHints;
 import java.awt.Toolkit;
+import java.beans.PropertyChangeListener;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.InputMap;
+import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.UIDefaults;
 import javax.swing.UIManager;
@@ -28,6 +33,13 @@ final class FlatLook {
             FlatMenuUI.class,
             FlatMenuItemUI.class);
 
+    /** The border of a text field shows the focus, but Swing repaints only the caret when the focus changes. */
+    private static final PropertyChangeListener FOCUS_REPAINTER =
+            change -> Stream.of(Optional.ofNullable(change.getOldValue()), Optional.ofNullable(change.getNewValue()))
+                    .flatMap(Optional::stream)
+                    .filter(JTextField.class::isInstance)
+                    .forEach(field -> ((JTextField) field).repaint());
+
     private FlatLook() {}
 
     static void install(Theme theme) {
@@ -49,6 +61,9 @@ final class FlatLook {
         FlatDefaults.table(theme.colours()).forEach(defaults::put);
         enableTextAntialiasing(defaults);
         leaveGalleryKey(defaults);
+        KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        focus.removePropertyChangeListener("focusOwner", FOCUS_REPAINTER);
+        focus.addPropertyChangeListener("focusOwner", FOCUS_REPAINTER);
     }
 
     /**

@@ -8,8 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
+import java.awt.AWTException;
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Rectangle;
+import java.awt.Robot;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -89,5 +92,28 @@ class RefusalNoteRobotTest {
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         waitForNote(waypoints, "Invalid points");
         assertEquals(before, callOnEdt(waypoints::getText));
+    }
+
+    @Test
+    void theBorderOfATextFieldShowsWhetherItHasTheFocus() throws AWTException {
+        JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
+        runOnEdt(() -> tabs.setSelectedIndex(tabs.getTabCount() - 1));
+        driver.choose("selectNext");
+        JTextField waypoints = ComponentFinder.find(driver.window(), JTextField.class, "Waypoints, m");
+        driver.robot().waitFor("an obstacle is selected", waypoints::isEnabled);
+        driver.robot().waitForPaint();
+        Robot screen = new Robot();
+        Color without = callOnEdt(() -> leftEdge(screen, waypoints));
+        runOnEdt(waypoints::requestFocusInWindow);
+        driver.robot().waitFor("the border of the focus", () -> !leftEdge(screen, waypoints)
+                .equals(without));
+        driver.robot().pressKeys(KeyEvent.VK_TAB);
+        driver.robot().waitFor("the border without it", () -> leftEdge(screen, waypoints)
+                .equals(without));
+    }
+
+    private static Color leftEdge(Robot screen, JTextField field) {
+        Rectangle at = boundsOnScreen(field);
+        return screen.getPixelColor(at.x, at.y + at.height / 2);
     }
 }
