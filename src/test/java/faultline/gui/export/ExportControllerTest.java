@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
+import faultline.engine.SampleFrames;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.TraceFormat;
 import faultline.engine.metrics.TraceWriter;
@@ -29,6 +30,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
+import java.awt.Color;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.ClipboardOwner;
 import java.awt.datatransfer.DataFlavor;
@@ -41,11 +43,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -234,6 +238,35 @@ class ExportControllerTest {
         ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
         reader.setInput(ImageIO.createImageInputStream(new ByteArrayInputStream(gif)));
         return reader.getNumImages(true);
+    }
+
+    @Test
+    void eachImageOfAnAnimatedGifShowsItsTime() {
+        AnimatedGifExport gif = gifExport(0);
+        BufferedImage start = gif.image(SampleFrames.fullFrame());
+        BufferedImage same = gif.image(SampleFrames.fullFrame());
+        int height = start.getHeight();
+        assertArrayEquals(clock(start), clock(same));
+        assertTrue(textPixels(clock(start)) > 10, "no digits");
+        BufferedImage plain =
+                gif.renderRequest().withFrame(SampleFrames.fullFrame()).toImage(1);
+        assertEquals(height, plain.getHeight());
+        assertTrue(textPixels(clock(start)) > textPixels(clock(plain)) + 10, "the time is not shown");
+        stepTo(200);
+        BufferedImage later = gif.image(callOnEdt(() -> canvas.frame().orElseThrow()));
+        assertFalse(Arrays.equals(clock(start), clock(later)), "the time does not change");
+    }
+
+    /** Returns the pixels of the lower left corner. */
+    private static int[] clock(BufferedImage image) {
+        return image.getRGB(6, image.getHeight() - 28, 40, 22, null, 0, 40);
+    }
+
+    /** Returns the number of dark pixels; antialiasing makes few of a text as dark as its colour. */
+    private static long textPixels(int[] pixels) {
+        return IntStream.of(pixels)
+                .filter(pixel -> new Color(pixel).getGreen() < 110)
+                .count();
     }
 
     @Test
