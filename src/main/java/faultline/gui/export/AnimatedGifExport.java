@@ -53,23 +53,22 @@ record AnimatedGifExport(RenderRequest renderRequest, CompletableFuture<Scenario
         }
     }
 
-    /** Returns the image of a frame with its time in the lower left corner. */
+    /** Returns the image of a frame with its time at the middle of the lower edge, where no legend is. */
     BufferedImage image(Frame frame) {
         BufferedImage image = renderRequest.withFrame(frame).toImage(1);
         TextStyle style = TextStyle.plain(CLOCK_SIZE, renderRequest.palette().text());
         String time = String.format(Locale.ROOT, "%.1f s", frame.snapshot().time());
         double width = style.estimateWidth(time) + 2 * CLOCK_PADDING;
         double height = CLOCK_SIZE + 2 * CLOCK_PADDING;
+        double left = (image.getWidth() - width) / 2;
         double top = image.getHeight() - CLOCK_MARGIN - height;
         Graphics2D graphics = image.createGraphics();
         GraphicsSurface surface = new GraphicsSurface(graphics);
         surface.fill(
-                new Rectangle2D.Double(CLOCK_MARGIN, top, width, height),
+                new Rectangle2D.Double(left, top, width, height),
                 renderRequest.palette().canvas());
         surface.drawText(
-                time,
-                new Vector2(CLOCK_MARGIN + CLOCK_PADDING, top + CLOCK_PADDING + CLOCK_SIZE * CLOCK_BASELINE),
-                style);
+                time, new Vector2(left + CLOCK_PADDING, top + CLOCK_PADDING + CLOCK_SIZE * CLOCK_BASELINE), style);
         graphics.dispose();
         return image;
     }
