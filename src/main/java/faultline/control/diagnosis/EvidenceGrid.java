@@ -92,23 +92,18 @@ public final class EvidenceGrid {
      * @return the bits of those that did
      */
     public int freeBy(int column, int row, int since, int asked) {
-        return by(free, cell(column, row), since, asked);
+        int cell = cell(column, row);
+        int found = 0;
+        for (int rest = asked; rest != 0; rest &= rest - 1) {
+            int source = Integer.numberOfTrailingZeros(rest);
+            if (free[source * PLANE + cell] >= since) {
+                found |= 1 << source;
+            }
+        }
+        return found;
     }
 
-    /**
-     * Returns which of some sources saw a surface in a cell.
-     *
-     * @param column the cell's column, not wrapped
-     * @param row the cell's row, not wrapped
-     * @param since the oldest moment that counts
-     * @param asked a bit for each source
-     * @return the bits of those that did
-     */
-    public int hitBy(int column, int row, int since, int asked) {
-        return by(hit, cell(column, row), since, asked);
-    }
-
-    /** Returns whether some of the sources asked saw a surface in a cell, as {@link #hitBy} does. */
+    /** Returns whether some of the sources asked have seen a surface in a cell since a moment. */
     boolean isHit(int column, int row, int since, int asked) {
         int cell = cell(column, row);
         for (int rest = asked; rest != 0; rest &= rest - 1) {
@@ -169,17 +164,6 @@ public final class EvidenceGrid {
         for (int i = beforeWrap; i < latest.length; i++) {
             latest[i] = Math.max(latest[i], stamps[base - beforeWrap + i]);
         }
-    }
-
-    private static int by(int[] stamps, int cell, int since, int asked) {
-        int found = 0;
-        for (int rest = asked; rest != 0; rest &= rest - 1) {
-            int source = Integer.numberOfTrailingZeros(rest);
-            if (stamps[source * PLANE + cell] >= since) {
-                found |= 1 << source;
-            }
-        }
-        return found;
     }
 
     /** Records that a source saw a surface in a cell. */

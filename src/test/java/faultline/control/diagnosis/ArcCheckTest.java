@@ -103,7 +103,7 @@ class ArcCheckTest {
             assertFalse(check.confirm(sensor, moment, moment, 0b1010));
             assertFalse(check.confirm(sensor, moment, moment + 1, ASKED));
             assertTrue(check.confirm(sensor, moment, moment, ASKED), "sample " + i);
-            assertEquals(1, grid.hitBy(column, row, moment, 1), "its own evidence, sample " + i);
+            assertTrue(grid.isHit(column, row, moment, 1), "its own evidence, sample " + i);
         }
     }
 }

@@ -1,6 +1,7 @@
 package faultline.control.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
@@ -55,7 +56,7 @@ class EvidenceGridTest {
             boolean anyHit = grid.findLastHit(column, row, since, asked, hit);
             for (int i = 0; i < free.length; i++) {
                 boolean isFree = grid.freeBy(column + i, row, since, asked) != 0;
-                boolean isHit = grid.hitBy(column + i, row, since, asked) != 0;
+                boolean isHit = grid.isHit(column + i, row, since, asked);
                 assertEquals(isFree, free[i] >= since, "trial " + trial);
                 assertEquals(isHit, hit[i] >= since, "trial " + trial);
                 assertTrue(anyFree || !isFree);
@@ -68,8 +69,8 @@ class EvidenceGridTest {
     void whatIsOlderThanAskedForDoesNotCount() {
         EvidenceGrid grid = new EvidenceGrid(2);
         grid.markHit(1, 0, 0, 100);
-        assertEquals(2, grid.hitBy(0, 0, 100, 3));
-        assertEquals(0, grid.hitBy(0, 0, 101, 3));
-        assertEquals(0, grid.hitBy(0, 0, 100, 1));
+        assertTrue(grid.isHit(0, 0, 100, 3));
+        assertFalse(grid.isHit(0, 0, 101, 3));
+        assertFalse(grid.isHit(0, 0, 100, 1));
     }
 }
