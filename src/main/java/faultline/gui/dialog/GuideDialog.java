@@ -77,6 +77,10 @@ final class GuideDialog extends JDialog {
 
     /** Creates the dialog, lays it out and shows it, each in a separate event, so that no event takes long. */
     private static void showPage(Window owner, GuidePage page) {
+        if (!owner.isShowing()) {
+            // The owner has been closed. To pack its dialog would keep the program from exiting.
+            return;
+        }
         GuideDialog dialog = new GuideDialog(owner, page);
         EventQueue.invokeLater(() -> {
             ScreenFit.pack(dialog);
@@ -85,8 +89,8 @@ final class GuideDialog extends JDialog {
     }
 
     private void showUnlessOpen(Window owner) {
-        // Another guide may have been opened while this page was loading.
-        if (Dialogs.bringToFront(owner, GuideDialog.class)) {
+        // While this page was loading, the owner may have been closed, or another guide opened.
+        if (!owner.isShowing() || Dialogs.bringToFront(owner, GuideDialog.class)) {
             dispose();
         } else {
             setLocationRelativeTo(owner);

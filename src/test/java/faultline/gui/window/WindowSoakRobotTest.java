@@ -2,12 +2,14 @@ package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.EdtChecker;
 import faultline.gui.GuiRobot;
 import faultline.gui.theme.Theme;
+import java.awt.Window;
 import java.lang.management.GarbageCollectorMXBean;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
@@ -17,6 +19,7 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -38,6 +41,8 @@ class WindowSoakRobotTest {
     private static final long MAX_GROWTH = 16_000_000;
     private static final int ROUNDS = 3;
     private static final int MAX_TRIES = 1000;
+    /** More than the number of events, each of which causes the next one, from the load of the guide to its display. */
+    private static final int EVENTS_IN_TURN = 10;
 
     private static final List<Path> SCENARIOS = List.of(
             Path.of("scenarios/office.xml"),
@@ -130,7 +135,19 @@ class WindowSoakRobotTest {
                 runOnEdt(() -> next.window().dispose());
             }
             robot.waitFor("the threads have ended", () -> ownThreads().isEmpty());
+            assertEquals(List.of(), visibleWindows());
         }
+    }
+
+    /** Returns the windows that show after all events that are due, and those that they cause. */
+    private static List<String> visibleWindows() {
+        for (int i = 0; i < EVENTS_IN_TURN; i++) {
+            runOnEdt(() -> {});
+        }
+        return callOnEdt(() -> Stream.of(Window.getWindows())
+                .filter(Window::isShowing)
+                .map(Window::toString)
+                .toList());
     }
 
     private static List<String> ownThreads() {
