@@ -4,13 +4,15 @@ import faultline.engine.Frame;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.paint.export.AnimatedGifWriter;
+import faultline.paint.export.FilmClock;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.surface.Palette;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 
-/** Writes a run as an animated GIF that is shown at real time. */
+/** Writes a run as an animated GIF that is shown at real time, with its time in each picture. */
 final class FilmRecorder implements TickObserver, AutoCloseable {
 
     private static final int WIDTH = 640;
@@ -31,7 +33,10 @@ final class FilmRecorder implements TickObserver, AutoCloseable {
         }
         Frame frame = simulation.frame();
         try {
-            gif.addFrame(FrameRenderer.render(frame, Palette.LIGHT, WIDTH, FrameRenderer.heightFor(frame, WIDTH)));
+            BufferedImage image =
+                    FrameRenderer.render(frame, Palette.LIGHT, WIDTH, FrameRenderer.heightFor(frame, WIDTH));
+            FilmClock.paint(image, frame.snapshot().time(), Palette.LIGHT);
+            gif.addFrame(image);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -354,16 +354,16 @@ public final class Session implements SessionView, AutoCloseable {
                 simulation.resample();
             }
             latestFrame.set(currentFrame());
-            changed = !running;
+            changed = true;
         }
         SessionStatus now = currentStatus();
         SessionStatus before = latestStatus.get();
         if (!now.equals(before)) {
             latestStatus.set(now);
-            changed = !(now.running() && before.running());
+            changed = true;
         }
         sendAnswers();
-        if (changed) {
+        if (changed && !(now.running() && before.running())) {
             pausedChangeListener.run();
         }
     }

@@ -1,5 +1,6 @@
 package faultline.gui.edit;
 
+import faultline.geometry.Pose;
 import faultline.gui.document.RunController;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
@@ -27,5 +28,18 @@ public final class ScenarioEditor {
     public void edit(String key, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
         undo.addSetupEdit(() -> Messages.get(key), key, () -> run.change(inverse), () -> run.change(change));
         run.change(change);
+    }
+
+    /**
+     * Moves the robot's start, which restarts the run.
+     *
+     * @param before the present start
+     * @param after the new start
+     */
+    public void moveStart(Pose before, Pose after) {
+        undo.runRestarted();
+        undo.addSetupEdit(
+                () -> Messages.get("edit.start"), after, () -> run.restartAt(before), () -> run.restartAt(after));
+        run.restartAt(after);
     }
 }

@@ -117,12 +117,11 @@ record AlignmentTrace(
      */
     private static Telemetry.EdgeTimes edges(SessionFrame frame, PhaseTicks ticks, double origin) {
         Telemetry.EdgeTimes reported = frame.telemetry().edges();
+        if (!Double.isNaN(reported.tP())) {
+            return reported;
+        }
         EventLog log = frame.recording().events();
-        for (long i = log.endIndex() - 1;
-                i >= log.firstIndex()
-                        && Double.isNaN(reported.tP())
-                        && log.get(i).tick() >= ticks.align();
-                i--) {
+        for (long i = log.endIndex() - 1; i >= log.firstIndex() && log.get(i).tick() >= ticks.align(); i--) {
             if (log.get(i) instanceof RunEvent.AlignmentTimed timed) {
                 return new Telemetry.EdgeTimes(timed.f3() - origin, timed.f4() - origin, timed.tP());
             }

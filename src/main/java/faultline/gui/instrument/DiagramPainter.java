@@ -11,6 +11,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
 import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
+import faultline.gui.text.ShortenedText;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
@@ -172,7 +173,7 @@ final class DiagramPainter {
     /** Draws a text, in a smaller font if the width is too small, and shortened if it is too small for the smallest. */
     private void drawFitted(String text, Vector2 foot, double room, Font font, Color colour) {
         Font fitted = fitted(text, font, room, g::getFontMetrics);
-        drawCentred(shortened(text, g.getFontMetrics(fitted), room), foot.x(), foot.y(), fitted, colour);
+        drawCentred(ShortenedText.of(text, g.getFontMetrics(fitted), room), foot.x(), foot.y(), fitted, colour);
     }
 
     /** Returns the largest font up to a given one in which a text has the room, pixels, or else the smallest font. */
@@ -184,15 +185,6 @@ final class DiagramPainter {
             result = result.deriveFont((float) Math.max(MIN_FONT_SIZE, result.getSize2D() - FONT_STEP));
         }
         return result;
-    }
-
-    /** Returns a text without its end if it is wider than the room, pixels. */
-    static String shortened(String text, FontMetrics metrics, double room) {
-        String shown = text;
-        for (int end = text.length() - 1; end > 0 && metrics.stringWidth(shown) > room; end--) {
-            shown = text.substring(0, end) + "…";
-        }
-        return shown;
     }
 
     private void drawCentred(String text, double x, double baseLine, Font font, Color colour) {

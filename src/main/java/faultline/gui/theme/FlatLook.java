@@ -6,7 +6,6 @@ import java.awt.RenderingHints;
 import java.awt.Toolkit;
 import java.beans.PropertyChangeListener;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.InputMap;
 import javax.swing.JTextField;
@@ -35,8 +34,7 @@ final class FlatLook {
 
     /** The border of a text field shows the focus, but Swing repaints only the caret when the focus changes. */
     private static final PropertyChangeListener FOCUS_REPAINTER =
-            change -> Stream.of(Optional.ofNullable(change.getOldValue()), Optional.ofNullable(change.getNewValue()))
-                    .flatMap(Optional::stream)
+            change -> Stream.of(change.getOldValue(), change.getNewValue())
                     .filter(JTextField.class::isInstance)
                     .forEach(field -> ((JTextField) field).repaint());
 

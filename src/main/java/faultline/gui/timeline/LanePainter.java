@@ -1,6 +1,7 @@
 package faultline.gui.timeline;
 
 import faultline.gui.text.Messages;
+import faultline.gui.text.ShortenedText;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
@@ -12,14 +13,12 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
-import java.awt.Rectangle;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
-import javax.swing.SwingUtilities;
 
 /** Paints the lanes of the time line. */
 final class LanePainter {
@@ -100,20 +99,8 @@ final class LanePainter {
     private void paintText(String text, double x, double top, double height, double width, Color colour) {
         g.setFont(font);
         FontMetrics metrics = g.getFontMetrics();
-        String shown = SwingUtilities.layoutCompoundLabel(
-                metrics,
-                text,
-                null,
-                0,
-                0,
-                0,
-                0,
-                new Rectangle(0, 0, (int) width, metrics.getHeight()),
-                new Rectangle(),
-                new Rectangle(),
-                0);
         g.setColor(colour);
-        g.drawString(shown, (float) x, baseline(top, height, metrics));
+        g.drawString(ShortenedText.of(text, metrics, width), (float) x, baseline(top, height, metrics));
     }
 
     private static float baseline(double top, double height, FontMetrics metrics) {

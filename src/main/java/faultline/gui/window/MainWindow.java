@@ -1,6 +1,5 @@
 package faultline.gui.window;
 
-import faultline.geometry.Pose;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
@@ -43,7 +42,6 @@ import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
 import faultline.scenario.ShippedScenarios;
-import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -92,8 +90,6 @@ public final class MainWindow extends JFrame {
     private final transient ComparisonActions comparisonActions;
     private final transient FileWatch fileWatch;
     private final transient RunPoller runPoller;
-    /** What had the focus when the window lost it, null before. */
-    private Component lastFocused;
 
     /** Creates a window without a scenario, not yet visible. */
     public MainWindow(WindowPreferences preferences) {
@@ -225,16 +221,9 @@ public final class MainWindow extends JFrame {
             }
             Menus.createCanvasPopup(actionRegistry, target).show(canvas, at.x, at.y);
         });
-        canvas.tools().addStartListener(pose -> workspace.scenario().ifPresent(open -> {
-            Pose before = open.setup().start();
-            undoController.runRestarted();
-            undoController.addSetupEdit(
-                    () -> Messages.get("edit.start"),
-                    pose,
-                    () -> runController.restartAt(before),
-                    () -> runController.restartAt(pose));
-            runController.restartAt(pose);
-        }));
+        canvas.tools().addStartListener(pose -> workspace
+                .scenario()
+                .ifPresent(open -> scenarioEditor.moveStart(open.setup().start(), pose)));
     }
 
     private void updateEditActions() {
@@ -263,20 +252,7 @@ public final class MainWindow extends JFrame {
                 canvas.requestFocusInWindow();
             }
         });
-        addWindowFocusListener(new WindowAdapter() {
-            @Override
-            public void windowLostFocus(WindowEvent event) {
-                lastFocused = getMostRecentFocusOwner();
-            }
-
-            @Override
-            public void windowGainedFocus(WindowEvent event) {
-                // Keys would have no effect if what had the focus before a dialog cannot have it again.
-                if (lastFocused != null && !(lastFocused.isShowing() && lastFocused.isEnabled())) {
-                    canvas.requestFocusInWindow();
-                }
-            }
-        });
+        addWindowFocusListener(new FocusReturn(canvas));
     }
 
     private void quit() {

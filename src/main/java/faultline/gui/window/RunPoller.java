@@ -82,11 +82,13 @@ final class RunPoller implements WorkspaceListener {
         SessionStatus status = workspace.session().map(this::show).orElse(null);
         boolean changed = !Objects.equals(status, polledStatus) || mainPanel.shownFrame() != before;
         polledStatus = status;
+        boolean running = status != null && status.running();
+        // The note of a failure stays.
+        boolean failed = status != null && status.failure().isPresent();
         return changed
                 || workspace.task().isPresent()
-                || status != null && status.running()
-                || mainPanel.statusBar().isNoteShown()
-                        && (status == null || status.failure().isEmpty());
+                || running
+                || mainPanel.statusBar().isNoteShown() && !failed;
     }
 
     /** Shows the newest frame of a session, and returns its status. */

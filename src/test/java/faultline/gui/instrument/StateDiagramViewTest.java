@@ -17,6 +17,7 @@ import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.Frame;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
+import faultline.gui.text.ShortenedText;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
 import faultline.paint.chart.StateDiagramLayout;
@@ -121,10 +122,10 @@ class StateDiagramViewTest {
         for (FollowerState state : FollowerState.values()) {
             double room = narrow.box(state).getWidth();
             assertTrue(room >= 40, state + " has " + room);
-            String name = DiagramPainter.shortened(StateText.name(state), smallest, room);
+            String name = ShortenedText.of(StateText.name(state), smallest, room);
             assertEquals(StateText.name(state), name);
-            String part = DiagramPainter.shortened("a name that is far too long", smallest, room);
-            assertTrue(part.startsWith("a n") && part.endsWith("…") && smallest.stringWidth(part) <= room, part);
+            String part = ShortenedText.of("a name that is far too long", smallest, room);
+            assertTrue(part.startsWith("a n") && part.endsWith("...") && smallest.stringWidth(part) <= room, part);
         }
     }
 

@@ -16,6 +16,7 @@ import faultline.geometry.Pose;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineItem;
 import faultline.paint.chart.Axis;
+import faultline.paint.surface.Contrast;
 import faultline.paint.surface.Palette;
 import faultline.sensor.Fault;
 import faultline.world.Command;
@@ -91,28 +92,11 @@ class StripContentTest {
             int y = (int) scale.plot().y(value);
             double contrast = IntStream.rangeClosed(-1, 1)
                     .mapToDouble(
-                            row -> contrast(new Color(image.getRGB(x, y + row)), new Color(image.getRGB(x, y - 8))))
+                            row -> Contrast.of(new Color(image.getRGB(x, y + row)), new Color(image.getRGB(x, y - 8))))
                     .max()
                     .orElseThrow();
             assertTrue(contrast >= 1.12, start + " at " + value + ": " + contrast);
         }
-    }
-
-    /** Returns the WCAG contrast ratio of two colours, with a gamma of 2.2. */
-    private static double contrast(Color one, Color other) {
-        double a = luminance(one);
-        double b = luminance(other);
-        return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-    }
-
-    private static double luminance(Color colour) {
-        return 0.2126 * linear(colour.getRed())
-                + 0.7152 * linear(colour.getGreen())
-                + 0.0722 * linear(colour.getBlue());
-    }
-
-    private static double linear(int component) {
-        return Math.pow(component / 255.0, 2.2);
     }
 
     @Test

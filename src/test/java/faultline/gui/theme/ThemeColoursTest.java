@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.GuiRobot;
+import faultline.paint.surface.Contrast;
 import java.awt.Color;
 import java.util.List;
 import javax.swing.JSpinner;
@@ -51,30 +52,12 @@ class ThemeColoursTest {
 
     @Test
     void theContrastOfBlackAndWhiteIsTwentyOne() {
-        assertEquals(21, contrast(Color.BLACK, Color.WHITE), 1e-9);
-        assertEquals(1, contrast(Color.GRAY, Color.GRAY), 1e-9);
+        assertEquals(21, Contrast.of(Color.BLACK, Color.WHITE), 1e-9);
+        assertEquals(1, Contrast.of(Color.GRAY, Color.GRAY), 1e-9);
     }
 
     private static void assertContrast(double least, Color one, Color other) {
-        double contrast = contrast(one, other);
+        double contrast = Contrast.of(one, other);
         assertTrue(contrast >= least, one + " on " + other + ": " + contrast);
-    }
-
-    /** Returns the WCAG contrast ratio, from 1 to 21. */
-    static double contrast(Color one, Color other) {
-        double a = luminance(one);
-        double b = luminance(other);
-        return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-    }
-
-    private static double luminance(Color colour) {
-        return 0.2126 * linear(colour.getRed())
-                + 0.7152 * linear(colour.getGreen())
-                + 0.0722 * linear(colour.getBlue());
-    }
-
-    private static double linear(int channel) {
-        double share = channel / 255.0;
-        return share <= 0.04045 ? share / 12.92 : Math.pow((share + 0.055) / 1.055, 2.4);
     }
 }

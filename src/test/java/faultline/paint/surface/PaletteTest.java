@@ -105,8 +105,8 @@ class PaletteTest {
 
     @Test
     void contrastIsMeasuredAsDefined() {
-        assertEquals(21, contrast(Color.BLACK, Color.WHITE), 1e-9);
-        assertEquals(4.48, contrast(new Color(0x777777), Color.WHITE), 0.01);
+        assertEquals(21, Contrast.of(Color.BLACK, Color.WHITE), 1e-9);
+        assertEquals(4.48, Contrast.of(new Color(0x777777), Color.WHITE), 0.01);
     }
 
     private static Palette palette(boolean dark) {
@@ -114,22 +114,7 @@ class PaletteTest {
     }
 
     private static void assertContrast(String name, double minimum, Color colour, Color ground) {
-        double contrast = contrast(colour, ground);
+        double contrast = Contrast.of(colour, ground);
         assertTrue(contrast >= minimum, name + " has a contrast of only " + contrast);
-    }
-
-    private static double contrast(Color a, Color b) {
-        double first = luminance(a) + 0.05;
-        double second = luminance(b) + 0.05;
-        return Math.max(first, second) / Math.min(first, second);
-    }
-
-    private static double luminance(Color c) {
-        return 0.2126 * linear(c.getRed()) + 0.7152 * linear(c.getGreen()) + 0.0722 * linear(c.getBlue());
-    }
-
-    private static double linear(int channel) {
-        double share = channel / 255.0;
-        return share <= 0.03928 ? share / 12.92 : Math.pow((share + 0.055) / 1.055, 2.4);
     }
 }
