@@ -9,8 +9,17 @@ import faultline.sensor.Reading;
  */
 final class SignalCheck {
 
-    /** A reading that stays exactly the same over a turn of this angle is stuck, radians. */
+    /**
+     * A reading that stays exactly the same over a turn of this angle is stuck, radians, if unequal wheels cannot
+     * explain the turn.
+     */
     private static final double STUCK_TURN = StrictMath.toRadians(12);
+
+    /**
+     * The largest curvature that a robot with unequal wheels steers along a straight wall, radians per metre: wheels
+     * that are larger and smaller by 5 percent, 0.17 m apart.
+     */
+    private static final double WHEEL_CURVATURE = 0.6;
 
     /** The same over this distance along the sensor's axis, metres. */
     private static final double STUCK_DISTANCE = 0.05;
@@ -207,7 +216,7 @@ final class SignalCheck {
         distance += motion.rolled();
         held += motion.unsteadiness();
         heldSteps++;
-        return Math.abs(turn) > STUCK_TURN
+        return Math.abs(turn) > STUCK_TURN + WHEEL_CURVATURE * Math.abs(distance)
                 || Math.abs(distance * axisCos) > STUCK_DISTANCE && Math.abs(cone.bearing()) < cone.half()
                 || isHeld()
                 || reading < 0.001 && Math.abs(distance) + Math.abs(turn) > STUCK_DISTANCE;

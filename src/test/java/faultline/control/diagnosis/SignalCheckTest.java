@@ -42,6 +42,12 @@ class SignalCheckTest {
     }
 
     @Test
+    void aConstantReadingIsNotStuckInATurnThatUnequalWheelsExplain() {
+        assertEquals(SensorFinding.NONE, run(2, 1000, 0.003, 0.0017, i -> 0.25));
+        assertEquals(SensorFinding.STUCK, run(2, 1000, 0.003, 0.0035, i -> 0.25));
+    }
+
+    @Test
     void aConstantReadingBesideAStraightWallIsNot() {
         assertEquals(SensorFinding.NONE, run(2, 1000, 0.003, 0, i -> 0.25));
     }
