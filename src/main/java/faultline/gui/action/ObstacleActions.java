@@ -140,13 +140,20 @@ public final class ObstacleActions {
         }
     }
 
-    /** Sets the speed of all selected obstacles that move. */
-    private void editMotionSpeed() {
+    /** Returns the selected obstacles that move; if there are none, asks for them in a note. */
+    private List<Obstacle> selectedMoving() {
         List<Obstacle> moving =
                 tools.selected().stream().filter(Obstacle::isMoving).toList();
         if (moving.isEmpty()) {
             notifier.accept(Messages.get("note.selectMoving"));
-        } else {
+        }
+        return moving;
+    }
+
+    /** Sets the speed of all selected obstacles that move. */
+    private void editMotionSpeed() {
+        List<Obstacle> moving = selectedMoving();
+        if (!moving.isEmpty()) {
             askSpeed.apply(moving.get(0).motion().speed())
                     .ifPresent(speed -> editor.send(moving.stream()
                             .<Command>map(obstacle -> new Command.PlaceObstacle(
@@ -156,8 +163,7 @@ public final class ObstacleActions {
     }
 
     private void removeMotion() {
-        editor.send(tools.selected().stream()
-                .filter(Obstacle::isMoving)
+        editor.send(selectedMoving().stream()
                 .<Command>map(obstacle -> new Command.PlaceObstacle(obstacle.withMotion(WaypointPath.NONE)))
                 .toList());
     }

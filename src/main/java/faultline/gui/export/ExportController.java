@@ -86,9 +86,10 @@ public final class ExportController implements WorkspaceListener {
                 UiAction.of("exportSvg", () -> withRenderRequest(this::exportSvg)),
                 UiAction.of("exportGif", () -> withRenderRequest(request -> exportGif(request, 0))),
                 UiAction.of("exportCsv", this::exportCsv),
-                UiAction.of("exportChartPng", () -> exportChart("exportChartPng", ".png", this::toPng)),
-                UiAction.of("exportChartSvg", () -> exportChart("exportChartSvg", ".svg", this::toSvg)),
-                UiAction.of("exportChartCsv", () -> exportChart("exportChartCsv", ".csv", ExportController::toCsv)),
+                UiAction.of("exportChartPng", () -> exportChart("exportChartPng", "-chart.png", this::toPng)),
+                UiAction.of("exportChartSvg", () -> exportChart("exportChartSvg", "-chart.svg", this::toSvg)),
+                UiAction.of(
+                        "exportChartCsv", () -> exportChart("exportChartCsv", "-chart.csv", ExportController::toCsv)),
                 UiAction.toggle("exportDark", false, dark -> theme = dark ? Theme.DARK : Theme.LIGHT),
                 UiAction.of("copyPicture", () -> withRenderRequest(this::copyImage))
                         .withAccelerator(Keystrokes.menuShiftShortcut(KeyEvent.VK_C)),
@@ -109,8 +110,8 @@ public final class ExportController implements WorkspaceListener {
         write("exportSvg", ".svg", (out, progress) -> out.write(request.toSvg().getBytes(StandardCharsets.UTF_8)));
     }
 
-    private void exportChart(String action, String extension, Function<StripContent, FileExport> format) {
-        chart.get().ifPresent(content -> write(action, extension, format.apply(content)));
+    private void exportChart(String action, String ending, Function<StripContent, FileExport> format) {
+        chart.get().ifPresent(content -> write(action, ending, format.apply(content)));
     }
 
     private FileExport toPng(StripContent content) {
@@ -185,8 +186,8 @@ public final class ExportController implements WorkspaceListener {
         }
     }
 
-    private void write(String action, String extension, FileExport export) {
-        fileSelector.apply(action, extension).ifPresent(file -> {
+    private void write(String action, String ending, FileExport export) {
+        fileSelector.apply(action, ending).ifPresent(file -> {
             if (LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file))
                     .isPresent()) {
                 showError(new MessageException(file.toString(), WriteProblem.OWN_INPUT.with(), null));

@@ -16,8 +16,8 @@ import java.util.stream.Collectors;
 import javax.swing.JTextField;
 
 /**
- * A field for points, written as {@code x,y x,y}. Text that is not allowed is replaced by the old points, and a note
- * below the field says why.
+ * A field for points, written as {@code x,y x,y}. If the text is not allowed, a note below the field says why; the text
+ * stays until the focus leaves the field, which shows the old points again.
  */
 final class PointsField extends JTextField {
 
@@ -36,27 +36,35 @@ final class PointsField extends JTextField {
         this.onChange = onChange;
         UiText.name(this, key);
         UiText.tip(this, "obstacle.points.tip");
-        addActionListener(event -> commit());
+        addActionListener(event -> {
+            if (commit()) {
+                setText(format(shown));
+            }
+        });
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent event) {
                 commit();
+                setText(format(shown));
             }
         });
     }
 
-    private void commit() {
+    /** Applies the text; returns false if it is not allowed. */
+    private boolean commit() {
         Optional<List<Vector2>> entered = parse(getText());
         if (entered.isEmpty() && !getText().isBlank()) {
             note.showBriefly(Messages.get("obstacle.points.invalid"));
-        } else if (entered.isPresent() && !entered.get().equals(shown)) {
-            if (onChange.test(entered.get())) {
-                shown = entered.get();
-            } else {
-                note.showBriefly(Messages.get("obstacle.points.refused"));
-            }
+            return false;
         }
-        setText(format(shown));
+        if (entered.isPresent() && !entered.get().equals(shown)) {
+            if (!onChange.test(entered.get())) {
+                note.showBriefly(Messages.get("obstacle.points.refused"));
+                return false;
+            }
+            shown = entered.get();
+        }
+        return true;
     }
 
     /** Shows points, unless the user is typing. */

@@ -25,6 +25,7 @@ import faultline.gui.document.TaskProgress;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.UndoController;
+import faultline.gui.instrument.StripChart;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
@@ -120,6 +121,21 @@ class ExportControllerTest {
         assertEquals(600, picture.getWidth());
         assertEquals(400, picture.getHeight());
         assertEquals(Palette.LIGHT.canvas().getRGB(), picture.getRGB(3, 396));
+    }
+
+    @Test
+    void theFilesOfAChartHaveOtherNamesThanThoseOfTheRun() throws IOException {
+        runOnEdt(() -> {
+            StripChart chart = new StripChart();
+            chart.setSize(560, 220);
+            chart.setFrame(SessionFrames.frame(workspace));
+            controller.setChart(chart::content);
+        });
+        Path run = exportToFile("exportPng", ".png");
+        Path chart = exportToFile("exportChartPng", "-chart.png");
+        assertTrue(Files.mismatch(run, chart) >= 0);
+        assertTrue(Files.size(exportToFile("exportChartSvg", "-chart.svg")) > 0);
+        assertTrue(Files.size(exportToFile("exportChartCsv", "-chart.csv")) > 0);
     }
 
     @Test

@@ -235,6 +235,15 @@ class EditsRobotTest {
         waitForObstacle("it goes as it did", "chair-2", chair -> chair.motion().speed() == 0.2);
     }
 
+    @Test
+    void anObstacleAtRestCannotBeStopped() {
+        click(4.7, 2.5);
+        waitForSelection("chair-2");
+        driver.choose("stopMoving");
+        driver.robot().waitFor("a note says why", () -> ComponentFinder.findAll(driver.window(), JLabel.class)
+                .anyMatch(label -> "Select a moving obstacle first".equals(label.getText())));
+    }
+
     private JMenuItem undo() {
         return ComponentFinder.findAll(driver.window(), JMenuItem.class)
                 .filter(item -> "undo".equals(item.getActionCommand()))

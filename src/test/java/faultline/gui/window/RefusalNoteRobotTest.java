@@ -87,11 +87,14 @@ class RefusalNoteRobotTest {
         runOnEdt(waypoints::requestFocusInWindow);
         driver.robot().waitFor("the field has the focus", waypoints::isFocusOwner);
         String before = callOnEdt(waypoints::getText);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
         driver.robot().pressKeys(KeyEvent.VK_1);
         driver.robot().pressKeys(KeyEvent.VK_SEMICOLON);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         waitForNote(waypoints, "Invalid points");
-        assertEquals(before, callOnEdt(waypoints::getText));
+        assertEquals("1;", callOnEdt(waypoints::getText), "the text stays to be corrected");
+        driver.robot().pressKeys(KeyEvent.VK_TAB);
+        driver.robot().waitFor("the old points", () -> before.equals(waypoints.getText()));
     }
 
     @Test
