@@ -24,8 +24,8 @@ public interface ControllerSource {
     Controller start(RunConditions run);
 
     /**
-     * {@return whether its controllers end a run themselves if no decision comes} Others are called on a thread of
-     * their own, which the simulation does not wait for longer than its own limit.
+     * {@return whether its controllers end a run themselves if no decision comes} Others are called on a separate
+     * thread, with the time limit of the simulation.
      */
     boolean limitsAnswerTime();
 }

@@ -11,7 +11,7 @@ public enum FollowerState implements ControllerState {
     TURN,
     /** Spin on until the left sensor leaves the wall: frame F4. */
     MEASURE,
-    /** Turn back for t_p = t_D / 2, eq. (4), and let the spin die out. */
+    /** Turn back for t_p = t_D / 2, eq. (4), and wait until the spin has ended. */
     ALIGN,
     /** PD distance control along the wall. */
     FOLLOW,

@@ -66,13 +66,13 @@ public sealed interface GainRule {
     /**
      * Critically damped.
      *
-     * @param metres the length on which an error dies out, positive
+     * @param metres the length over which an error decays, positive
      */
     record Length(double metres) implements GainRule {
         /**
          * Creates the rule.
          *
-         * @param metres the length on which an error dies out, positive
+         * @param metres the length over which an error decays, positive
          * @throws IllegalArgumentException if the length is not positive and finite
          */
         public Length {

@@ -35,7 +35,7 @@ final class DirectHost implements ControllerHost {
     public Decision await() {
         Decision held = periodic == null ? null : periodic.heldDecision(tick, dt);
         if (held != null) {
-            // Without an observation, for which the virtual machine does not always avoid an object.
+            // Makes no observation, because the virtual machine does not always avoid the allocation.
             return held;
         }
         try {

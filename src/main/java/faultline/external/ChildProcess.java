@@ -30,7 +30,7 @@ final class ChildProcess implements AutoCloseable {
      */
     private static final long LONGEST_WAIT = 10_000_000;
 
-    /** The time after which the end of the child's output is looked for, nanoseconds. */
+    /** The time after which the program checks whether the child has closed its output, nanoseconds. */
     private static final long SILENCE = 1_000_000_000;
 
     private static final long WRITE_CHECK_PERIOD = 200_000_000;

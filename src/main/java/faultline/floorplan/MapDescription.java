@@ -75,7 +75,7 @@ public record MapDescription(
         return metres.compareTo(MIN_RESOLUTION) >= 0 && metres.compareTo(MAX_SIZE) <= 0;
     }
 
-    /** Throws an exception if a map of so many cells is larger than a world may be. */
+    /** Throws an exception if a map with this number of cells exceeds the size of a world. */
     void requireSize(int columns, int rows) throws FloorPlanException {
         BigDecimal width = resolution.multiply(BigDecimal.valueOf(columns));
         BigDecimal height = resolution.multiply(BigDecimal.valueOf(rows));

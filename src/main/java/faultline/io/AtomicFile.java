@@ -56,7 +56,7 @@ public final class AtomicFile implements AutoCloseable {
             }
             TemporaryFile temporary = TemporaryFile.create(target);
             FileChannel channel = temporary.open();
-            OutputStream stream = new BufferedOutputStream(new SteadyStream(channel), BUFFER);
+            OutputStream stream = new BufferedOutputStream(new ForcingOutputStream(channel), BUFFER);
             return new AtomicFile(target, temporary, new FailureReportingStream(file, stream));
         } catch (FileSystemException e) {
             throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.CANNOT_WRITE.with(), e);
@@ -133,7 +133,7 @@ public final class AtomicFile implements AutoCloseable {
         if (committed) {
             return;
         }
-        stream.abandon();
+        stream.closeIgnoringErrors();
         if (temporary != null) {
             temporary.delete();
         }

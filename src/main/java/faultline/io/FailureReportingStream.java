@@ -53,7 +53,7 @@ final class FailureReportingStream extends FilterOutputStream {
     }
 
     /** Closes the file; an error in completing its content is ignored. */
-    void abandon() {
+    void closeIgnoringErrors() {
         try {
             out.close();
         } catch (IOException e) {

@@ -17,12 +17,12 @@ import java.util.concurrent.ConcurrentHashMap;
  */
 public final class ShortestDecimal {
 
-    /** The room that a text needs; some of the bytes after its end are overwritten. */
+    /** The number of bytes that a text may need; some bytes after its end are overwritten. */
     public static final int ROOM = 32;
 
     /**
-     * Numbers from here on, and below {@link #MIN}, are left to {@link Double#toString(double)}, and so are powers of
-     * two, whose intervals are not symmetric, and some of which JDK 17 writes with a digit too many.
+     * Numbers of at least this value, and below {@link #MIN}, are left to {@link Double#toString(double)}, and so are
+     * powers of two, whose intervals are not symmetric, and some of which JDK 17 writes with a digit too many.
      */
     private static final double MAX = 1e7;
 
@@ -33,7 +33,7 @@ public final class ShortestDecimal {
     private static final int EXPONENT_BIAS = 1075;
     private static final long LOW_63 = Long.MAX_VALUE;
 
-    /** The powers 10^-k for k from here on are in the table. */
+    /** The least k for which the power 10^-k is in the table. */
     private static final int MIN_K = -42;
 
     private static final int MAX_K = -9;
@@ -47,7 +47,7 @@ public final class ShortestDecimal {
     private static final long MIN_WITH_ALL_DIGITS = 10_000_000_000_000_000L;
     private static final int EIGHT_DIGITS = 100_000_000;
 
-    /** Of the decimal point: before the first digit; smaller numbers have an exponent. */
+    /** The lowest position of the decimal point, before the first digit; smaller numbers have an exponent. */
     private static final int MIN_POINT = -2;
 
     private static final int MAX_POINT = 7;
@@ -126,7 +126,7 @@ public final class ShortestDecimal {
         return convert(1L << MANTISSA_BITS | mantissa, q, text, number < 0 ? start + 1 : start);
     }
 
-    /** Writes a number as the JDK does. Powers of two are the rounding errors that come again and again. */
+    /** Writes a number as the JDK does. Powers of two are cached, because rounding errors are often powers of two. */
     private static int writeRare(double number, boolean power, byte[] text, int start) {
         byte[] rare = power ? POWERS.computeIfAbsent(number, ShortestDecimal::jdkText) : jdkText(number);
         System.arraycopy(rare, 0, text, start, rare.length);
@@ -149,7 +149,7 @@ public final class ShortestDecimal {
         long from = scaled(high, low, (c << 2) - 2 << h) + odd;
         long to = scaled(high, low, (c << 2) + 2 << h) - odd;
         long below = value >> 2;
-        // Of two integers equally near the even one.
+        // If two integers are equally near, the even one is chosen.
         long nearest = below + ((value & 3) + (below & 1) + 1 >> 2);
         long tenBelow = below / 10 * 10;
         // -1 or 0, because a branch would be mispredicted often.

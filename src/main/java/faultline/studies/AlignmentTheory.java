@@ -128,8 +128,10 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
             Segment wall = (Segment) shape;
             Vector2 along = wall.b().minus(wall.a());
             double foot = apex.minus(wall.a()).dot(along) / along.dot(along);
-            found = Math.min(found, inCone(wall.a().plus(along.times(clamp(foot))), apex, axis, half));
-            found = Math.min(found, Math.min(inCone(wall.a(), apex, axis, half), inCone(wall.b(), apex, axis, half)));
+            found = Math.min(found, distanceInCone(wall.a().plus(along.times(clamp(foot))), apex, axis, half));
+            found = Math.min(
+                    found,
+                    Math.min(distanceInCone(wall.a(), apex, axis, half), distanceInCone(wall.b(), apex, axis, half)));
             found = Math.min(found, alongRay(wall, apex, axis - half));
             found = Math.min(found, alongRay(wall, apex, axis + half));
         }
@@ -141,7 +143,7 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
     }
 
     /** Returns the distance of a point in the cone; infinite outside. */
-    private static double inCone(Vector2 point, Vector2 apex, double axis, double half) {
+    private static double distanceInCone(Vector2 point, Vector2 apex, double axis, double half) {
         Vector2 offset = point.minus(apex);
         return Math.abs(Angles.difference(axis, offset.angle())) <= half ? offset.length() : Double.POSITIVE_INFINITY;
     }

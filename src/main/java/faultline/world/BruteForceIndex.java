@@ -23,7 +23,7 @@ final class BruteForceIndex implements SpatialIndex {
             Vector2 centre = shapes[i].centre();
             x[i] = centre.x();
             y[i] = centre.y();
-            // Rounding of the circle must not hide a shape that just reaches.
+            // A shape that the circle only just reaches must not be lost by rounding.
             boundingRadius[i] = shapes[i].boundingRadius() * (1 + 1e-12);
         }
     }

@@ -91,8 +91,8 @@ final class SensorCone {
     }
 
     /**
-     * Sets how far the next {@link #collect} looks, from a distance that was measured last: beyond a near wall there is
-     * much in the range that will not be measured soon.
+     * Sets the horizon of the next {@link #collect} from the last measured distance: most shapes beyond a near wall
+     * will not be measured soon.
      */
     void setHorizon(double lastDistance) {
         horizon = Math.min(range, Math.max(MIN_HORIZON, HORIZON_PER_DISTANCE * lastDistance));

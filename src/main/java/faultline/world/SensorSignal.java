@@ -36,14 +36,14 @@ final class SensorSignal {
         return faults;
     }
 
-    /** Returns whether it reports what it sees and has no faults that an {@link #update} would let set in or end. */
+    /** Returns whether the sensor reports what it sees and no fault begins or ends at the next {@link #update}. */
     boolean isExact() {
         return exact && faults.isEmpty() && active.isEmpty();
     }
 
     /**
-     * Lets added faults set in and removed ones end; those that continue keep their state. Returns whether the optics
-     * may have changed.
+     * Starts the added faults and ends the removed ones; the others keep their state. Returns whether the optics may
+     * have changed.
      */
     boolean update(long tick, double dt, double lastReported) {
         if (isCurrent()) {
@@ -131,7 +131,10 @@ final class SensorSignal {
         return result;
     }
 
-    /** Adds noise to a distance, limited below by 0; beyond the range nothing is sensed. Nothing has no noise. */
+    /**
+     * Adds noise to a distance, limited below by 0; beyond the range nothing is sensed. A missing reading stays
+     * missing.
+     */
     private double addNoise(double seen, SensorRandom random) {
         double noise = spec.noise() * random.nextGaussian();
         double reading = Math.max(0, seen + noise);

@@ -71,7 +71,7 @@ record AlignmentModel(
         return new AlignmentModel(rate, period, phase, tau, mountPosition, range, cone, newLevel, walls);
     }
 
-    /** The heading at the end of the turn back and after the spin has died out, radians; 0 is parallel. */
+    /** The heading at the end of the turn back and after the spin has ended, radians; 0 is parallel. */
     double headingError() {
         return headingError(0);
     }

@@ -24,8 +24,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * Eq. (4) in the whole simulator: how parallel to a long wall the robot stands when ALIGN hands over to FOLLOW. The
  * bound follows from the rule's own error terms: each edge of the detection interval is known to one control period, so
- * their mean to omega T at most; and the spin that is left at the hand-over, below 1 deg/s, dies out with the motor.
- * What the terms do where nothing is done about them, {@link AlignmentModelTest} shows.
+ * their mean to omega T at most; and the spin that is left at the hand-over, below 1 deg/s, decays with the motor.
+ * {@link AlignmentModelTest} shows the effect of the terms without compensation.
  */
 class AlignmentTest {
 
@@ -79,7 +79,8 @@ class AlignmentTest {
         }
 
         /**
-         * How far from parallel the first FOLLOW tick finds the robot, radians; empty where it never came to follow.
+         * Returns the angle between robot and wall in the first tick of FOLLOW, radians; empty if FOLLOW is not
+         * reached.
          */
         Optional<Double> headingError() {
             try (Simulation simulation = new Simulation(setup(), ControllerMode.DIRECT)) {

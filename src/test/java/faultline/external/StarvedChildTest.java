@@ -16,7 +16,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** A child whose processor is taken by others is not silent; one that sleeps or never ends its work is. */
+/**
+ * Tests that time without a processor does not count as time of a child, but time in which it sleeps or computes does.
+ */
 @Timeout(120)
 @EnabledOnOs(value = OS.LINUX, disabledReason = "measures what a thread waits for a processor")
 class StarvedChildTest {

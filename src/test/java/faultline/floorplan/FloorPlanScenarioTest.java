@@ -48,7 +48,7 @@ class FloorPlanScenarioTest {
         }
     }
 
-    /** Asks the plan of the scenario for the middle of each cell. */
+    /** Returns the cells whose middle is inside the plan of the scenario. */
     private static SolidCells scan(Scenario scenario, int width, int height) {
         Obstacle plan = scenario.setup().world().obstacles().get(0);
         boolean[] solid = new boolean[width * height];

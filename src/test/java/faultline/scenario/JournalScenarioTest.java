@@ -19,7 +19,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A run that was meddled with is saved as a scenario file and replayed from it. */
+/** Tests that a run with commands from outside is saved as a scenario file and replayed from it. */
 class JournalScenarioTest {
 
     private static final Map<Integer, Command> COMMANDS = Map.of(

@@ -11,7 +11,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** The document about the format keeps up with the format. */
+/** Tests that the document about the format agrees with the format. */
 class ScenarioFormatDocumentTest {
 
     private static final Path DOCUMENT = Path.of("docs/scenario-format.md");

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
-/** What a user's test can ask of a run. */
+/** Tests the results of a run that a user's test can query. */
 class ScenarioRunTest {
 
     private static ScenarioRun run(String name) throws ScenarioException {

@@ -8,8 +8,8 @@ import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 
 /**
- * The first draws of many ticks, which is how the dice are used, are as good as one long stream. Seeds are fixed, so
- * nothing here is chance.
+ * Tests that the first draws of many ticks, which the sensors use, are as random as one long stream. The seeds are
+ * fixed.
  */
 class SensorRandomTest {
 
@@ -51,7 +51,7 @@ class SensorRandomTest {
             double expected = DRAWS / 100.0;
             chiSquare += (count - expected) * (count - expected) / expected;
         }
-        // 99 degrees of freedom: 99.9 % of good dice lie below 149, and 99.9 % above 61.
+        // 99 degrees of freedom: 99.9 % of uniform samples lie below 149, and 99.9 % above 61.
         assertTrue(chiSquare > 61 && chiSquare < 149, "chi-square " + chiSquare);
     }
 
@@ -60,9 +60,9 @@ class SensorRandomTest {
         // Four standard errors each: 1, sqrt 2, sqrt 15 and sqrt 96 over the root of the number of draws.
         double error = 4 / Math.sqrt(DRAWS);
         assertEquals(0, mean(SensorRandom::nextGaussian), error);
-        assertEquals(1, mean(dice -> Math.pow(dice.nextGaussian(), 2)), error * Math.sqrt(2));
-        assertEquals(0, mean(dice -> Math.pow(dice.nextGaussian(), 3)), error * Math.sqrt(15));
-        assertEquals(3, mean(dice -> Math.pow(dice.nextGaussian(), 4)), error * Math.sqrt(96));
+        assertEquals(1, mean(random -> Math.pow(random.nextGaussian(), 2)), error * Math.sqrt(2));
+        assertEquals(0, mean(random -> Math.pow(random.nextGaussian(), 3)), error * Math.sqrt(15));
+        assertEquals(3, mean(random -> Math.pow(random.nextGaussian(), 4)), error * Math.sqrt(96));
     }
 
     @Test

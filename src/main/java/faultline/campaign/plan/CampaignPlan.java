@@ -57,7 +57,7 @@ public final class CampaignPlan {
     private final PlanFiles files;
     private final PlanWorlds worlds;
     private final Seeds seeds;
-    private final List<ScenarioChange> constants;
+    private final List<ScenarioChange> commonChanges;
     private final List<Factor> factors;
     private final UniformSampler sampler;
     private final long cells;
@@ -68,14 +68,14 @@ public final class CampaignPlan {
             PlanFiles files,
             PlanWorlds worlds,
             Seeds seeds,
-            List<ScenarioChange> constants,
+            List<ScenarioChange> commonChanges,
             List<Factor> factors) {
         this.file = file;
         this.header = header;
         this.files = files;
         this.worlds = worlds;
         this.seeds = seeds;
-        this.constants = List.copyOf(constants);
+        this.commonChanges = List.copyOf(commonChanges);
         this.factors = List.copyOf(factors);
         this.sampler = new UniformSampler(header.seed(), header.latin(), worlds.count() * seeds.count());
         this.cells =
@@ -175,7 +175,7 @@ public final class CampaignPlan {
      * @throws ScenarioException if the plan's values, each valid by itself, do not make a valid scenario together
      */
     public Scenario scenario(PlannedRun run) throws ScenarioException {
-        List<ScenarioChange> edits = new ArrayList<>(constants);
+        List<ScenarioChange> edits = new ArrayList<>(commonChanges);
         levels(run.index() % cells).forEach(level -> edits.addAll(level.edits()));
         XmlElement tree = apply(worlds.root(world(run.block())), edits, sampler, run.block());
         return Scenario.read(file, withSeed(tree, run));
@@ -200,6 +200,6 @@ public final class CampaignPlan {
 
     /** Checks every level of every factor in every kind of world, one at a time. */
     void check() throws ScenarioException {
-        new PlanCheck(file, this).check(worlds, constants, factors);
+        new PlanCheck(file, this).check(worlds, commonChanges, factors);
     }
 }

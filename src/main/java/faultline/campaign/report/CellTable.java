@@ -23,14 +23,14 @@ final class CellTable {
 
     private final RunData data;
     private final List<FactorSummary> levels;
-    private final List<FactorSummary> faults;
+    private final List<FactorSummary> faultFactors;
 
     CellTable(RunData data) {
         this.data = data;
         this.levels = data.plan().factors().stream()
                 .filter(factor -> factor.kind() != FactorKind.FAULTS && factor.levelCount() > 1)
                 .toList();
-        this.faults = data.plan().factors().stream()
+        this.faultFactors = data.plan().factors().stream()
                 .filter(factor -> factor.kind() == FactorKind.FAULTS)
                 .toList();
     }
@@ -66,7 +66,7 @@ final class CellTable {
     List<String> labelColumns() {
         List<String> header = new ArrayList<>();
         levels.forEach(factor -> header.add(factor.columns().get(0).name()));
-        faults.forEach(factor -> {
+        faultFactors.forEach(factor -> {
             header.add(RunData.faultColumn(factor));
             header.add(RunData.sensorColumn(factor));
         });
@@ -104,14 +104,14 @@ final class CellTable {
      */
     private List<List<String>> faultKeys(RunRow row) {
         List<String> own = new ArrayList<>();
-        faults.forEach(factor -> {
+        faultFactors.forEach(factor -> {
             own.add(row.text(RunData.faultColumn(factor)));
             own.add(RunData.failingPart(row, factor));
         });
-        if (faults.isEmpty() || pooled(row).equals(own)) {
+        if (faultFactors.isEmpty() || pooled(row).equals(own)) {
             return List.of(own);
         }
-        if (faults.size() > 1) {
+        if (faultFactors.size() > 1) {
             return List.of(kinds(row), pooled(row));
         }
         return List.of(own, List.of(own.get(0), ALL), List.of(ALL, own.get(1)), List.of(ALL, ALL));
@@ -120,7 +120,7 @@ final class CellTable {
     /** Returns the cell of the kinds of a run's faults, whichever sensors have them. */
     private List<String> kinds(RunRow row) {
         List<String> keys = new ArrayList<>();
-        faults.forEach(factor -> {
+        faultFactors.forEach(factor -> {
             keys.add(row.text(RunData.faultColumn(factor)));
             keys.add(RunData.failingPart(row, factor).isEmpty() ? "" : ALL);
         });
@@ -130,7 +130,7 @@ final class CellTable {
     /** Returns the cell of all faults for a run with any, that of healthy runs for others. */
     private List<String> pooled(RunRow row) {
         List<String> keys = new ArrayList<>();
-        faults.forEach(factor -> {
+        faultFactors.forEach(factor -> {
             boolean healthy = RunData.failingPart(row, factor).isEmpty();
             keys.add(healthy ? row.text(RunData.faultColumn(factor)) : ALL);
             keys.add(healthy ? "" : ALL);

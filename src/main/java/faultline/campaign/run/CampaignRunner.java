@@ -114,7 +114,7 @@ public final class CampaignRunner {
     private void makeRuns(RunTable table, long first, long end, Progress progress, BooleanSupplier cancelled)
             throws IOException {
         RunMaker maker = new RunMaker(plan);
-        ExecutorService pool = Executors.newFixedThreadPool(jobs, CampaignRunner::daemon);
+        ExecutorService pool = Executors.newFixedThreadPool(jobs, CampaignRunner::newDaemonThread);
         Deque<Future<RunMaker.MadeRun>> ahead = new ArrayDeque<>();
         long submitted = table.next();
         long forced = System.nanoTime();
@@ -145,7 +145,7 @@ public final class CampaignRunner {
         }
     }
 
-    private static Thread daemon(Runnable task) {
+    private static Thread newDaemonThread(Runnable task) {
         Thread thread = new Thread(task, "campaign");
         thread.setDaemon(true);
         return thread;

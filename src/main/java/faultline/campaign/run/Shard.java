@@ -15,7 +15,7 @@ public record Shard(int number, int count) {
     /** The whole campaign. */
     public static final Shard ALL = new Shard(1, 1);
 
-    private static final Pattern TEXT = Pattern.compile("(\\d{1,7})/(\\d{1,7})");
+    private static final Pattern SYNTAX = Pattern.compile("(\\d{1,7})/(\\d{1,7})");
 
     /**
      * Creates a part.
@@ -36,7 +36,7 @@ public record Shard(int number, int count) {
      * @param text the text
      */
     public static Optional<Shard> parse(String text) {
-        Matcher matcher = TEXT.matcher(text);
+        Matcher matcher = SYNTAX.matcher(text);
         if (!matcher.matches()) {
             return Optional.empty();
         }

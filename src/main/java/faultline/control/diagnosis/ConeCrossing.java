@@ -29,8 +29,8 @@ final class ConeCrossing {
 
     private double distanceBefore;
     private double headingBefore;
-    private int entry;
-    private double entryStep;
+    private int entryBorders;
+    private double entryLateralStep;
 
     /** A direction in the cone: how far its apex is from the robot's centre along it, and its sine. */
     private record Ray(double apex, double sin) {
@@ -57,8 +57,8 @@ final class ConeCrossing {
 
     /** Records that a surface has come into view at some distance. */
     void appear(double distance) {
-        entry = borders(distance, 1);
-        entryStep = step(distance);
+        entryBorders = borders(distance, 1);
+        entryLateralStep = lateralStep(distance);
         distanceBefore = motion.netDistance();
         headingBefore = motion.heading();
     }
@@ -68,13 +68,13 @@ final class ConeCrossing {
         int exit = borders(distance, -1);
         double swept = Math.abs(
                 axis.sideways(distance, motion.netDistance() - distanceBefore, motion.heading() - headingBefore));
-        boolean back = (entry & exit) != 0 && swept <= entryStep + step(distance);
-        boolean across = (entry & swapped(exit)) != 0 && swept > CROSSED * distance * width;
+        boolean back = (entryBorders & exit) != 0 && swept <= entryLateralStep + lateralStep(distance);
+        boolean across = (entryBorders & swapped(exit)) != 0 && swept > CROSSED * distance * width;
         return back || across;
     }
 
     /** Returns how far a point on the axis has moved sideways in the last step. */
-    private double step(double distance) {
+    private double lateralStep(double distance) {
         return Math.abs(axis.sideways(distance, motion.rolled(), motion.turned()));
     }
 

@@ -11,9 +11,10 @@ final class ConflictCounts {
     /**
      * The maximum that one pair may contribute: two sensors that contradict only each other are not distrusted at once.
      */
-    private static final double MAX_PAIR = 6;
+    private static final double MAX_PAIR_COUNT = 6;
 
-    private static final double MAX_SELF = 20;
+    /** The maximum of the contradictions of a sensor with itself. */
+    private static final double MAX_SELF_COUNT = 20;
 
     private static final double NEGLIGIBLE = 0.01;
 
@@ -29,16 +30,16 @@ final class ConflictCounts {
     }
 
     void add(int one, int other, double weight) {
-        bump(one, other, weight);
+        increase(one, other, weight);
         if (one != other) {
-            bump(other, one, weight);
+            increase(other, one, weight);
         }
     }
 
-    private void bump(int one, int other, double weight) {
+    private void increase(int one, int other, double weight) {
         int i = one * sensors + other;
         active[one] = true;
-        counts[i] = Math.min(one == other ? MAX_SELF : MAX_PAIR, counts[i] + weight);
+        counts[i] = Math.min(one == other ? MAX_SELF_COUNT : MAX_PAIR_COUNT, counts[i] + weight);
     }
 
     /** Reduces all counts of one sensor. */
@@ -80,7 +81,7 @@ final class ConflictCounts {
 
     /** Returns whether two sensors contradict each other often enough to matter. */
     boolean isDisagreement(int one, int other) {
-        return one != other && pair(one, other) > MAX_PAIR - 1;
+        return one != other && pair(one, other) > MAX_PAIR_COUNT - 1;
     }
 
     double pair(int one, int other) {

@@ -185,7 +185,7 @@ final class InspectedSensor {
         confirmations += weight;
     }
 
-    void fade(double share) {
+    void fadeConfirmations(double share) {
         confirmations *= share;
     }
 

@@ -115,7 +115,7 @@ final class TrustAssessment {
 
     void fade(InspectedSensor sensor, double share) {
         conflicts.fade(sensor.index(), share);
-        sensor.fade(share);
+        sensor.fadeConfirmations(share);
     }
 
     void assess(InspectedSensor sensor, double time) {

@@ -41,8 +41,8 @@ public final class FaultTolerantFollower implements Controller {
     private int stuckWith;
 
     private StopReason stopReason = StopReason.NO_SENSOR;
-    private Rung shownRung;
-    private List<SensorHealth> shownHealth = List.of();
+    private Rung reportedRung;
+    private List<SensorHealth> reportedHealth = List.of();
     private Telemetry.Diagnosis shownVerdict = Telemetry.Diagnosis.NONE;
 
     /**
@@ -159,10 +159,10 @@ public final class FaultTolerantFollower implements Controller {
 
     /** Returns the result of the diagnosis, the same instance as long as nothing has changed. */
     private Telemetry.Diagnosis verdict() {
-        if (shownRung != rung || shownHealth != diagnosis.health()) {
-            shownRung = rung;
-            shownHealth = diagnosis.health();
-            shownVerdict = new Telemetry.Diagnosis(rung.name(), shownHealth);
+        if (reportedRung != rung || reportedHealth != diagnosis.health()) {
+            reportedRung = rung;
+            reportedHealth = diagnosis.health();
+            shownVerdict = new Telemetry.Diagnosis(rung.name(), reportedHealth);
         }
         return shownVerdict;
     }

@@ -115,7 +115,7 @@ final class AlignmentManoeuvre {
         return edgeTimer.leavesWall();
     }
 
-    // ALIGN: turn back for t_p, and let the spin die out.
+    // ALIGN: turn back for t_p, and wait until the spin has ended.
 
     /**
      * Plans the turn back: for t_p = t_D / 2 from F4 on, eq. (4). F4 is noticed a little late, and the spin continues

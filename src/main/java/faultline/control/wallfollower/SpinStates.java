@@ -54,7 +54,7 @@ final class SpinStates {
         };
     }
 
-    /** Returns ALIGN: turns back for t_p and lets the spin die out. */
+    /** Returns ALIGN: turns back for t_p and waits until the spin has ended. */
     StateBehaviour align() {
         return new StateBehaviour() {
             @Override

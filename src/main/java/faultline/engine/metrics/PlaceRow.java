@@ -111,7 +111,7 @@ sealed interface PlaceRow {
     }
 
     /**
-     * The places around an end of a segment, or some of them. They are free just where a corner juts out.
+     * The places around an end of a segment, or some of them. They are free only at a convex corner.
      *
      * @param first the number of the first place on the circle
      */

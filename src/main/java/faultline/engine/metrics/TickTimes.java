@@ -29,7 +29,7 @@ final class TickTimes {
         maxExactTick = exact ? MAX_EXACT / units : -1;
     }
 
-    /** Returns the times of ticks that last a number of seconds, which is converted once for many. */
+    /** Returns the times of ticks of a length in seconds. The length is converted only once. */
     static TickTimes of(double dt) {
         return new TickTimes(BigDecimal.valueOf(dt));
     }

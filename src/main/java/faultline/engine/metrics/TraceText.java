@@ -18,14 +18,17 @@ final class TraceText {
     private static final int MAX_INTEGER_LENGTH = 18;
 
     /** The text is written when it is longer than this. */
-    private static final int FULL = 1 << 16;
+    private static final int FLUSH_LENGTH = 1 << 16;
 
     private byte[] text = new byte[MIN_SIZE];
     private int length;
     /** The end of the written text. */
     private int written;
 
-    /** Where the cells of the row begin, from the next one on those of the row above; the last is the row's end. */
+    /**
+     * The starts of the cells: of this row before the next cell, of the row above from there on; last, the end of the
+     * row.
+     */
     private final int[] starts;
 
     /** The next value and the next word of the block. */
@@ -52,7 +55,7 @@ final class TraceText {
         word = 0;
         for (int row = 0; row < rows.rows(); row++) {
             append(rows);
-            if (length > FULL || row + 1 == rows.rows()) {
+            if (length > FLUSH_LENGTH || row + 1 == rows.rows()) {
                 write(out);
             }
         }

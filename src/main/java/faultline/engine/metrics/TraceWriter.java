@@ -144,7 +144,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
         out.flush();
     }
 
-    /** Ends the thread of the trace; the stream is not used any more, nor are rows that have not been written. */
+    /** Ends the thread of the trace without using the stream; rows that have not been written are lost. */
     @Override
     public void close() {
         writer.shutdown();

@@ -10,7 +10,7 @@ import java.util.Optional;
  * @param states the states, in the order of their first appearance
  * @param transitions the transitions, in the order of their first appearance
  */
-public record StateTally(List<Dwell> states, List<TransitionCount> transitions) {
+public record StateTally(List<StateVisits> states, List<TransitionCount> transitions) {
 
     /** The tally of a run that is not recorded. */
     public static final StateTally EMPTY = new StateTally(List.of(), List.of());
@@ -33,7 +33,7 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
      * @param ticks the number of ticks in it
      * @param visits the number of visits, including the one at the start
      */
-    public record Dwell(ControllerState state, long ticks, long visits) {}
+    public record StateVisits(ControllerState state, long ticks, long visits) {}
 
     /**
      * The count of a transition.
@@ -49,8 +49,8 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
      *
      * @param state the state
      */
-    public Optional<Dwell> dwell(ControllerState state) {
-        return states.stream().filter(stay -> stay.state().equals(state)).findFirst();
+    public Optional<StateVisits> visitsTo(ControllerState state) {
+        return states.stream().filter(visits -> visits.state().equals(state)).findFirst();
     }
 
     /**

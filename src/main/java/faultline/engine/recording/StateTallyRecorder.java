@@ -39,8 +39,8 @@ final class StateTallyRecorder {
 
     /** Returns the counts so far. */
     public StateTally view() {
-        List<StateTally.Dwell> stays = new ArrayList<>();
-        states.forEach((state, count) -> stays.add(new StateTally.Dwell(state, count.ticks, count.visits)));
+        List<StateTally.StateVisits> stays = new ArrayList<>();
+        states.forEach((state, count) -> stays.add(new StateTally.StateVisits(state, count.ticks, count.visits)));
         List<StateTally.TransitionCount> taken = new ArrayList<>();
         transitions.forEach(
                 (ends, count) -> taken.add(new StateTally.TransitionCount(ends.from(), ends.to(), count.visits)));

@@ -53,7 +53,7 @@ public record SessionFrame(Frame frame, Recording recording, RunMeasures measure
     @Override
     public List<ControllerState> visitedStates() {
         return recording.stateTally().states().stream()
-                .map(StateTally.Dwell::state)
+                .map(StateTally.StateVisits::state)
                 .toList();
     }
 

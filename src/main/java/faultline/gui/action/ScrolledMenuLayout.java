@@ -52,7 +52,7 @@ public final class ScrolledMenuLayout implements LayoutManager {
     public static void install(JPopupMenu menu) {
         ScrolledMenuLayout layout = new ScrolledMenuLayout(menu);
         layout.popup.setLayout(layout);
-        layout.popup.addPopupMenuListener(layout.new Opening());
+        layout.popup.addPopupMenuListener(layout.new SelectionScroller());
         layout.popup.addMouseWheelListener(event -> layout.scroll(event.getWheelRotation()));
     }
 
@@ -157,7 +157,7 @@ public final class ScrolledMenuLayout implements LayoutManager {
     }
 
     /** Follows the selection while the menu is open. */
-    private final class Opening implements PopupMenuListener {
+    private final class SelectionScroller implements PopupMenuListener {
 
         private final ChangeListener selection = event -> {
             for (MenuElement element : MenuSelectionManager.defaultManager().getSelectedPath()) {

@@ -205,7 +205,7 @@ final class BatchDialog extends JDialog {
                 Long.toString(result.made()),
                 Long.toString(result.runs()),
                 Long.toString(result.broken()),
-                BatchTime.text(ended.completion().seconds())));
+                DurationText.text(ended.completion().seconds())));
     }
 
     private void failed(BatchRun failed, Throwable failure) {
@@ -251,7 +251,7 @@ final class BatchDialog extends JDialog {
                     "batch.status",
                     Long.toString(completion.made()),
                     Long.toString(completion.runs()),
-                    BatchTime.text(completion.secondsLeft())));
+                    DurationText.text(completion.secondsLeft())));
         }
     }
 

@@ -83,7 +83,7 @@ final class HistogramView extends JPanel {
         add(canvas, BorderLayout.CENTER);
     }
 
-    /** Shows the values as they are now, or once the view shows. */
+    /** Updates the histogram, now or when the view becomes visible. */
     void update() {
         outdated = true;
         if (isShowing()) {

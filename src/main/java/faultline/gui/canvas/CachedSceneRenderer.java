@@ -4,7 +4,7 @@ import faultline.engine.Frame;
 import faultline.gui.canvas.cache.CachedLayer;
 import faultline.gui.canvas.cache.FrameBudget;
 import faultline.gui.canvas.cache.GroundLayer;
-import faultline.gui.canvas.cache.LayerView;
+import faultline.gui.canvas.cache.LayerRenderSettings;
 import faultline.gui.canvas.cache.PathLayer;
 import faultline.gui.canvas.tool.CanvasModel;
 import faultline.gui.canvas.tool.DragGesture;
@@ -59,7 +59,8 @@ final class CachedSceneRenderer {
             Frame frame,
             CanvasModel scene,
             List<Rectangle2D> covered) {
-        LayerView view = new LayerView(camera, palette, graphics.getTransform().getScaleX());
+        LayerRenderSettings view =
+                new LayerRenderSettings(camera, palette, graphics.getTransform().getScaleX());
         ScenePainter painter = new ScenePainter(layers, LocalizedLabels.create());
         Set<String> apart = separatelyPainted(scene.selection().get());
         division = division.of(frame.snapshot().obstacles(), apart);
@@ -101,14 +102,14 @@ final class CachedSceneRenderer {
         shownWorld = world;
     }
 
-    private void updateGround(GroundLayer wanted, LayerView view) {
+    private void updateGround(GroundLayer wanted, LayerRenderSettings view) {
         budget = new FrameBudget(clock);
         ground.update(wanted, view, budget);
         complete = ground.isComplete();
     }
 
     /** Updates a path once the ground, and the path before it, are complete. */
-    private void updatePath(CachedLayer<PathLayer> layer, PathLayer wanted, LayerView view) {
+    private void updatePath(CachedLayer<PathLayer> layer, PathLayer wanted, LayerRenderSettings view) {
         complete = complete && !budget.isSpent();
         if (complete) {
             layer.update(wanted, view, budget);

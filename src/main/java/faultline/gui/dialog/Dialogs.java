@@ -86,7 +86,7 @@ public final class Dialogs {
                         Messages.get(problem.message())))
                 .toList();
         List<String> columns =
-                List.of(Messages.get("badFile.line"), Messages.get("badFile.column"), Messages.get("badFile.what"));
+                List.of(Messages.get("badFile.line"), Messages.get("badFile.column"), Messages.get("badFile.problem"));
         String heading = Messages.get(
                 keepsScenario ? "badFile.heading" : "badFile.headingExample", String.valueOf(file.getFileName()));
         return new TableDialog(
@@ -111,7 +111,7 @@ public final class Dialogs {
         for (String gesture : Messages.get("shortcuts.canvas").split(";")) {
             rows.add(List.of(gesture.split(":")));
         }
-        List<String> columns = List.of(Messages.get("shortcuts.key"), Messages.get("shortcuts.what"));
+        List<String> columns = List.of(Messages.get("shortcuts.key"), Messages.get("shortcuts.action"));
         return new TableDialog(
                 owner,
                 Messages.get("shortcuts.title"),

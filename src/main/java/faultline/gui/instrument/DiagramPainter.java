@@ -165,7 +165,7 @@ final class DiagramPainter {
 
     /** Returns the total duration and the number of visits of a state, or a dash if there are none. */
     private String visitText(FollowerState state) {
-        return tally.dwell(state)
+        return tally.visitsTo(state)
                 .map(interval -> String.format(Locale.ROOT, "%.1f s · %d×", interval.ticks() * dt, interval.visits()))
                 .orElse("–");
     }

@@ -14,7 +14,7 @@ final class EventTableModel extends AbstractTableModel {
     /** The index of the kind column. */
     static final int KIND_COLUMN = 1;
 
-    private static final String[] COLUMNS = {"events.time", "events.kind", "events.what"};
+    private static final String[] COLUMNS = {"events.time", "events.kind", "events.event"};
 
     private transient EventLog log = EventLog.EMPTY;
     /** The number of the oldest event that has a row. */

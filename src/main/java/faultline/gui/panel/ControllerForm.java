@@ -67,7 +67,7 @@ public final class ControllerForm {
             "0.00##", MIN_DISTANCE, MAX_DISTANCE, 0.01, value -> change(old -> old.withDistance(value)));
     private final NamedChoice<WallSide> side = new NamedChoice<>(
             WallSide.values(),
-            value -> Messages.get("controller.hand." + value.fileName()),
+            value -> Messages.get("controller.wallSide." + value.fileName()),
             value -> change(old -> old.withSide(value)));
     private final NamedChoice<TimingRule> timing = new NamedChoice<>(
             TimingRule.values(),
@@ -102,7 +102,7 @@ public final class ControllerForm {
         JPanel form = new JPanel(new GridBagLayout());
         addRow(form, 0, "controller.kind", kind);
         addRow(form, 1, "controller.distance", distance.withColumns(6));
-        addRow(form, 2, "controller.hand", side);
+        addRow(form, 2, "controller.wallSide", side);
         addRow(form, 3, "controller.timing", timing);
         addRow(form, 4, "controller.period", period.withColumns(6));
         form.add(diagnosis, FormConstraints.fillRow(1, 5));

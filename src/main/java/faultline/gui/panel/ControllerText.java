@@ -37,7 +37,7 @@ public final class ControllerText {
             return Messages.get(
                             "controller.follower.text",
                             DecimalText.format(spec.distance()),
-                            Messages.get("controller.hand." + spec.side().fileName()),
+                            Messages.get("controller.wallSide." + spec.side().fileName()),
                             spec.gainRule().accept(new GainText()),
                             Messages.get("spin.rule." + spec.timingRule().fileName()))
                     + unusual(spec);

@@ -101,7 +101,7 @@ public final class NumberSpinner extends JSpinner {
         });
     }
 
-    /** Says what is allowed while the user is typing something else. */
+    /** Shows the limits while the text is not an allowed number. */
     private void updateNote() {
         JFormattedTextField text = textField();
         if (note != null && text.isFocusOwner()) {
@@ -126,7 +126,7 @@ public final class NumberSpinner extends JSpinner {
         }
     }
 
-    /** Leaves it to the form to say why a text is refused. */
+    /** Lets the form show why a text is refused. */
     NumberSpinner withoutNote() {
         note = null;
         return this;

@@ -104,7 +104,7 @@ public final class RunPanel extends JPanel {
                     scenario.setup().dt());
         }
         double left = scenario.setup().duration() - frame.snapshot().time();
-        timeLeft.setValue(left > 0 ? ExpectationText.number("%.1f s", left) : Messages.get("run.over"));
+        timeLeft.setValue(left > 0 ? ExpectationText.number("%.1f s", left) : Messages.get("run.noTimeLeft"));
         expectations.setOutcome(scenario.expectation().conditions(), frame, left <= 0 && !status.running());
     }
 

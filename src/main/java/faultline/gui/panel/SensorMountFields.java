@@ -67,8 +67,8 @@ final class SensorMountFields {
     void addTo(JPanel grid, int row) {
         add(grid, 0, row, "bearing", bearing, "°");
         add(grid, 2, row, "noise", noise, "m");
-        add(grid, 0, row + 1, "ahead", forwardOffset, "m");
-        add(grid, 2, row + 1, "aside", leftOffset, "m");
+        add(grid, 0, row + 1, "forward", forwardOffset, "m");
+        add(grid, 2, row + 1, "left", leftOffset, "m");
     }
 
     private static void add(JPanel grid, int column, int row, String key, NumberSpinner field, String unit) {

@@ -22,7 +22,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
 
-/** Says how a run ended, over the canvas, so that no other component moves when it appears. */
+/** Shows over the canvas how a run ended, so that no other component moves when it appears. */
 public final class VerdictBanner extends JPanel {
 
     private static final int GAP = 8;

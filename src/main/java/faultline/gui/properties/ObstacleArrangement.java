@@ -30,7 +30,7 @@ enum ObstacleArrangement {
     /** Equal distances between centres along y; the outer two stay. */
     SPREAD_Y;
 
-    private record Placed(Obstacle obstacle, Rectangle2D box) {}
+    private record ObstacleBounds(Obstacle obstacle, Rectangle2D box) {}
 
     /** Returns the number of obstacles from which on this does anything. */
     int minCount() {
@@ -43,14 +43,14 @@ enum ObstacleArrangement {
         if (obstacles.size() < minCount()) {
             return moves;
         }
-        List<Placed> placed = obstacles.stream()
-                .map(obstacle -> new Placed(
+        List<ObstacleBounds> placed = obstacles.stream()
+                .map(obstacle -> new ObstacleBounds(
                         obstacle, ObstacleOutlines.worldShape(obstacle).getBounds2D()))
                 .sorted(Comparator.comparingDouble(
                         each -> this == SPREAD_Y ? each.box.getCenterY() : each.box.getCenterX()))
                 .toList();
         Rectangle2D all = placed.stream()
-                .map(Placed::box)
+                .map(ObstacleBounds::box)
                 .reduce(Rectangle2D::createUnion)
                 .orElseThrow();
         for (int i = 0; i < placed.size(); i++) {
@@ -65,7 +65,7 @@ enum ObstacleArrangement {
         return moves;
     }
 
-    private double shiftX(List<Placed> placed, int index, Rectangle2D all) {
+    private double shiftX(List<ObstacleBounds> placed, int index, Rectangle2D all) {
         Rectangle2D box = placed.get(index).box();
         return switch (this) {
             case LEFT -> all.getMinX() - box.getMinX();
@@ -76,7 +76,7 @@ enum ObstacleArrangement {
         };
     }
 
-    private double shiftY(List<Placed> placed, int index, Rectangle2D all) {
+    private double shiftY(List<ObstacleBounds> placed, int index, Rectangle2D all) {
         Rectangle2D box = placed.get(index).box();
         return switch (this) {
             case TOP -> all.getMaxY() - box.getMaxY();
@@ -88,7 +88,7 @@ enum ObstacleArrangement {
     }
 
     /** Returns how far a box is from its place between the centres of the first and the last one. */
-    private static double spread(List<Placed> placed, int index, ToDoubleFunction<Rectangle2D> centre) {
+    private static double spread(List<ObstacleBounds> placed, int index, ToDoubleFunction<Rectangle2D> centre) {
         double first = centre.applyAsDouble(placed.get(0).box());
         double last = centre.applyAsDouble(placed.get(placed.size() - 1).box());
         return first

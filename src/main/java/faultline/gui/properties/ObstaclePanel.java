@@ -33,7 +33,7 @@ public final class ObstaclePanel extends JPanel {
 
     private final transient UndoController editor;
     private final transient CanvasTools tools;
-    private final IdModel ids = new IdModel();
+    private final ObstacleListModel ids = new ObstacleListModel();
     private final JList<String> list = new JList<>(ids);
     private final ObstacleForm form;
     private final JPanel buttons = new JPanel(new GridLayout(0, BUTTON_COLUMNS, 4, 4));
@@ -128,7 +128,7 @@ public final class ObstaclePanel extends JPanel {
     }
 
     /** The ids of the obstacles in drawing order. */
-    private static final class IdModel extends AbstractListModel<String> {
+    private static final class ObstacleListModel extends AbstractListModel<String> {
         private List<String> ids = List.of();
 
         /** Takes the ids of obstacles and returns whether they have changed. */

@@ -86,7 +86,7 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
             return super.computePopupBounds(x, y, widthFor(width, height), height);
         }
 
-        /** Returns the width of a list of a height below a box of a width, pixels. */
+        /** Returns the width of the list, given its height and the width of the box, pixels. */
         int widthFor(int boxWidth, int height) {
             Dimension texts = list.getPreferredSize();
             int bar = texts.height + 2 * LIST_MARGIN > height

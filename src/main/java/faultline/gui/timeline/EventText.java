@@ -53,7 +53,7 @@ public final class EventText implements RunEvent.EventVisitor<String> {
 
     @Override
     public String visit(RunEvent.CommandRefused event) {
-        return Messages.get("event.why", CommandText.format(event.command()), RefusalText.format(event.refusal()));
+        return Messages.get("event.refusal", CommandText.format(event.command()), RefusalText.format(event.refusal()));
     }
 
     @Override

@@ -32,7 +32,7 @@ public final class TimelinePanel extends JPanel {
     /** The share of the window's height that the lanes take where there is little room. */
     private static final double MIN_WINDOW_SHARE = 0.1;
 
-    /** The height below which no lane would show whole, pixels at the normal text size. */
+    /** The height below which no lane would be fully visible, pixels at the normal text size. */
     private static final int LOWEST_LANES = 28;
 
     private static final int LANE_NAME_WIDTH = 80;
@@ -160,7 +160,7 @@ public final class TimelinePanel extends JPanel {
         return new Dimension(size.width, size.height - excess);
     }
 
-    /** Returns how much higher the lanes would like to be than a height, pixels. */
+    /** Returns by how much the preferred height of the lanes exceeds a height, pixels. */
     private int lanesExcess(int height) {
         return scroll.isVisible() ? Math.max(0, lanes.getPreferredScrollableViewportSize().height - height) : 0;
     }

@@ -230,7 +230,7 @@ public final class MainWindow extends JFrame {
         editActions.update();
     }
 
-    /** Shows what no component refreshes in the current language. */
+    /** Updates the texts that no component refreshes itself to the current language. */
     private void showLanguage() {
         setTitle(fileController.documentTitle());
         editActions.update();

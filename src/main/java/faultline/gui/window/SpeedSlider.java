@@ -51,7 +51,7 @@ final class SpeedSlider extends JSlider {
 
     private void updateNumberLabel() {
         double speed = SpeedScale.speedAt(getValue());
-        String text = Double.isInfinite(speed) ? Messages.get("speed.most") : SpeedScale.format(speed);
+        String text = Double.isInfinite(speed) ? Messages.get("speed.max") : SpeedScale.format(speed);
         numberLabel.setText(text);
         getAccessibleContext().setAccessibleDescription(text);
     }

@@ -31,8 +31,9 @@ final class StatusBar extends JPanel {
     /** Number of frames per character for which a note stays, so that a long one can be read to its end. */
     private static final int NOTE_FRAMES_PER_CHARACTER = 5;
 
-    private final StatusCell running = cell("status.running", () -> Stream.of("runs", "paused", "collided", "failed")
-            .map(state -> Messages.get("status." + state)));
+    private final StatusCell running =
+            cell("status.runState", () -> Stream.of("running", "paused", "collided", "failed")
+                    .map(state -> Messages.get("status." + state)));
     private final StatusCell time = cell("status.time", "t 00000.000 s");
     private final StatusCell tick = cell("status.tick", "tick 00000000");
     private final StatusCell pace = cell("status.pace", "00000.00× real time");
@@ -76,7 +77,7 @@ final class StatusBar extends JPanel {
                         ? "status.failed"
                         : world.collision().isPresent()
                                 ? "status.collided"
-                                : status.running() ? "status.runs" : "status.paused"));
+                                : status.running() ? "status.running" : "status.paused"));
         time.setStatusText(format("t %.3f s", world.time()));
         tick.setStatusText(format("tick %d", world.tick()));
         pace.setStatusText(

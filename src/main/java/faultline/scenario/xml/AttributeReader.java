@@ -25,7 +25,7 @@ public final class AttributeReader {
     private static final Set<String> SCHEMA_LOCATION_ATTRIBUTES =
             Set.of("xsi:schemaLocation", "xsi:noNamespaceSchemaLocation");
 
-    /** Stands in for an id that could not be read; no file can hold it. */
+    /** The placeholder of an id that could not be read; no file can contain it. */
     private static final String INVALID_ID = "\0";
 
     private final XmlElement node;
@@ -210,7 +210,7 @@ public final class AttributeReader {
     }
 
     /**
-     * {@return whether {@link #id} has returned what the file has, and not a stand-in}
+     * {@return whether {@link #id} has returned the id in the file rather than the placeholder}
      *
      * @param name the attribute
      * @param id the result of {@link #id} for it

@@ -18,8 +18,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Campaign plans damaged at random: each is refused in lines of the promised form, or the schema allows it and it gives
- * its runs. The system property {@code faultline.fuzz} sets their number to a tenth of it.
+ * Tests plans that are damaged at random: each is rejected with messages of the documented form, or is valid by the
+ * schema and gives its runs. A tenth of the system property {@code faultline.fuzz} is the number of plans.
  */
 class MutatedPlansTest {
 

@@ -25,7 +25,7 @@ final class SurvivalTables {
         this.folder = folder;
     }
 
-    /** Takes the page, which is changed. */
+    /** Replaces the tables in a page, given its path. */
     public static void main(String[] arguments) throws IOException {
         Path page = Path.of(arguments[0]);
         String text = Files.readString(page);
@@ -143,7 +143,7 @@ final class SurvivalTables {
                 percent(row.get("share_high")));
     }
 
-    /** To one digit from 99 on, so that what is not quite all is not rounded to it. */
+    /** Uses one decimal above 99 %, so that less than 100 % is not rounded to 100 %. */
     private static String percent(String share) {
         double value = 100 * Double.parseDouble(share);
         return String.format(Locale.ROOT, value > 99 && value < 100 ? "%.1f" : "%.0f", value);

@@ -74,7 +74,7 @@ class InspectedSensorTest {
         sensor.confirm(2);
         sensor.confirm(1.5);
         assertEquals(3.5, sensor.confirmations());
-        sensor.fade(0.5);
+        sensor.fadeConfirmations(0.5);
         assertEquals(1.75, sensor.confirmations());
     }
 

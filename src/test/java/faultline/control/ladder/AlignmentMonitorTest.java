@@ -9,7 +9,7 @@ class AlignmentMonitorTest {
 
     private final AlignmentMonitor monitor = new AlignmentMonitor();
 
-    /** Returns which alignment is the first one too many, 0 if none of some number is. */
+    /** Returns the number of the first alignment that is reported as repeated, 0 if none is. */
     private int firstRepeated(int alignments, double spacing, double... turns) {
         double heading = 0;
         for (int i = 1; i <= alignments; i++) {
@@ -50,7 +50,7 @@ class AlignmentMonitorTest {
         // The second and the fifth alignment repeat the one before.
         assertEquals(6, firstRepeated(7, 0.1, 1.5, 1.5, 0, 1.5, 1.5, 0, 1.5, 1.5));
         monitor.reset();
-        // Only the first one does, and what it repeats was an alignment before these six.
+        // Only the first one repeats another, which was before these six.
         assertEquals(0, firstRepeated(6, 0.1, 1.5, 0, 0, 1.5, 1.5, 1.5, 1.5));
     }
 

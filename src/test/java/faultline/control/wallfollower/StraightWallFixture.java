@@ -81,7 +81,7 @@ public final class StraightWallFixture {
         return reading <= sensor.range() ? reading : Reading.NOTHING;
     }
 
-    /** The heading up from along the wall, degrees. */
+    /** The heading relative to the direction of the wall, degrees. */
     double headingDegrees() {
         return Math.toDegrees(Angles.normalize(pose.heading()));
     }

@@ -243,7 +243,9 @@ class RecorderTest {
             StateTally tally = frame.recording().stateTally();
             assertEquals(
                     frame.snapshot().tick(),
-                    tally.states().stream().mapToLong(StateTally.Dwell::ticks).sum());
+                    tally.states().stream()
+                            .mapToLong(StateTally.StateVisits::ticks)
+                            .sum());
             assertEquals(
                     frame.telemetry().transitions(),
                     tally.transitions().stream()
@@ -254,7 +256,7 @@ class RecorderTest {
                     .filter(moment -> moment.tick() > 0 && moment.state() == FollowerState.FOLLOW)
                     .count();
             assertEquals(
-                    inFollow, tally.dwell(FollowerState.FOLLOW).orElseThrow().ticks());
+                    inFollow, tally.visitsTo(FollowerState.FOLLOW).orElseThrow().ticks());
             assertEquals(1, tally.transitionCount(FollowerState.SEARCH, FollowerState.TURN));
             assertEquals(0, tally.transitionCount(FollowerState.FOLLOW, FollowerState.ALIGN));
         }

@@ -100,7 +100,7 @@ class BatchFormTest {
         assertEquals(OptionalLong.of(10L * (15L * sensors + 1)), plan().runCount());
         type("Start of the fault", "5..");
         assertTrue(callOnEdt(form::findProblem).isPresent());
-        assertTrue(labels().contains("A value has the wrong form"), labels());
+        assertTrue(labels().contains("A value is not in the expected format"), labels());
     }
 
     @Test

@@ -31,16 +31,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 
 /**
- * Drives the canvas in a real window with mouse and keys. The window stands in for the session: it does what it is
- * cursors at once.
+ * Drives the canvas in a real window with mouse and keyboard. The test executes commands immediately instead of using a
+ * session.
  */
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
         disabledReason = "drives a real window, which needs a display")
-/**
- * Drives the canvas in a real window with mouse and keyboard. The test executes commands immediately instead of using a
- * session.
- */
 class CanvasInteractionRobotTest {
 
     private static final int LEFT = InputEvent.BUTTON1_DOWN_MASK;

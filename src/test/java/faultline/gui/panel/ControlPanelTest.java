@@ -290,8 +290,8 @@ class ControlPanelTest {
             panel.selectSensor("left");
             spinner(Messages.get("mount.bearing.tip")).setValue(80.0);
             spinner(Messages.get("mount.noise.tip")).setValue(0.004);
-            spinner(Messages.get("mount.ahead.tip")).setValue(0.05);
-            spinner(Messages.get("mount.aside.tip")).setValue(0.08);
+            spinner(Messages.get("mount.forward.tip")).setValue(0.05);
+            spinner(Messages.get("mount.left.tip")).setValue(0.08);
         });
         SensorSpec left = world.sensors().get(2).spec();
         assertEquals(

@@ -19,7 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** How runs ended, in the window's words; the scenarios are run for it. */
+/** Tests the verdicts of the window on runs of scenarios. */
 class RunVerdictTest {
 
     private static final SessionStatus PAUSED = new SessionStatus(false, 1, 0, 0, null, null);

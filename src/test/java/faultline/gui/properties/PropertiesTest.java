@@ -67,7 +67,7 @@ class PropertiesTest {
         assertEquals(List.of(), scenario.run().unmetExpectations());
     }
 
-    /** What is not touched in the form stays to the bit. */
+    /** Values that are not edited in the form stay the same to the bit. */
     /** A dialog on a screen of 800 by 600 has this width between its borders and beside a scroll bar. */
     @ParameterizedTest
     @EnumSource(Language.class)

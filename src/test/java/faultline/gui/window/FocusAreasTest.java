@@ -11,7 +11,7 @@ import javax.swing.JPanel;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** F6 among areas, the focus of which arrives late. */
+/** Tests F6 with areas that receive the focus late. */
 class FocusAreasTest {
 
     private final List<String> requests = new ArrayList<>();
@@ -70,7 +70,7 @@ class FocusAreasTest {
         });
     }
 
-    /** An area that notes requests of the focus, and gets it only by a test. */
+    /** An area that records focus requests and receives the focus only from the test. */
     private final class Area extends JPanel {
 
         private boolean shown = true;

@@ -41,7 +41,7 @@ class VerdictRobotTest {
             driver.runFast(frame -> frame.snapshot().collision().isPresent());
             driver.robot().waitFor("the banner shows", () -> banner(driver).isShowing());
             assertEquals(canvas, callOnEdt(() -> driver.canvas().getBounds()), "nothing moves");
-            driver.click(callOnEdt(() -> ComponentFinder.find(driver.window(), JButton.class, "Back to before it")));
+            driver.click(callOnEdt(() -> ComponentFinder.find(driver.window(), JButton.class, "Go to just before")));
             driver.waitForFrame("two seconds before", frame -> frame.snapshot().tick() == 757);
             driver.robot().waitFor("the banner is gone", () -> !banner(driver).isShowing());
         }

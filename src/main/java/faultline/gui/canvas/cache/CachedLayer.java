@@ -21,7 +21,7 @@ public final class CachedLayer<C extends LayerContent<C>> {
     private boolean complete;
 
     /** Updates the image for as long as the budget of the frame allows. */
-    public void update(C content, LayerView view, FrameBudget budget) {
+    public void update(C content, LayerRenderSettings view, FrameBudget budget) {
         if (back == null) {
             prepare(content, view);
         }
@@ -34,14 +34,14 @@ public final class CachedLayer<C extends LayerContent<C>> {
                 back = null;
             }
         }
-        complete = back == null && front.shows(content, view);
+        complete = back == null && front.isCurrent(content, view);
     }
 
     /** Starts an update. A started image is completed first, or a view that keeps changing would never show. */
-    private void prepare(C content, LayerView view) {
+    private void prepare(C content, LayerRenderSettings view) {
         if (front == null) {
             front = LayerImage.blank(content, view);
-        } else if (!front.shows(content, view)) {
+        } else if (!front.isCurrent(content, view)) {
             front.adaptTo(content, view)
                     .ifPresentOrElse(adapted -> front = adapted, () -> back = LayerImage.blank(content, view));
         }

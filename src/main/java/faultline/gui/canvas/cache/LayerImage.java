@@ -25,7 +25,7 @@ import javax.swing.SwingUtilities;
  * @param next the first piece that is not painted in the first part
  */
 record LayerImage<C extends LayerContent<C>>(
-        C content, LayerView view, BufferedImage image, List<Rectangle> parts, int next) {
+        C content, LayerRenderSettings view, BufferedImage image, List<Rectangle> parts, int next) {
 
     LayerImage {
         parts = disjoint(parts);
@@ -47,7 +47,7 @@ record LayerImage<C extends LayerContent<C>>(
     }
 
     /** Returns an image of which nothing is painted; an opaque one is drawn faster. */
-    static <C extends LayerContent<C>> LayerImage<C> blank(C content, LayerView view) {
+    static <C extends LayerContent<C>> LayerImage<C> blank(C content, LayerRenderSettings view) {
         int width = (int) Math.ceil(view.camera().width() * view.deviceScale());
         int height = (int) Math.ceil(view.camera().height() * view.deviceScale());
         int type = content.isOpaque() ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB_PRE;
@@ -58,7 +58,7 @@ record LayerImage<C extends LayerContent<C>>(
         return parts.isEmpty();
     }
 
-    boolean shows(C wanted, LayerView wantedView) {
+    boolean isCurrent(C wanted, LayerRenderSettings wantedView) {
         return isDone() && view.equals(wantedView) && wanted.isSatisfiedBy(content);
     }
 
@@ -89,7 +89,7 @@ record LayerImage<C extends LayerContent<C>>(
     }
 
     /** Returns this image in transition to another content or view; empty if a new image is cheaper. */
-    Optional<LayerImage<C>> adaptTo(C wanted, LayerView wantedView) {
+    Optional<LayerImage<C>> adaptTo(C wanted, LayerRenderSettings wantedView) {
         if (!view.equals(wantedView)) {
             return view.offsetTo(wantedView).map(by -> moved(by, wantedView));
         }
@@ -99,7 +99,7 @@ record LayerImage<C extends LayerContent<C>>(
     }
 
     /** Returns this image with its pixels moved; what comes into view is still to be painted. */
-    private LayerImage<C> moved(Point by, LayerView to) {
+    private LayerImage<C> moved(Point by, LayerRenderSettings to) {
         Graphics2D graphics = image.createGraphics();
         graphics.setComposite(AlphaComposite.Src);
         graphics.copyArea(0, 0, image.getWidth(), image.getHeight(), (int) (by.x * view.deviceScale()), (int)

@@ -7,23 +7,26 @@ import java.awt.Rectangle;
 import java.util.Optional;
 
 /**
- * Everything but the content that an image depends on.
+ * The settings with which the content of a layer is rendered to an image.
  *
  * @param camera the mapping from the world to the canvas
  * @param palette the colours
  * @param deviceScale device pixels per pixel
  */
-public record LayerView(Camera camera, Palette palette, double deviceScale) {
+public record LayerRenderSettings(Camera camera, Palette palette, double deviceScale) {
 
-    /** An offset that differs by less from whole pixels is an offset by whole pixels. */
+    /** An offset that differs by less than this from whole pixels is rounded to them. */
     private static final double ROUNDING = 1e-6;
 
     Rectangle bounds() {
         return camera.bounds();
     }
 
-    /** Returns the offset, pixels, that shows the content in another view; empty if an offset is not enough. */
-    Optional<Point> offsetTo(LayerView other) {
+    /**
+     * Returns the offset of the image, pixels, that gives the image with other settings; empty if a shift is not
+     * enough.
+     */
+    Optional<Point> offsetTo(LayerRenderSettings other) {
         Camera to = other.camera;
         double dx = (camera.x() - to.x()) * camera.scale();
         double dy = (to.y() - camera.y()) * camera.scale();

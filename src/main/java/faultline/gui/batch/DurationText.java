@@ -3,7 +3,7 @@ package faultline.gui.batch;
 import faultline.gui.text.Messages;
 
 /** Formats a duration as text with the precision of an estimate. */
-final class BatchTime {
+final class DurationText {
 
     private static final double MINUTE = 60;
     private static final double HOUR = 3600;
@@ -11,7 +11,7 @@ final class BatchTime {
     /** Below this many of a unit, the smaller unit is used. */
     private static final double FEW = 2;
 
-    private BatchTime() {}
+    private DurationText() {}
 
     /** Returns a time in seconds, minutes or hours; NaN gives an ellipsis. */
     static String text(double seconds) {

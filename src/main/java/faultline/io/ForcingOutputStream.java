@@ -8,10 +8,10 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 
 /**
- * Writes a file and has another thread force it to the disk regularly, so that a long file does not have all of it
- * still to come when it is complete. One thread at a time writes.
+ * Writes a file and forces it to the disk regularly on another thread, so that little remains to be forced when a long
+ * file is complete. One thread at a time writes.
  */
-final class SteadyStream extends OutputStream {
+final class ForcingOutputStream extends OutputStream {
 
     /** The file is forced again after this many bytes. */
     private static final int STEP = 8 << 20;
@@ -22,7 +22,7 @@ final class SteadyStream extends OutputStream {
     private CompletableFuture<Void> forcing = CompletableFuture.completedFuture(null);
 
     /** Creates a stream to an open file, which it closes. */
-    SteadyStream(FileChannel channel) {
+    ForcingOutputStream(FileChannel channel) {
         this.channel = channel;
         out = Channels.newOutputStream(channel);
     }
