@@ -42,7 +42,7 @@ record RunOptions(
     enum Output {
         /** The values of every tick. */
         TRACE,
-        /** What the columns of the trace mean, and which run it is of; has no option of its own. */
+        /** The meaning of the columns of the trace, and its run; has no separate option. */
         TRACE_HEADER,
         /** The last frame. */
         IMAGE,

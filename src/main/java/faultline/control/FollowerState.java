@@ -1,13 +1,13 @@
 package faultline.control;
 
 /**
- * The six states of the wall follower. Of the paper's Fig. 8 only the caption is known; decision 0002 gives our
+ * The six states of the wall follower. Only the caption of the paper's Fig. 8 is known; decision 0002 gives our
  * interpretation.
  */
 public enum FollowerState implements ControllerState {
     /** Drive on until a wall is seen. */
     SEARCH,
-    /** Spin right until the left sensor comes to the wall: frame F3. */
+    /** Spin right until the left sensor reaches the wall: frame F3. */
     TURN,
     /** Spin on until the left sensor leaves the wall: frame F4. */
     MEASURE,

@@ -22,7 +22,7 @@ public enum Threshold {
     /** The turn rate below which ALIGN ends. */
     SETTLED_RATE("settledRate", Quantity.TURN_RATE, 1),
 
-    /** By how much a reading exceeds the wanted one if it is not of the followed wall any more. */
+    /** The amount by which a reading exceeds the wanted one if the followed wall has ended. */
     LOST_MARGIN("lostMargin", Quantity.MARGIN, 0.06),
 
     /** The innovation that counts as a corner, as a share of the final innovation at an outer corner. */

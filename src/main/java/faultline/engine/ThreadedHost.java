@@ -67,7 +67,9 @@ final class ThreadedHost implements ControllerHost {
                     "the controller broke at tick " + tick + ": " + broken.getCause(), broken.getCause());
         } catch (TimeoutException silent) {
             throw new RunFailedException(
-                    "the controller has not answered for " + timeout + " s at tick " + tick + fateOfThread(), silent);
+                    "the controller has not answered for " + timeout + " s at tick " + tick
+                            + describeThreadAfterInterrupt(),
+                    silent);
         } catch (InterruptedException ended) {
             Thread.currentThread().interrupt();
             throw new RunFailedException("the run was interrupted at tick " + tick, ended);
@@ -90,10 +92,10 @@ final class ThreadedHost implements ControllerHost {
     }
 
     /**
-     * Interrupts the controller. Java cannot stop a thread that ignores this; it is a daemon, so the process can end
-     * all the same.
+     * Interrupts the controller. Java cannot stop a thread that ignores this; it is a daemon thread, so the process can
+     * still exit.
      */
-    private String fateOfThread() {
+    private String describeThreadAfterInterrupt() {
         executor.shutdownNow();
         try {
             return executor.awaitTermination(GRACE_MILLIS, TimeUnit.MILLISECONDS)

@@ -96,7 +96,7 @@ public final class SolidCells {
     private final class Group {
         private final boolean[] visited = new boolean[solid.length];
         private final int minCells;
-        /** All cells of a small group. Of a large one, only those whose neighbours have not been visited. */
+        /** All cells of a small group. For a large group, only those whose neighbours have not been visited. */
         private int[] cells = new int[64];
 
         private int end;

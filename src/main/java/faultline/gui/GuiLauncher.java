@@ -94,7 +94,7 @@ public final class GuiLauncher {
 
     /**
      * Ends the program, which otherwise takes another second or two to find that no window is left. An open window,
-     * such as a message about what went wrong last, keeps it alive until it is closed.
+     * such as an error message, keeps it running until the window is closed.
      */
     private static void exitUnlessWindowsAreOpen() {
         if (Stream.of(Window.getWindows()).noneMatch(Window::isShowing)) {

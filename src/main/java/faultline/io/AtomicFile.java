@@ -13,9 +13,9 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.BasicFileAttributes;
 
 /**
- * A file that is there whole or not at all: written under a random name in the same folder, forced to the disk, and
- * moved into place by {@link #commit()}. One that is closed without that leaves no trace, nor does one that is open
- * when the process is ended by a signal. A device or a pipe, such as {@code /dev/stdout}, is written directly.
+ * A file that exists completely or not at all: written under a random name in the same folder, forced to the disk, and
+ * moved into place by {@link #commit()}. If it is closed without a commit, or is open when a signal ends the process,
+ * nothing remains. A device or a pipe, such as {@code /dev/stdout}, is written directly.
  *
  * <p>While it is written, only its owner may read it; in its place it has the permissions of the file that it replaces.
  */

@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Suggests the known name that a misspelt one was meant to be. */
+/** Suggests a known name for a misspelt one. */
 public final class DidYouMean {
 
     private static final int MAX_LENGTH = 60;

@@ -56,7 +56,7 @@ public final class LinkResolver {
     }
 
     /**
-     * {@return the file that a path names, without links and detours} The file need not exist, nor the file that a link
+     * {@return the file that a path names, with links resolved} The file need not exist, nor the file that a link
      * points to.
      *
      * @param file the path
@@ -105,7 +105,7 @@ public final class LinkResolver {
                                 .anyMatch(link -> link.startsWith("/proc") || link.startsWith("/dev/fd"));
     }
 
-    /** Opens a stream; see {@link #isStream}. What is already in it stays. */
+    /** Opens a stream; see {@link #isStream}. Its present content remains. */
     static OutputStream openStream(Path file) throws IOException {
         String own = "/dev/fd/%d|/proc/(self|" + ProcessHandle.current().pid() + ")/fd/%1$d";
         for (Path link : followLinks(file)) {

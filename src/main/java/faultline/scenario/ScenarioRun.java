@@ -22,7 +22,7 @@ public final class ScenarioRun {
 
     private final Scenario scenario;
     private final RunResult result;
-    /** By tick, about 200 bytes each with eight sensors. */
+    /** The ticks in order; one with eight sensors takes about 200 bytes. */
     private final List<LoggedTick> ticks;
 
     /**

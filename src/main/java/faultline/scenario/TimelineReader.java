@@ -247,7 +247,7 @@ final class TimelineReader {
         return fault;
     }
 
-    /** Returns the side whose motors are meant, unless it is unknown. */
+    /** Returns the side that the attribute {@code motor} names, if it is valid. */
     private static Optional<MotorSide> readMotors(AttributeReader fields) {
         return fields.choice("motor", MotorSide.values(), MotorSide::fileName);
     }

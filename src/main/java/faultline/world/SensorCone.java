@@ -16,7 +16,7 @@ import java.util.List;
  */
 final class SensorCone {
 
-    /** From this half angle, radians, all shapes around the sensor are kept. */
+    /** If the half angle is at least this, radians, all shapes around the sensor are kept. */
     private static final double MAX_WEDGE = 1.4;
 
     private static final double MARGIN = 1e-9;

@@ -26,13 +26,14 @@ final class ApproachCheck {
 
     private static final double STRAIGHT = StrictMath.toRadians(3);
 
-    /** Beyond this distance from the path a surface need not extend to it, metres. */
+    /** A surface that is farther from the path than this may end before it, metres. */
     private static final double BESIDE = 0.33;
 
     private ApproachCheck() {}
 
     static boolean applies(MountedCone cone) {
-        // Only on the side away from the wall: on the other side the wall itself comes and goes.
+        // The check applies only on the side away from the wall; on the other side the wall itself enters and leaves
+        // the cone.
         double bearing = -cone.bearing();
         return bearing > cone.half() + 0.2 && bearing < 1.2;
     }

@@ -8,7 +8,7 @@ final class ConeTable {
 
     private final double[] cos = new double[SAMPLES];
     private final double[] sin = new double[SAMPLES];
-    /** Of the bearing of the edge nearer to straight ahead, as an angle to either side. */
+    /** The cosine of the bearing of the edge nearer to straight ahead, an angle to either side. */
     private final double innerCos;
 
     private final double innerSin;

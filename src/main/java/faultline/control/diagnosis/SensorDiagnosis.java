@@ -15,7 +15,7 @@ public final class SensorDiagnosis {
 
     /**
      * The maximum number of sensors that are diagnosed, because each has a bit of an {@code int} and the robot's body
-     * has another one. Of more sensors, those that are last in the robot's list are always trusted.
+     * has another one. If there are more, the last ones in the robot's list are always trusted.
      */
     public static final int MAX_SENSORS = Integer.SIZE - 1;
 

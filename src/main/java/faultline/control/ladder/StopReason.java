@@ -1,6 +1,6 @@
 package faultline.control.ladder;
 
-/** Why the robot has stopped for good, or until it can trust other sensors. */
+/** The reason why the robot has stopped, permanently or until it can trust other sensors. */
 enum StopReason {
     /** No sensor that looks to the wall's side is trusted. */
     NO_SENSOR("no trusted sensor on the side of the wall"),

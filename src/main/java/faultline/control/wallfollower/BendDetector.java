@@ -74,7 +74,7 @@ final class BendDetector {
 
     /**
      * Returns whether the tracker's heading can be trusted: after a switch between wall and corner it is a guess, which
-     * noisy readings correct only over some distance. Readings without noise make the guess good at once.
+     * noisy readings correct only over some distance. Readings without noise correct it immediately.
      */
     private boolean isSettled() {
         return NOISE_FACTOR * estimate.leftNoise() <= noiselessThreshold()

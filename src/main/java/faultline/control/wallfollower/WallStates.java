@@ -137,7 +137,7 @@ final class WallStates {
         approaching = Math.abs(tracker.heading()) > PARALLEL
                 || Math.abs(tracker.distance() - wantedDistance) > DISTANCE_TOLERANCE;
         if (!approaching) {
-            // What the front sensor saw on the slanted way was this wall.
+            // During the slanted approach, the front sensor saw this wall.
             estimate.clearFrontMemory();
         }
     }

@@ -70,8 +70,8 @@ final class PlaceBlock {
     }
 
     /**
-     * Returns this block of an arc as one of the other wall that ends at its corner. What becomes of its places is the
-     * same for both.
+     * Returns this block of an arc as one of the other wall that ends at its corner. Both share the state of its
+     * places.
      *
      * @param firstRank the rank of the first place around that corner among the places of the other wall
      */

@@ -1,8 +1,8 @@
 package faultline.engine.metrics;
 
 /**
- * Measures of a run as they stand, from ground truth and against the walls as they stood at the start. What does not
- * apply is not a number.
+ * The present measures of a run, from ground truth and the walls at the start. A measure that does not apply is not a
+ * number.
  *
  * @param coverage the share of the wall that could be followed that was, in [0, 1]
  * @param distanceRms the distance error on straight walls, metres, root mean square

@@ -19,7 +19,7 @@ final class SensorColumns implements ColumnGroup {
     private final List<TraceColumn> columns = new ArrayList<>();
     private final SensorWords[] words;
 
-    /** The words of one sensor in the row above, and what they were made of. */
+    /** The words of one sensor in the row above, and the values from which they were made. */
     private static final class SensorWords {
         private boolean written;
         private boolean off;

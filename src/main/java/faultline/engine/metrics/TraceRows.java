@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A block of rows of a trace as values. Of each row it has only the cells that differ from those above, because most do
- * not. The thread of the run fills it; the thread that writes the trace turns it into text.
+ * A block of rows of a trace as values. Each row stores only the cells that differ from those above, because most are
+ * equal. The thread of the run fills it; the thread that writes the trace turns it into text.
  */
 final class TraceRows {
 

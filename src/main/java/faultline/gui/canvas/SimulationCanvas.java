@@ -39,8 +39,8 @@ import java.util.stream.Stream;
 import javax.accessibility.AccessibleRole;
 
 /**
- * Shows the newest frame, with the report of the first collision, and sends what the user does to obstacles and sensors
- * as commands; their effect shows when a frame brings it back.
+ * Shows the newest frame, with the report of the first collision, and sends the user's edits of obstacles and sensors
+ * as commands, whose effect is shown with a later frame.
  */
 public final class SimulationCanvas extends AccessibleComponent {
 

@@ -78,7 +78,7 @@ final class GuideDialog extends JDialog {
     /** Creates the dialog, lays it out and shows it, each in a separate event, so that no event takes long. */
     private static void showPage(Window owner, GuidePage page) {
         if (!owner.isShowing()) {
-            // The owner has been closed. To pack its dialog would keep the program from exiting.
+            // The owner has been closed. Packing its dialog would keep the program from exiting.
             return;
         }
         GuideDialog dialog = new GuideDialog(owner, page);

@@ -29,7 +29,10 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
     private final List<Journal.Entry> entries = new ArrayList<>();
     /** The number of entries that the run has executed. */
     private int position;
-    /** By id, null if removed: an obstacle that is placed again takes its old position in the order. */
+    /**
+     * The obstacles by id, null if removed, so that an obstacle that is placed again takes its old position in the
+     * order.
+     */
     private final Map<String, Obstacle> obstacles;
 
     private RobotSpec robot;

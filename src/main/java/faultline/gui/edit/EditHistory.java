@@ -133,7 +133,7 @@ final class EditHistory {
         return passed != before;
     }
 
-    /** Restarts the run with all edits, including those that were ahead; none of them has a tick any more. */
+    /** Includes all edits in a restarted run, also those that were ahead, without their ticks. */
     void restart() {
         advanceTo(Long.MAX_VALUE);
         changes.clear();

@@ -229,7 +229,7 @@ public final class UndoController {
         gestureActive = false;
     }
 
-    /** Ends the last edit: later commands form another one. To be called when the scenario has been saved. */
+    /** Ends the last edit: later commands form another one. Must be called when the scenario has been saved. */
     public void endEdit() {
         assert EventQueue.isDispatchThread();
         gestureId++;

@@ -43,7 +43,7 @@ public final class EventLogView extends JPanel {
         add(scroll, BorderLayout.CENTER);
     }
 
-    /** Shows whole rows only; half a row at the bottom would look like a defect. */
+    /** Shows whole rows only; a row that is cut off at the bottom would look like a defect. */
     @Override
     public void doLayout() {
         super.doLayout();

@@ -29,7 +29,7 @@ import java.util.List;
 final class StripPainter {
 
     private static final int RIBBON_GAP = 2;
-    /** From the upper edge of the ribbon down to the baseline of its texts, pixels. */
+    /** The distance from the upper edge of the ribbon down to the baseline of its texts, pixels. */
     private static final int RIBBON_BASELINE = 12;
 
     private static final int RIBBON_HEIGHT = 15;

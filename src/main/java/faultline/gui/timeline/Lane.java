@@ -7,7 +7,7 @@ import faultline.robot.MotorSide;
 /** A lane of the time line. */
 public sealed interface Lane {
 
-    /** The lane of everything that is about neither a sensor nor motors. */
+    /** The lane of all items that concern neither a sensor nor motors. */
     Lane OTHER = new Other();
 
     /** Returns the name that the window shows. */

@@ -93,6 +93,6 @@ final class CanvasOverlays implements LayoutManager {
 
     @Override
     public void removeLayoutComponent(Component part) {
-        // None is removed.
+        // No component is ever removed.
     }
 }

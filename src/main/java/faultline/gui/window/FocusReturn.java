@@ -5,13 +5,13 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 
 /**
- * Gives the focus to a substitute when a window gains it again, if what had the focus before cannot have it any more:
- * keys would have no effect.
+ * Moves the focus to a substitute when a window gains it again and the component that had it before can no longer have
+ * it, because keys would otherwise have no effect.
  */
 final class FocusReturn extends WindowAdapter {
 
     private final Component substitute;
-    /** What had the focus when the window lost it, null before. */
+    /** The component that had the focus when the window lost it, null before. */
     private Component lastFocused;
 
     FocusReturn(Component substitute) {

@@ -10,8 +10,8 @@ import javax.swing.Timer;
 
 /**
  * Polls about sixty times per second while something happens, and stops when nothing has happened for a second, so that
- * a paused window takes no processor time. Any event of the user or a {@link #signal()} starts it again. To be used on
- * the event dispatch thread, except {@code signal}.
+ * a paused window takes no processor time. Any event of the user or a {@link #signal()} starts it again. All methods
+ * except {@code signal} must be called on the event dispatch thread.
  */
 final class PollTimer {
 

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.function.BiConsumer;
 
-/** Polls the run and shows its newest state in the window. To be used on the event dispatch thread only. */
+/** Polls the run and shows its newest state in the window. Event dispatch thread only. */
 final class RunPoller implements WorkspaceListener {
 
     private final Workspace workspace;

@@ -23,7 +23,7 @@ public record LegendRows<E>(List<List<E>> rows, Function<E, String> name, ToDoub
 
     private static final double NAME_GAP = 5;
     private static final double ENTRY_GAP = 14;
-    /** From the middle of a line of text down to its baseline, as a share of its size. */
+    /** The distance from the middle of a line of text down to its baseline, as a share of its size. */
     private static final double BASELINE = 4.0 / 11;
 
     /**

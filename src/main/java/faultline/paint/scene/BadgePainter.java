@@ -12,7 +12,7 @@ final class BadgePainter {
 
     private static final double PADDING = 8;
     private static final double LINE_HEIGHT = 17;
-    /** From the middle of a line of text down to its baseline, pixels. */
+    /** The distance from the middle of a line of text down to its baseline, pixels. */
     private static final double BASELINE_OFFSET = 4.5;
 
     private BadgePainter() {}

@@ -16,7 +16,7 @@ public final class CornerChoice {
 
     /** The distance ahead of the robot that is kept free, metres. */
     private static final double AHEAD = 0.6;
-    /** From the corners of the platform to the edge of what is kept free, pixels. */
+    /** The distance from the corners of the platform to the edge of what is kept free, pixels. */
     private static final double REACH = 24;
 
     private final List<Corner> preferred;

@@ -21,7 +21,7 @@ public final class ReferenceOverlayPainter {
     private static final Stroke SOLID_STROKE = DrawContext.solidStroke(1.8);
     private static final double MARK_RADIUS = 8;
     private static final double MARGIN = 8;
-    /** From a mark up to the middle of its label, pixels. */
+    /** The distance from a mark up to the middle of its label, pixels. */
     private static final double LABEL_GAP = 8.5;
 
     /** The minimum height of the description of a collision, pixels. */

@@ -62,7 +62,7 @@ final class RoutePainter {
         if (leg.length() < 2 * box.getWidth()) {
             return;
         }
-        // To the left of the leg, at a distance at which the text does not touch it in any direction.
+        // The text is to the left of the leg, at a distance at which it does not touch a leg of any direction.
         Vector2 aside = new Vector2(leg.y(), -leg.x()).times(1 / leg.length());
         double clear = (Math.abs(aside.x()) * box.getWidth() + Math.abs(aside.y()) * box.getHeight()) / 2 + LABEL_GAP;
         Vector2 place = points.get(longest - 1).plus(leg.times(SPEED_POSITION)).plus(aside.times(clear));
@@ -85,7 +85,7 @@ final class RoutePainter {
             return;
         }
         Vector2 ahead = leg.times(ARROW_SIZE / leg.length());
-        // Beyond the middle, so that the arrows of a leg that is driven in both directions do not cover each other.
+        // The tip is beyond the middle, so that the arrows of a leg that is driven in both directions do not overlap.
         Vector2 tip = from.plus(leg.times(0.6));
         Path2D arrow = Shapes.polyline(List.of(
                 tip.minus(ahead).plus(ahead.perpendicular().times(0.7)),

@@ -79,7 +79,8 @@ public sealed interface DragOperation {
     }
 
     /**
-     * Rotates obstacles about their common centre. Of a single one the heading snaps, of several the turn.
+     * Rotates obstacles about their common centre. The heading of a single obstacle snaps; for several, the angle of
+     * the turn snaps.
      *
      * @param obstacles the obstacles in their state at the start, at least one
      * @param grabPoint the point of the press, metres

@@ -8,8 +8,8 @@ import java.util.function.UnaryOperator;
 
 /**
  * The view of the canvas. It fits the whole world into the canvas, also when the canvas is resized, until the user
- * zooms or pans. To follow the robot, it moves only as far as keeps the robot in the middle part, because every move
- * repaints the ground.
+ * zooms or pans. If it follows the robot, it moves only as far as necessary to keep the robot in the middle part,
+ * because every move repaints the ground.
  */
 public final class Viewport {
 
@@ -102,7 +102,7 @@ public final class Viewport {
     private void keepRobotInMiddle(Vector2 robot) {
         Camera now = camera.get();
         Vector2 place = now.toScreen(robot);
-        // By whole pixels, so that cached layers can be shifted.
+        // The view moves by whole pixels, so that cached layers can be shifted.
         double dx = Math.rint(excess(place.x() - now.width() / 2.0, MAX_OFFSET * now.width()));
         double dy = Math.rint(excess(place.y() - now.height() / 2.0, MAX_OFFSET * now.height()));
         if (dx != 0 || dy != 0) {
