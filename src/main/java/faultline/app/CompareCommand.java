@@ -44,8 +44,8 @@ final class CompareCommand {
         this.output = output;
     }
 
-    /** The end of a run. */
-    private static final class Ending implements TickObserver {
+    /** Keeps the last state of a run. */
+    private static final class EndObserver implements TickObserver {
         private RobotPath path;
         private Journal journal;
 
@@ -150,10 +150,10 @@ final class CompareCommand {
             Path replayFile,
             Map<Path, Scenario> replays) {
         List<ControllerRuns.ComparedRun> runs = new ArrayList<>();
-        List<ControllerRuns.Broken> broken = new ArrayList<>();
+        List<ControllerRuns.FailedRun> broken = new ArrayList<>();
         for (int i = 0; i < seeds; i++) {
             SimulationSetup setup = scenario.setup().withSeed(scenario.setup().seed() + i);
-            Ending ending = new Ending();
+            EndObserver ending = new EndObserver();
             try {
                 RunResult result = runOnce(choice, scenario.name(), setup, options, ending);
                 runs.add(new ControllerRuns.ComparedRun(result, ending.path));
@@ -162,14 +162,14 @@ final class CompareCommand {
                 throw e;
             } catch (RunFailedException e) {
                 output.printError("the run with seed " + setup.seed() + " broke: " + e.getMessage());
-                broken.add(new ControllerRuns.Broken(setup.seed(), e.getMessage()));
+                broken.add(new ControllerRuns.FailedRun(setup.seed(), e.getMessage()));
             }
         }
         return new ControllerRuns(choice, runs, broken);
     }
 
     private RunResult runOnce(
-            String choice, String scenario, SimulationSetup setup, ControllerOptions options, Ending ending) {
+            String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver ending) {
         try (ProcessControllerSource source =
                 new ProcessControllerSource(choice, options.terms(scenario, output::printError))) {
             SimulationSetup chosen = ControllerChoice.apply(choice, setup, source);

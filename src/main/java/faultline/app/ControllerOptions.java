@@ -65,8 +65,8 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
     }
 
     /** Returns how children are treated in the runs of a scenario. */
-    ProcessControllerSource.Terms terms(String scenario, Consumer<String> errors) {
-        return new ProcessControllerSource.Terms(
+    ProcessControllerSource.ChildSettings terms(String scenario, Consumer<String> errors) {
+        return new ProcessControllerSource.ChildSettings(
                 HelpText.version(), scenario, ExternalController.Timeouts.DEFAULT.withAnswer(patience), truth, errors);
     }
 }

@@ -40,7 +40,7 @@ final class ChildProcess implements AutoCloseable {
     private static final long GRACE_SECONDS = 2;
 
     private final Process process;
-    private final FamilyMark mark = FamilyMark.create();
+    private final DescendantMarker mark = DescendantMarker.create();
     private final OutputStream input;
     private final ChildOutput output;
     private final Deque<String> errorLines = new ArrayDeque<>();
@@ -64,7 +64,7 @@ final class ChildProcess implements AutoCloseable {
     ChildProcess(List<String> command, double writeSeconds, Consumer<String> errors) throws IOException {
         this.errors = errors;
         ProcessBuilder builder = new ProcessBuilder(command);
-        builder.environment().put(FamilyMark.VARIABLE, mark.value());
+        builder.environment().put(DescendantMarker.VARIABLE, mark.value());
         process = builder.start();
         input = process.getOutputStream();
         output = new ChildOutput(process.getInputStream());

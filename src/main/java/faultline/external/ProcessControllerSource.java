@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 public final class ProcessControllerSource implements ControllerSource, TickObserver, AutoCloseable {
 
     private final String command;
-    private final Terms terms;
+    private final ChildSettings terms;
     private ExternalController newest;
     private boolean keepsOpen;
 
@@ -25,7 +25,7 @@ public final class ProcessControllerSource implements ControllerSource, TickObse
      * @param givesTruth whether observations carry the ground truth; this source must then observe the run
      * @param errors the consumer of each line of a child's standard error, called on a separate thread
      */
-    public record Terms(
+    public record ChildSettings(
             String program,
             String scenario,
             ExternalController.Timeouts timeouts,
@@ -38,7 +38,7 @@ public final class ProcessControllerSource implements ControllerSource, TickObse
      * @param command the command, as in a shell
      * @param terms the properties of all of its children
      */
-    public ProcessControllerSource(String command, Terms terms) {
+    public ProcessControllerSource(String command, ChildSettings terms) {
         this.command = command;
         this.terms = terms;
     }

@@ -27,12 +27,12 @@ final class TemporaryFile {
     private static final Set<PosixFilePermission> PUBLIC = PosixFilePermissions.fromString("rw-rw-rw-");
 
     /** Deletes what is unfinished when the process is ended by a signal. */
-    private static final class Unfinished {
+    private static final class UnfinishedFiles {
 
         private static final Set<Path> FILES = ConcurrentHashMap.newKeySet();
 
         static {
-            Runtime.getRuntime().addShutdownHook(new Thread(Unfinished::deleteAll, "delete temporary files"));
+            Runtime.getRuntime().addShutdownHook(new Thread(UnfinishedFiles::deleteAll, "delete temporary files"));
         }
 
         private static void deleteAll() {
@@ -85,7 +85,7 @@ final class TemporaryFile {
         }
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, PREFIX + "*" + SUFFIX)) {
             for (Path file : files) {
-                if (!Unfinished.FILES.contains(file) && isAbandoned(file, now)) {
+                if (!UnfinishedFiles.FILES.contains(file) && isAbandoned(file, now)) {
                     Files.deleteIfExists(file);
                 }
             }
@@ -108,7 +108,7 @@ final class TemporaryFile {
     }
 
     private static TemporaryFile register(TemporaryFile file) throws IOException {
-        Unfinished.FILES.add(file.path);
+        UnfinishedFiles.FILES.add(file.path);
         deleteAbandoned(
                 file.path.getParent(), Files.getLastModifiedTime(file.path).toMillis());
         return file;
@@ -154,7 +154,7 @@ final class TemporaryFile {
 
     /** Keeps the file, because it has become another one. */
     void forget() {
-        Unfinished.FILES.remove(path);
+        UnfinishedFiles.FILES.remove(path);
     }
 
     /** Deletes the file. */

@@ -106,7 +106,7 @@ class ForeignControllerTest {
                 + "while read l; do case $l in *observe*) echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,"
                 + "\\\"v_m_s\\\":0.2,\\\"omega_rad_s\\\":0.$((i % 7)),\\\"state\\\":\\\"S$((i / 300))\\\"}\";; esac; "
                 + "i=$((i+1)); done'";
-        ProcessControllerSource.Terms terms = new ProcessControllerSource.Terms(
+        ProcessControllerSource.ChildSettings terms = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         SimulationSetup setup = yard().setup().withDuration(9);
         Recorded recorded =
@@ -161,7 +161,7 @@ class ForeignControllerTest {
 
     @Test
     void aMisspeltNameOfTheCommandLineIsCorrected() {
-        ProcessControllerSource.Terms terms = new ProcessControllerSource.Terms(
+        ProcessControllerSource.ChildSettings terms = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         ProcessControllerSource source = new ProcessControllerSource("right-turnr", terms);
         ControllerStartException e = assertThrows(

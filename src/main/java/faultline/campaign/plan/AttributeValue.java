@@ -11,12 +11,12 @@ sealed interface AttributeValue {
     AttributeValue NONE = new FixedValue("");
 
     /** Returns the text for a block of runs, counted from 0, with the draws of the plan. */
-    String text(Uniforms numbers, long block);
+    String text(UniformSource numbers, long block);
 
     /** A text that is the same in every run. */
     record FixedValue(String text) implements AttributeValue {
         @Override
-        public String text(Uniforms numbers, long block) {
+        public String text(UniformSource numbers, long block) {
             return text;
         }
     }
@@ -27,9 +27,9 @@ sealed interface AttributeValue {
      * @param stream the name of the random numbers; draws of the same stream are equal in all runs of a block
      * @param range the set of values
      */
-    record Drawn(String stream, DrawRange range) implements AttributeValue {
+    record DrawnValue(String stream, DrawRange range) implements AttributeValue {
         @Override
-        public String text(Uniforms numbers, long block) {
+        public String text(UniformSource numbers, long block) {
             return range.at(numbers.uniform(stream, block));
         }
     }
@@ -37,7 +37,7 @@ sealed interface AttributeValue {
     /** The exact sum of two numbers; the first text if either is not a number. */
     record Sum(AttributeValue first, AttributeValue second) implements AttributeValue {
         @Override
-        public String text(Uniforms numbers, long block) {
+        public String text(UniformSource numbers, long block) {
             String text = first.text(numbers, block);
             Optional<BigDecimal> a = DecimalText.parse(text);
             Optional<BigDecimal> b = DecimalText.parse(second.text(numbers, block));
@@ -48,7 +48,7 @@ sealed interface AttributeValue {
     }
 
     /** The source of the random numbers of draws. */
-    interface Uniforms {
+    interface UniformSource {
 
         /** Returns the number of a stream for a block, in [0, 1). */
         double uniform(String stream, long block);

@@ -189,7 +189,7 @@ public final class CampaignPlan {
     }
 
     /** Makes changes in a tree, in their order. */
-    XmlElement apply(XmlElement root, List<ScenarioChange> edits, AttributeValue.Uniforms numbers, long block)
+    XmlElement apply(XmlElement root, List<ScenarioChange> edits, AttributeValue.UniformSource numbers, long block)
             throws ScenarioException {
         XmlElement tree = root;
         for (ScenarioChange edit : edits) {

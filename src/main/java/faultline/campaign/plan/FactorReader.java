@@ -59,7 +59,7 @@ final class FactorReader {
     }
 
     private static boolean isDrawn(List<AttributeValue> values) {
-        return values.get(0) instanceof AttributeValue.Drawn;
+        return values.get(0) instanceof AttributeValue.DrawnValue;
     }
 
     private static Optional<AttributePath> readPath(AttributeReader fields) {

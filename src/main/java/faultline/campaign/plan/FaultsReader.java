@@ -43,7 +43,7 @@ final class FaultsReader {
     private final Set<String> attributes = new LinkedHashSet<>(List.of("kind", "sensor", "value", "at", "until"));
 
     /** A level whose columns are not known yet. */
-    private record Draft(Map<String, AttributeValue> attributes, XmlElement node) {}
+    private record IncompleteLevel(Map<String, AttributeValue> attributes, XmlElement node) {}
 
     FaultsReader(Problems problems) {
         this.problems = problems;
@@ -54,14 +54,14 @@ final class FaultsReader {
         AttributeReader fields = new AttributeReader(node, problems);
         String name = FactorReader.columnName(fields, "fault");
         fields.reportUnknownAndMissing();
-        List<Draft> drafts = new ArrayList<>();
+        List<IncompleteLevel> drafts = new ArrayList<>();
         for (XmlElement child : node.children()) {
             if (child.name().equals("healthy")) {
                 ElementRules.checkChildren(child, List.of(), problems);
                 new AttributeReader(child, problems).reportUnknownAndMissing();
-                drafts.add(new Draft(Map.of(), child));
+                drafts.add(new IncompleteLevel(Map.of(), child));
             } else if (child.name().equals("fault")) {
-                readFault(child, name).forEach(values -> drafts.add(new Draft(values, child)));
+                readFault(child, name).forEach(values -> drafts.add(new IncompleteLevel(values, child)));
             }
         }
         if (drafts.isEmpty()) {
@@ -123,7 +123,7 @@ final class FaultsReader {
         return timed;
     }
 
-    private Factor.Level level(Draft draft) {
+    private Factor.Level level(IncompleteLevel draft) {
         List<AttributeValue> cells = new ArrayList<>();
         for (String key : attributes) {
             AttributeValue kind = draft.attributes.getOrDefault("kind", new AttributeValue.FixedValue("none"));

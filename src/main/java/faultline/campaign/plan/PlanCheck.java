@@ -58,7 +58,7 @@ final class PlanCheck {
     private static Set<Double> uniforms(List<ScenarioChange> edits) {
         Set<Double> uniforms = new TreeSet<>(Set.of(0.0, Math.nextDown(1.0)));
         edits.forEach(edit -> edit.values().forEach(value -> {
-            if (value instanceof AttributeValue.Drawn drawn && drawn.range() instanceof DrawRange.Words choice) {
+            if (value instanceof AttributeValue.DrawnValue drawn && drawn.range() instanceof DrawRange.Words choice) {
                 for (int i = 0; i < choice.words().size(); i++) {
                     uniforms.add((i + 0.5) / choice.words().size());
                 }

@@ -19,7 +19,7 @@ sealed interface ScenarioChange {
     Collection<AttributeValue> values();
 
     /** Returns the changed tree of a block of runs, counted from 0; the file of the plan is named in problems. */
-    XmlElement apply(XmlElement tree, AttributeValue.Uniforms numbers, long block, String file)
+    XmlElement apply(XmlElement tree, AttributeValue.UniformSource numbers, long block, String file)
             throws ScenarioException;
 
     /** Sets an attribute. */
@@ -31,7 +31,7 @@ sealed interface ScenarioChange {
         }
 
         @Override
-        public XmlElement apply(XmlElement tree, AttributeValue.Uniforms numbers, long block, String file)
+        public XmlElement apply(XmlElement tree, AttributeValue.UniformSource numbers, long block, String file)
                 throws ScenarioException {
             return ScenarioTree.set(tree, path, value.text(numbers, block), file, location);
         }
@@ -49,7 +49,7 @@ sealed interface ScenarioChange {
         }
 
         @Override
-        public XmlElement apply(XmlElement tree, AttributeValue.Uniforms numbers, long block, String file) {
+        public XmlElement apply(XmlElement tree, AttributeValue.UniformSource numbers, long block, String file) {
             Map<String, String> texts = new LinkedHashMap<>();
             attributes.forEach((name, value) -> texts.put(name, value.text(numbers, block)));
             return ScenarioTree.addFault(tree, texts, location);

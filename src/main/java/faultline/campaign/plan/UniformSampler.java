@@ -8,7 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
  * runs can be made in any order on any machine. All runs of a block have the same draws and can therefore be compared
  * in pairs.
  */
-final class UniformSampler implements AttributeValue.Uniforms {
+final class UniformSampler implements AttributeValue.UniformSource {
 
     private static final long GAMMA = 0x9E3779B97F4A7C15L;
 

@@ -50,7 +50,8 @@ public final class ValueSyntax {
         String trimmed = text.strip();
         Matcher choice = CHOICE.matcher(trimmed);
         if (choice.matches()) {
-            return Optional.of(List.of(new AttributeValue.Drawn(stream, new DrawRange.Words(words(choice.group(1))))));
+            return Optional.of(
+                    List.of(new AttributeValue.DrawnValue(stream, new DrawRange.Words(words(choice.group(1))))));
         }
         Matcher interval = INTERVAL.matcher(trimmed);
         if (interval.matches()) {
@@ -75,7 +76,8 @@ public final class ValueSyntax {
             return Optional.empty();
         }
         if (interval.group(3) == null) {
-            return Optional.of(List.of(new AttributeValue.Drawn(stream, new DrawRange.Uniform(from.get(), to.get()))));
+            return Optional.of(
+                    List.of(new AttributeValue.DrawnValue(stream, new DrawRange.Uniform(from.get(), to.get()))));
         }
         int count = Integer.parseInt(interval.group(3));
         return count < 2 || count > MAX_VALUES

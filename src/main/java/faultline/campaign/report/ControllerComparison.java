@@ -43,7 +43,7 @@ public final class ControllerComparison {
                 .toList()));
         for (ControllerRuns controller : controllers) {
             controller.runs().forEach(run -> out.append(row(controller, run)));
-            for (ControllerRuns.Broken broken : controller.broken()) {
+            for (ControllerRuns.FailedRun broken : controller.broken()) {
                 List<String> cells = new ArrayList<>(List.of(controller.controller(), "" + broken.seed()));
                 Arrays.stream(Metric.values()).forEach(metric -> cells.add(""));
                 cells.addAll(List.of("", "", broken.reason()));

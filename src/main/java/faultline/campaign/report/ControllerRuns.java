@@ -11,7 +11,7 @@ import java.util.List;
  * @param runs the runs that were completed, in the order of their seeds
  * @param broken the runs that failed
  */
-public record ControllerRuns(String controller, List<ComparedRun> runs, List<Broken> broken) {
+public record ControllerRuns(String controller, List<ComparedRun> runs, List<FailedRun> broken) {
 
     /**
      * Creates the runs of one controller, from copies of the lists.
@@ -49,5 +49,5 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Bro
      * @param seed the seed of its random numbers
      * @param reason one sentence
      */
-    public record Broken(long seed, String reason) {}
+    public record FailedRun(long seed, String reason) {}
 }

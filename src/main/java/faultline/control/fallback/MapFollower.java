@@ -87,10 +87,10 @@ public final class MapFollower {
     private final SensorDiagnosis diagnosis;
     private double wantedDistance;
     private final LocalMap map = new LocalMap();
-    private final Heading heading = new Heading(map);
+    private final FreeDirectionFinder directionFinder = new FreeDirectionFinder(map);
     private final NoProgressDetector progress = new NoProgressDetector();
     private RobotSpec robot;
-    private Gear gear = Gear.FORWARDS;
+    private DriveDirection driveDirection = DriveDirection.FORWARDS;
     private boolean stuck;
     private FollowerState state = FollowerState.FOLLOW;
     private double wall;
@@ -119,8 +119,8 @@ public final class MapFollower {
      * @param atWall whether the robot is already at the wall
      */
     public void begin(boolean atWall) {
-        gear = Gear.of(diagnosis);
-        direction = atWall ? at().heading() : gear.leading(at().heading());
+        driveDirection = DriveDirection.of(diagnosis);
+        direction = atWall ? at().heading() : driveDirection.leading(at().heading());
         wall = direction + QUARTER;
         sinceWall = atWall ? LOST / 2 : LOST + 1;
         untilPlan = 0;
@@ -144,7 +144,7 @@ public final class MapFollower {
         sinceWall += Math.abs(at().rolled());
         if (untilPlan <= 0) {
             untilPlan = scan.isActive() ? SCAN_PLANNING : PLANNING;
-            gear = Gear.of(diagnosis);
+            driveDirection = DriveDirection.of(diagnosis);
             map.refresh(diagnosis, diagnosis.sensors(), MEMORY, robot.boundingRadius() + NEAR);
             plan();
             wallControl = measured();
@@ -166,7 +166,7 @@ public final class MapFollower {
     }
 
     private double known(double towards) {
-        return heading.known(at(), towards, 0.6, robot.length() / 2, robot.width() / 2);
+        return directionFinder.known(at(), towards, 0.6, robot.length() / 2, robot.width() / 2);
     }
 
     /**
@@ -206,9 +206,9 @@ public final class MapFollower {
             checkKnown();
             return;
         }
-        double open = heading.along(at(), wall, LOOK_AHEAD, wanted());
+        double open = directionFinder.along(at(), wall, LOOK_AHEAD, wanted());
         if (Double.isNaN(open)) {
-            open = heading.along(at(), wall, LOOK_AHEAD, radius());
+            open = directionFinder.along(at(), wall, LOOK_AHEAD, radius());
         }
         if (Double.isNaN(open)) {
             open = direction;
@@ -225,7 +225,7 @@ public final class MapFollower {
      */
     private void leaveDeadEnd() {
         double turn = wall - direction;
-        boolean turned = Math.abs(Angles.difference(gear.leading(at().heading()), direction)) < ASIDE;
+        boolean turned = Math.abs(Angles.difference(driveDirection.leading(at().heading()), direction)) < ASIDE;
         if (turned && turn > TURNED_BACK) {
             double left = bearingOfWall(direction + QUARTER);
             wall = Double.isNaN(left) ? wall : left;
@@ -269,18 +269,18 @@ public final class MapFollower {
         double margin = 0;
         for (int i = 0; i < diagnosis.sensors(); i++) {
             if (diagnosis.isTrusted(i)) {
-                double turn = turnFor(diagnosis.cone(i), heading.unknownX(), heading.unknownY());
+                double turn = turnFor(diagnosis.cone(i), directionFinder.unknownX(), directionFinder.unknownY());
                 if (Double.isNaN(best) || Math.abs(turn) < Math.abs(best)) {
                     best = turn;
                     margin = isSideways(diagnosis.cone(i)) ? SCAN_MARGIN : 0;
                 }
             }
         }
-        scan.start(best, margin, heading.unknownX(), heading.unknownY());
+        scan.start(best, margin, directionFinder.unknownX(), directionFinder.unknownY());
     }
 
     private boolean isSideways(MountedCone cone) {
-        return Math.abs(Angles.difference(gear.leading(0), cone.bearing())) > SIDEWAYS;
+        return Math.abs(Angles.difference(driveDirection.leading(0), cone.bearing())) > SIDEWAYS;
     }
 
     /** Returns the angle to turn until a cone's axis points at a place. */
@@ -298,14 +298,14 @@ public final class MapFollower {
             omega = scan.sign() * turnRate(1);
             return;
         }
-        double off = Angles.difference(gear.leading(at().heading()), direction);
+        double off = Angles.difference(driveDirection.leading(at().heading()), direction);
         if (Math.abs(off) > ASIDE) {
             v = 0;
             omega = Math.copySign(turnRate(RETURN_RATE), off);
             return;
         }
         double rate = turnRate(1);
-        v = gear.velocity(robot.speed() * Math.max(0.3, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE)));
+        v = driveDirection.velocity(robot.speed() * Math.max(0.3, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE)));
         omega = Math.max(-rate, Math.min(rate, STEERING * off));
     }
 
@@ -321,14 +321,14 @@ public final class MapFollower {
         if (known >= NEEDED) {
             return;
         }
-        if (scan.mayContinueAt(heading.unknownX(), heading.unknownY())) {
+        if (scan.mayContinueAt(directionFinder.unknownX(), directionFinder.unknownY())) {
             startScan();
             return;
         }
         // Everything visible has been seen, so unknown places now count as surfaces.
         double far = known + radius();
         diagnosis.markUnseen(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
-        diagnosis.markUnseen(heading.unknownX(), heading.unknownY());
+        diagnosis.markUnseen(directionFinder.unknownX(), directionFinder.unknownY());
     }
 
     /** {@return whether the robot has made no progress since this follower started, or for a long time} */

@@ -47,11 +47,11 @@ record GuidePage(HTMLEditorKit kit, Document document) {
 
     /** Lays the text out once, so that classes and fonts are loaded when the event dispatch thread does so. */
     private static void layOut(String text) {
-        BasicHTML.createHTMLView(new Nowhere(), text).setSize(TRIAL_WIDTH, TRIAL_WIDTH);
+        BasicHTML.createHTMLView(new DetachedComponent(), text).setSize(TRIAL_WIDTH, TRIAL_WIDTH);
     }
 
     /** A component that is in no window, so that what it shows may be laid out on any thread. */
-    private static final class Nowhere extends JComponent {
+    private static final class DetachedComponent extends JComponent {
         @Override
         public void revalidate() {
             // There is nothing to lay out.

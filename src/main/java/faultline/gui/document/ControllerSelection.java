@@ -44,7 +44,7 @@ public record ControllerSelection(String text, List<Path> jars) {
         if (isScenarios()) {
             return setup;
         }
-        ProcessControllerSource.Terms terms = new ProcessControllerSource.Terms(
+        ProcessControllerSource.ChildSettings terms = new ProcessControllerSource.ChildSettings(
                 "faultline", scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
         return ControllerChoice.withJars(
                 jars, () -> ControllerChoice.apply(text, setup, new ProcessControllerSource(text, terms)));

@@ -120,7 +120,7 @@ final class StripPainter {
         double from = x(item.start());
         double to = x(item.end());
         if (to > from) {
-            int sensor = item.lane() instanceof Lane.OfSensor lane ? scale.sensorIndex(lane.id()) : 0;
+            int sensor = item.lane() instanceof Lane.SensorLane lane ? scale.sensorIndex(lane.id()) : 0;
             Color colour = item.colours(theme.palette(), sensor).outline();
             surface.fill(
                     new Rectangle2D.Double(from, area.y(), to - from, area.height()),

@@ -24,16 +24,16 @@ public final class FloorPlanFiles {
     }
 
     /** A floor plan, and the scenario that is made of it. */
-    record Import(FloorPlan plan, Scenario scenario) {}
+    record ImportedPlan(FloorPlan plan, Scenario scenario) {}
 
     /**
      * Reads a floor plan; takes some time. The side of a pixel, metres, is that of an image; a YAML file gives its own.
      */
-    static Import read(Path file, double resolution, FloorPlan.Options options) throws IOException {
+    static ImportedPlan read(Path file, double resolution, FloorPlan.Options options) throws IOException {
         FloorPlan plan = FloorPlan.isYaml(file)
                 ? FloorPlan.readYaml(file, options)
                 : FloorPlan.readImage(file, BigDecimal.valueOf(resolution), options);
         String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-        return new Import(plan, FloorPlanScenario.create(name, plan));
+        return new ImportedPlan(plan, FloorPlanScenario.create(name, plan));
     }
 }

@@ -46,7 +46,7 @@ public final class ImportForm extends JPanel {
     private static final double MAX_SMOOTHING = 20;
 
     /** A read plan with its picture. */
-    private record Preview(FloorPlanFiles.Import read, BufferedImage picture) {}
+    private record Preview(FloorPlanFiles.ImportedPlan read, BufferedImage picture) {}
 
     private final transient Path file;
     private final NumberSpinner resolution =
@@ -111,7 +111,7 @@ public final class ImportForm extends JPanel {
     }
 
     private static Preview read(Path file, double side, FloorPlan.Options options, Palette palette) throws IOException {
-        FloorPlanFiles.Import read = FloorPlanFiles.read(file, side, options);
+        FloorPlanFiles.ImportedPlan read = FloorPlanFiles.read(file, side, options);
         try (Simulation simulation = new Simulation(read.scenario().setup(), ControllerMode.DIRECT)) {
             BufferedImage image = new RenderRequest(
                             simulation.frame(),

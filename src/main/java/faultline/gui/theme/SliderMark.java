@@ -14,13 +14,13 @@ import java.util.function.Function;
  * @param colour its colour by theme
  * @param text the text of its tool tip
  */
-public record SliderMark(int value, Form form, Function<Theme, Color> colour, String text) {
+public record SliderMark(int value, MarkShape form, Function<Theme, Color> colour, String text) {
 
     private static final double TICK_LENGTH = 12;
     private static final double RADIUS = 4.5;
 
-    /** The forms, which differ so that no meaning depends on colour alone. */
-    public enum Form {
+    /** The shapes, which differ so that no meaning depends on colour alone. */
+    public enum MarkShape {
         /** A short line across the track. */
         TICK,
         /** A disc. */
@@ -29,13 +29,13 @@ public record SliderMark(int value, Form form, Function<Theme, Color> colour, St
 
     /** Paints the mark at a point of the track. */
     void paint(Graphics2D g, double x, double y) {
-        if (form == Form.DISC) {
+        if (form == MarkShape.DISC) {
             g.setColor(Theme.currentColours().background());
             g.fill(new Ellipse2D.Double(x - RADIUS - 1, y - RADIUS - 1, 2 * RADIUS + 2, 2 * RADIUS + 2));
         }
         g.setColor(colour.apply(Theme.current()));
         g.fill(
-                form == Form.DISC
+                form == MarkShape.DISC
                         ? new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS)
                         : new Rectangle2D.Double(x - 0.75, y - TICK_LENGTH / 2, 1.5, TICK_LENGTH));
     }

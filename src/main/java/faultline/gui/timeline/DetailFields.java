@@ -88,7 +88,7 @@ final class DetailFields implements Command.SetupVisitor<Supplier<Optional<Comma
     }
 
     private void updateRange(FaultFields<FaultKind, Fault> fault) {
-        if (lane.getSelectedItem() instanceof Lane.OfSensor sensor) {
+        if (lane.getSelectedItem() instanceof Lane.SensorLane sensor) {
             robot.sensor(sensor.id()).ifPresent(spec -> fault.setRange(spec.range()));
         }
     }

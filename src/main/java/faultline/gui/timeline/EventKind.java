@@ -86,7 +86,7 @@ public enum EventKind {
         @Override
         public EventKind visit(RunEvent.CommandExecuted event) {
             CommandRole role = CommandRole.of(event.command());
-            if (role.effect() != CommandRole.Effect.FAULT) {
+            if (role.effect() != CommandRole.ChangedProperty.FAULT) {
                 return COMMAND;
             }
             return role.isFaultStart() ? FAULT : REPAIR;

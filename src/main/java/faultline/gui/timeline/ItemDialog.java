@@ -43,7 +43,7 @@ final class ItemDialog {
     }
 
     private void addLaneField() {
-        String name = item.lane() instanceof Lane.OfSensor ? "faults.sensor" : "timeline.motors";
+        String name = item.lane() instanceof Lane.SensorLane ? "faults.sensor" : "timeline.motors";
         lane.getAccessibleContext().setAccessibleName(Messages.get(name));
         lane.setRenderer(NamedChoice.rendererOf(Lane::label));
         form.add(FormConstraints.label(name, lane), FormConstraints.cell(0, 0));

@@ -8,7 +8,7 @@ import faultline.robot.MotorSide;
 public sealed interface Lane {
 
     /** The lane of all items that concern neither a sensor nor motors. */
-    Lane OTHER = new Other();
+    Lane OTHER = new OtherLane();
 
     /** Returns the name that the window shows. */
     String label();
@@ -18,7 +18,7 @@ public sealed interface Lane {
      *
      * @param id the id of the sensor
      */
-    record OfSensor(String id) implements Lane {
+    record SensorLane(String id) implements Lane {
         @Override
         public String label() {
             return id;
@@ -30,7 +30,7 @@ public sealed interface Lane {
      *
      * @param side the side
      */
-    record OfMotors(MotorSide side) implements Lane {
+    record MotorLane(MotorSide side) implements Lane {
         @Override
         public String label() {
             return MotorFaultText.motors(side);
@@ -38,7 +38,7 @@ public sealed interface Lane {
     }
 
     /** See {@link #OTHER}. */
-    record Other() implements Lane {
+    record OtherLane() implements Lane {
         @Override
         public String label() {
             return Messages.get("timeline.world");

@@ -93,7 +93,7 @@ final class LaneActions {
 
     /** Asks for the time at which the sensor of the selected lane is switched off and on again. */
     void addSwitch(double start) {
-        if (view.selectedLane() instanceof Lane.OfSensor sensor) {
+        if (view.selectedLane() instanceof Lane.SensorLane sensor) {
             add(TimelineItem.from(new Command.SwitchSensor(sensor.id(), false), start));
         }
     }
@@ -168,7 +168,7 @@ final class LaneActions {
     void showMenu(Component invoker, int x, int y, double time) {
         JPopupMenu menu = new JPopupMenu();
         boolean item = view.selection() != LaneLayout.NONE;
-        boolean sensorLane = view.selectedLane() instanceof Lane.OfSensor;
+        boolean sensorLane = view.selectedLane() instanceof Lane.SensorLane;
         add(menu, "timeline.menu.edit", item, this::editOrAdd);
         add(menu, "timeline.menu.fault", view.selectedLane() != Lane.OTHER, () -> addFault(time));
         add(menu, "timeline.menu.switch", sensorLane, () -> addSwitch(time));

@@ -129,7 +129,7 @@ final class LaneLayout {
     }
 
     /** The part of an item that the mouse takes hold of. */
-    enum Grip {
+    enum ItemPart {
         START,
         BODY,
         END
@@ -141,7 +141,7 @@ final class LaneLayout {
      * @param index the index of the item
      * @param part its part
      */
-    record Hit(int index, Grip part) {}
+    record ItemHit(int index, ItemPart part) {}
 
     /** Returns whether this is the layout of these very lists. */
     boolean isOf(List<Lane> otherLanes, List<TimelineItem> otherItems, TimeAxis otherAxis, int top, int height) {
@@ -262,24 +262,24 @@ final class LaneLayout {
     }
 
     /** Returns the item at a point; null if there is none. */
-    Hit hit(double x, double y) {
+    ItemHit hit(double x, double y) {
         for (int i = items.size() - 1; i >= 0; i--) {
             Rectangle2D bounds = bounds(i);
             if (y >= bounds.getMinY()
                     && y <= bounds.getMaxY()
                     && x >= bounds.getMinX() - EDGE
                     && x <= bounds.getMaxX() + EDGE) {
-                return new Hit(i, items.get(i).isInterval() ? part(bounds, x) : Grip.BODY);
+                return new ItemHit(i, items.get(i).isInterval() ? part(bounds, x) : ItemPart.BODY);
             }
         }
         return null;
     }
 
-    private static Grip part(Rectangle2D bounds, double x) {
+    private static ItemPart part(Rectangle2D bounds, double x) {
         double edge = Math.min(EDGE, bounds.getWidth() / 3);
         if (x >= bounds.getMaxX() - edge) {
-            return Grip.END;
+            return ItemPart.END;
         }
-        return x <= bounds.getMinX() + edge ? Grip.START : Grip.BODY;
+        return x <= bounds.getMinX() + edge ? ItemPart.START : ItemPart.BODY;
     }
 }

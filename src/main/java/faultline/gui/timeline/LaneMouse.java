@@ -18,7 +18,7 @@ final class LaneMouse extends MouseAdapter {
     private final TimelineEditor editor;
     private final LaneActions actions;
     private MouseEvent pressed;
-    private LaneLayout.Hit hit;
+    private LaneLayout.ItemHit hit;
 
     LaneMouse(LaneView view, TimelineEditor editor, LaneActions actions) {
         this.view = view;
@@ -123,8 +123,8 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent event) {
-        LaneLayout.Hit under = view.lanes().hit(event.getX(), event.getY());
-        boolean edge = under != null && under.part() != LaneLayout.Grip.BODY;
+        LaneLayout.ItemHit under = view.lanes().hit(event.getX(), event.getY());
+        boolean edge = under != null && under.part() != LaneLayout.ItemPart.BODY;
         view.setCursor(Cursor.getPredefinedCursor(
                 edge ? Cursor.E_RESIZE_CURSOR : under == null ? Cursor.DEFAULT_CURSOR : Cursor.HAND_CURSOR));
     }

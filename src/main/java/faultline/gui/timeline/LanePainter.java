@@ -78,7 +78,7 @@ final class LanePainter {
             Color colour =
                     view.isEnabled() ? theme.palette().text() : theme.palette().muted();
             paintText(name, 2.0 * LABEL_ROOM + SWATCH, y, lanes.rowHeight(), room, colour);
-            if (lanes.lanes().get(lane) instanceof Lane.OfSensor) {
+            if (lanes.lanes().get(lane) instanceof Lane.SensorLane) {
                 paintSwatch(lane);
             }
         }

@@ -272,7 +272,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     @Override
     public String getToolTipText(MouseEvent event) {
         LaneLayout lanes = lanes();
-        LaneLayout.Hit hit = lanes.hit(event.getX(), event.getY());
+        LaneLayout.ItemHit hit = lanes.hit(event.getX(), event.getY());
         if (hit != null) {
             return TimelineText.description(lanes.items().get(hit.index()));
         }

@@ -6,7 +6,7 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.SliderMark;
-import faultline.gui.theme.SliderMark.Form;
+import faultline.gui.theme.SliderMark.MarkShape;
 import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
@@ -56,13 +56,13 @@ final class RunMarks {
                 .forEach(result::addItem);
         if (end > 0) {
             result.marks.add(new SliderMark(
-                    value(end), Form.TICK, theme -> theme.palette().text(), Messages.get("time.end")));
+                    value(end), MarkShape.TICK, theme -> theme.palette().text(), Messages.get("time.end")));
         }
         for (long i = log.firstIndex(); i < log.endIndex(); i++) {
             if (log.get(i) instanceof RunEvent.Collided collided) {
                 result.marks.add(new SliderMark(
                         value(collided.tick()),
-                        Form.DISC,
+                        MarkShape.DISC,
                         theme -> theme.palette().collision(),
                         EventText.sentence(collided)));
             }
@@ -80,13 +80,13 @@ final class RunMarks {
 
     private void addEvent(RunEvent event) {
         marks.add(new SliderMark(
-                value(event.tick()), Form.TICK, theme -> theme.palette().muted(), EventText.sentence(event)));
+                value(event.tick()), MarkShape.TICK, theme -> theme.palette().muted(), EventText.sentence(event)));
     }
 
     private void addItem(TimelineItem item) {
         marks.add(new SliderMark(
                 value(Math.round(item.start() / dt)),
-                Form.TICK,
+                MarkShape.TICK,
                 theme -> item.isInterval()
                         ? item.colours(theme.palette(), sensorIndex(item)).outline()
                         : theme.palette().muted(),
@@ -96,7 +96,7 @@ final class RunMarks {
     private int sensorIndex(TimelineItem item) {
         for (int i = 0; i < frame.snapshot().sensors().size(); i++) {
             if (item.lane()
-                    .equals(new Lane.OfSensor(
+                    .equals(new Lane.SensorLane(
                             frame.snapshot().sensors().get(i).spec().id()))) {
                 return i;
             }

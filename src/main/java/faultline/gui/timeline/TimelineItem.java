@@ -45,10 +45,10 @@ public record TimelineItem(Command command, double start, double end) {
      * switched off.
      */
     public SensorColours colours(Palette palette, int sensor) {
-        if (role().effect() == CommandRole.Effect.SWITCH) {
+        if (role().effect() == CommandRole.ChangedProperty.SWITCH) {
             return new SensorColours(palette.muted(), palette.muted());
         }
-        return lane() instanceof Lane.OfSensor
+        return lane() instanceof Lane.SensorLane
                 ? palette.sensorColours(sensor)
                 : new SensorColours(palette.robot(), palette.robotOutline());
     }

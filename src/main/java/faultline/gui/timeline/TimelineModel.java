@@ -23,7 +23,7 @@ public final class TimelineModel {
     private static final int NONE = -1;
 
     private final List<TimedCommand> commands;
-    private final List<Pair> pairs = new ArrayList<>();
+    private final List<PairedCommands> pairs = new ArrayList<>();
     private final List<TimelineItem> items;
     /**
      * An item and the indices of its commands.
@@ -32,10 +32,10 @@ public final class TimelineModel {
      * @param first the index of its first command
      * @param last the index of the command that ends it, or {@link #NONE}
      */
-    private record Pair(TimelineItem item, int first, int last) {
+    private record PairedCommands(TimelineItem item, int first, int last) {
 
-        Pair endedBy(TimedCommand later, int index) {
-            return new Pair(item.withTimes(item.start(), later.time()), first, index);
+        PairedCommands endedBy(TimedCommand later, int index) {
+            return new PairedCommands(item.withTimes(item.start(), later.time()), first, index);
         }
     }
 
@@ -47,7 +47,7 @@ public final class TimelineModel {
                 .sorted(Comparator.comparingDouble(index -> commands.get(index).time()))
                 .forEachOrdered(index -> add(index, open));
         pairs.sort(Comparator.comparingDouble(pair -> pair.item().start()));
-        items = pairs.stream().map(Pair::item).toList();
+        items = pairs.stream().map(PairedCommands::item).toList();
     }
 
     /** Returns the model of a timeline. */
@@ -65,7 +65,7 @@ public final class TimelineModel {
         boolean endsOthers = true;
         while (endsOthers && !ended.isEmpty()) {
             int number = ended.remove();
-            Pair pair = pairs.get(number);
+            PairedCommands pair = pairs.get(number);
             if (pair.last() == NONE) {
                 pairs.set(number, pair.endedBy(timed, index));
                 endsOthers = !pair.item().endings().get(0).equals(timed.command());
@@ -73,7 +73,7 @@ public final class TimelineModel {
             }
         }
         if (!found) {
-            Pair pair = new Pair(TimelineItem.from(timed.command(), timed.time()), index, NONE);
+            PairedCommands pair = new PairedCommands(TimelineItem.from(timed.command(), timed.time()), index, NONE);
             pair.item().endings().forEach(ending -> open.computeIfAbsent(ending, key -> new ArrayDeque<>())
                     .add(pairs.size()));
             pairs.add(pair);
@@ -107,7 +107,7 @@ public final class TimelineModel {
         return replaced(pairs.get(item), changed.commands());
     }
 
-    private List<TimedCommand> replaced(Pair pair, List<TimedCommand> replacement) {
+    private List<TimedCommand> replaced(PairedCommands pair, List<TimedCommand> replacement) {
         List<TimedCommand> result = new ArrayList<>();
         for (int i = 0; i < commands.size(); i++) {
             if (i == pair.first()) {
@@ -122,7 +122,7 @@ public final class TimelineModel {
     }
 
     /** Returns commands that end the other items which the last command of a pair ends. */
-    private List<TimedCommand> endsOfOthers(Pair pair) {
+    private List<TimedCommand> endsOfOthers(PairedCommands pair) {
         return pairs.stream()
                 .filter(other -> other != pair && other.last() == pair.last())
                 .map(other -> other.item().commands().get(1))

@@ -134,9 +134,9 @@ public final class TimelinePanel extends JPanel {
 
     private static List<Lane> lanesOf(Stream<SensorSpec> sensors) {
         List<Lane> result = new ArrayList<>();
-        sensors.forEach(sensor -> result.add(new Lane.OfSensor(sensor.id())));
+        sensors.forEach(sensor -> result.add(new Lane.SensorLane(sensor.id())));
         for (MotorSide side : MotorSide.values()) {
-            result.add(new Lane.OfMotors(side));
+            result.add(new Lane.MotorLane(side));
         }
         result.add(Lane.OTHER);
         return result;

@@ -93,7 +93,7 @@ class ControllerChoiceTest {
     }
 
     private void choose(String command) {
-        ProcessControllerSource.Terms terms = new ProcessControllerSource.Terms(
+        ProcessControllerSource.ChildSettings terms = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         runOnEdt(() -> {
             workspace.setControllerChoice(

@@ -48,7 +48,7 @@ class CommandRoleTest {
     private record Row(
             Command command,
             String lane,
-            CommandRole.Effect effect,
+            CommandRole.ChangedProperty effect,
             List<Command> endings,
             String label,
             boolean details) {}
@@ -57,14 +57,14 @@ class CommandRoleTest {
             row(
                     new Command.InjectFault("left", STUCK),
                     "left",
-                    CommandRole.Effect.FAULT,
+                    CommandRole.ChangedProperty.FAULT,
                     List.of(new Command.ClearFault("left", STUCK), new Command.ClearFaults("left")),
                     "stuck 0.30 m",
                     true),
             row(
                     new Command.InjectMotorFault(MotorSide.LEFT, NO_DRIVE),
                     "left motors",
-                    CommandRole.Effect.FAULT,
+                    CommandRole.ChangedProperty.FAULT,
                     List.of(
                             new Command.ClearMotorFault(MotorSide.LEFT, NO_DRIVE),
                             new Command.ClearMotorFaults(MotorSide.LEFT)),
@@ -73,42 +73,46 @@ class CommandRoleTest {
             row(
                     new Command.SwitchSensor("left", false),
                     "left",
-                    CommandRole.Effect.SWITCH,
+                    CommandRole.ChangedProperty.SWITCH,
                     List.of(new Command.SwitchSensor("left", true)),
                     "switched off",
                     false),
-            moment(new Command.SwitchSensor("left", true), "left", CommandRole.Effect.SWITCH, false),
-            moment(new Command.ClearFault("left", STUCK), "left", CommandRole.Effect.FAULT, false),
-            moment(new Command.ClearFaults("left"), "left", CommandRole.Effect.FAULT, false),
+            moment(new Command.SwitchSensor("left", true), "left", CommandRole.ChangedProperty.SWITCH, false),
+            moment(new Command.ClearFault("left", STUCK), "left", CommandRole.ChangedProperty.FAULT, false),
+            moment(new Command.ClearFaults("left"), "left", CommandRole.ChangedProperty.FAULT, false),
             moment(
                     new Command.ClearMotorFault(MotorSide.LEFT, NO_DRIVE),
                     "left motors",
-                    CommandRole.Effect.FAULT,
+                    CommandRole.ChangedProperty.FAULT,
                     false),
-            moment(new Command.ClearMotorFaults(MotorSide.LEFT), "left motors", CommandRole.Effect.FAULT, false),
+            moment(
+                    new Command.ClearMotorFaults(MotorSide.LEFT),
+                    "left motors",
+                    CommandRole.ChangedProperty.FAULT,
+                    false),
             moment(
                     new Command.ConfigureSensor(RobotSpec.DEFAULT.sensors().get(0)),
                     "front",
-                    CommandRole.Effect.SETTING,
+                    CommandRole.ChangedProperty.SETTING,
                     false),
-            moment(new Command.SetPlatform(1, 1, 1), "other", CommandRole.Effect.SETTING, false),
+            moment(new Command.SetPlatform(1, 1, 1), "other", CommandRole.ChangedProperty.SETTING, false),
             moment(
                     new Command.ConfigureController(ControllerSpec.WallFollowing.DEFAULT),
                     "other",
-                    CommandRole.Effect.SETTING,
+                    CommandRole.ChangedProperty.SETTING,
                     true),
             moment(
                     new Command.MoveObstacle("desk", new Pose(1.000001, 2, 0.1)),
                     "other",
-                    CommandRole.Effect.OBSTACLE,
+                    CommandRole.ChangedProperty.OBSTACLE,
                     true),
-            moment(new Command.PlaceObstacle(DESK), "other", CommandRole.Effect.OBSTACLE, false),
-            moment(new Command.RemoveObstacle("desk"), "other", CommandRole.Effect.OBSTACLE, false));
+            moment(new Command.PlaceObstacle(DESK), "other", CommandRole.ChangedProperty.OBSTACLE, false),
+            moment(new Command.RemoveObstacle("desk"), "other", CommandRole.ChangedProperty.OBSTACLE, false));
 
     private static Row row(
             Command command,
             String lane,
-            CommandRole.Effect effect,
+            CommandRole.ChangedProperty effect,
             List<Command> endings,
             String label,
             boolean details) {
@@ -116,7 +120,7 @@ class CommandRoleTest {
     }
 
     /** A command that is over at once has the label of the event log. */
-    private static Row moment(Command command, String lane, CommandRole.Effect effect, boolean details) {
+    private static Row moment(Command command, String lane, CommandRole.ChangedProperty effect, boolean details) {
         return new Row(command, lane, effect, List.of(), CommandText.format(command), details);
     }
 
@@ -147,8 +151,8 @@ class CommandRoleTest {
             assertEquals(row.command(), role.inLane().apply(role.lane()));
             assertEquals(row.command(), role.inLane().apply(Lane.OTHER));
         }
-        Lane rear = new Lane.OfSensor("rear");
-        Lane right = new Lane.OfMotors(MotorSide.RIGHT);
+        Lane rear = new Lane.SensorLane("rear");
+        Lane right = new Lane.MotorLane(MotorSide.RIGHT);
         assertEquals(
                 List.of(
                         new Command.InjectFault("rear", STUCK),

@@ -61,7 +61,7 @@ class LaneActionsTest {
                     .withTimeline(List.of(
                             new TimedCommand(START, new Command.InjectFault("left", STUCK)),
                             new TimedCommand(END, new Command.ClearFault("left", STUCK))))));
-            view.update(Stream.<Lane>of(new Lane.OfSensor("left"), Lane.OTHER).toList(), new TimeAxis(0, 800, 60), 0);
+            view.update(Stream.<Lane>of(new Lane.SensorLane("left"), Lane.OTHER).toList(), new TimeAxis(0, 800, 60), 0);
             view.select(0, 0);
         });
     }
@@ -137,7 +137,7 @@ class LaneActionsTest {
     @Test
     void lanesStayAtTheirTopIfTheFirstItemIsVisibleThere() {
         List<Lane> lanes = Stream.of("1", "left", "3", "4", "5", "6")
-                .<Lane>map(Lane.OfSensor::new)
+                .<Lane>map(Lane.SensorLane::new)
                 .toList();
         runOnEdt(() -> {
             JScrollPane pane = new JScrollPane(view);
@@ -159,7 +159,7 @@ class LaneActionsTest {
     @Test
     void theLanesOfAnotherScenarioBeginWithTheFirstThatHasAnItemBelowTheRuler() {
         List<Lane> ten = Stream.of("1", "2", "3", "4", "5", "left", "7", "8", "9", "10", "11", "12")
-                .<Lane>map(Lane.OfSensor::new)
+                .<Lane>map(Lane.SensorLane::new)
                 .toList();
         JScrollPane scroll = callOnEdt(() -> {
             JScrollPane pane = new JScrollPane(view);

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 class LaneLayoutTest {
 
     private static final List<Lane> LANES =
-            List.of(new Lane.OfSensor("front"), new Lane.OfSensor("left"), new Lane.OfSensor("rear"), Lane.OTHER);
+            List.of(new Lane.SensorLane("front"), new Lane.SensorLane("left"), new Lane.SensorLane("rear"), Lane.OTHER);
     private static final int TOP = 14;
     private static final int ROW = 12;
 
@@ -70,7 +70,7 @@ class LaneLayoutTest {
         for (int i = 0; i < expected.length; i++) {
             assertEquals(expected[i], lanes.laneAt(TOP + (i - 0.5) * ROW));
         }
-        assertEquals(new LaneLayout.Hit(1, LaneLayout.Grip.BODY), lanes.hit(80 + 150, TOP + 2.5 * ROW));
+        assertEquals(new LaneLayout.ItemHit(1, LaneLayout.ItemPart.BODY), lanes.hit(80 + 150, TOP + 2.5 * ROW));
     }
 
     @Test

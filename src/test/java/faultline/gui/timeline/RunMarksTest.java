@@ -50,7 +50,7 @@ class RunMarksTest {
                 List.of(setup.tickAt(1.5), setup.ticks(), frame.snapshot().tick()),
                 marks.stream().map(mark -> (long) mark.value()).toList());
         assertEquals(
-                List.of(SliderMark.Form.TICK, SliderMark.Form.TICK, SliderMark.Form.DISC),
+                List.of(SliderMark.MarkShape.TICK, SliderMark.MarkShape.TICK, SliderMark.MarkShape.DISC),
                 marks.stream().map(SliderMark::form).toList());
         assertEquals("left: off, no reading, 1.50 – 2.50 s", marks.get(0).text());
         assertEquals(

@@ -122,7 +122,7 @@ class TimelineModelTest {
         TimelineItem item = TimelineModel.of(List.of(inject(1, "left", STUCK), clear(3, "left", STUCK)))
                 .items()
                 .get(0);
-        TimelineItem copy = item.inLane(new Lane.OfSensor("rear")).withTimes(10, 12);
+        TimelineItem copy = item.inLane(new Lane.SensorLane("rear")).withTimes(10, 12);
         List<TimedCommand> both = new ArrayList<>(item.commands());
         both.addAll(copy.commands());
         assertEquals(List.of("left 1.0 3.0", "rear 10.0 12.0"), spans(both));
@@ -139,7 +139,7 @@ class TimelineModelTest {
         TimelineItem item = TimelineModel.of(commands).items().get(0);
         assertEquals(
                 "right motors",
-                item.inLane(new Lane.OfMotors(MotorSide.RIGHT)).lane().label());
-        assertEquals(item, item.inLane(new Lane.OfSensor("left")), "a fault of motors is none of a sensor");
+                item.inLane(new Lane.MotorLane(MotorSide.RIGHT)).lane().label());
+        assertEquals(item, item.inLane(new Lane.SensorLane("left")), "a fault of motors is none of a sensor");
     }
 }

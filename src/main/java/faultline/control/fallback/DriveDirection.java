@@ -7,7 +7,7 @@ import faultline.control.diagnosis.SensorDiagnosis;
  * The direction in which the robot drives. If all trusted sensors look back, they see more of the path when the robot
  * drives backwards, and it does not have to turn around to see it.
  */
-enum Gear {
+enum DriveDirection {
     FORWARDS(0, 1),
     BACKWARDS(StrictMath.PI, -1);
 
@@ -22,13 +22,13 @@ enum Gear {
     private final double turn;
     private final double sign;
 
-    Gear(double turn, double sign) {
+    DriveDirection(double turn, double sign) {
         this.turn = turn;
         this.sign = sign;
     }
 
     /** Returns the gear for the trusted sensors: backwards if none of them looks ahead or faces the wall. */
-    static Gear of(SensorDiagnosis diagnosis) {
+    static DriveDirection of(SensorDiagnosis diagnosis) {
         for (int i = 0; i < diagnosis.sensors(); i++) {
             if (diagnosis.isTrusted(i) && looksAhead(diagnosis.cone(i))) {
                 return FORWARDS;

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The rear goes first if no trusted sensor looks ahead or faces the wall. */
-class GearTest {
+class DriveDirectionTest {
 
     @ParameterizedTest
     @CsvSource({
@@ -28,7 +28,7 @@ class GearTest {
         "-1, rear-right front-left, FORWARDS",
         "-1, rear-right left, BACKWARDS"
     })
-    void theRearGoesFirstIfAllTrustedSensorsLookBack(double side, String on, Gear expected) {
+    void theRearGoesFirstIfAllTrustedSensorsLookBack(double side, String on, DriveDirection expected) {
         List<String> trusted = List.of(on.split(" "));
         double[] readings = RobotSpec.DEFAULT.sensors().stream()
                 .map(SensorSpec::id)
@@ -36,14 +36,14 @@ class GearTest {
                 .toArray();
         SensorDiagnosis diagnosis = new SensorDiagnosis(side);
         diagnosis.update(new Observation(0, 0.01, RobotSpec.DEFAULT, readings), 0, 0, 1);
-        assertEquals(expected, Gear.of(diagnosis));
+        assertEquals(expected, DriveDirection.of(diagnosis));
     }
 
     @Test
     void backwardsTheRearLeadsAndVelocitiesAreNegative() {
-        assertEquals(0.5, Gear.FORWARDS.leading(0.5));
-        assertEquals(0.2, Gear.FORWARDS.velocity(0.2));
-        assertEquals(0.5 + Math.PI, Gear.BACKWARDS.leading(0.5));
-        assertEquals(-0.2, Gear.BACKWARDS.velocity(0.2));
+        assertEquals(0.5, DriveDirection.FORWARDS.leading(0.5));
+        assertEquals(0.2, DriveDirection.FORWARDS.velocity(0.2));
+        assertEquals(0.5 + Math.PI, DriveDirection.BACKWARDS.leading(0.5));
+        assertEquals(-0.2, DriveDirection.BACKWARDS.velocity(0.2));
     }
 }

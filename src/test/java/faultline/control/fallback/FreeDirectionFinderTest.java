@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class HeadingTest {
+class FreeDirectionFinderTest {
 
     private static final RobotSpec BLIND =
             RobotSpec.DEFAULT.withMotor(new MotorSpec(0, 0.1, 6)).withSensors(List.of());
@@ -23,9 +23,9 @@ class HeadingTest {
     private final SensorDiagnosis diagnosis = new SensorDiagnosis(1);
     private final DeadReckoning at = diagnosis.reckoning();
     private final LocalMap map = new LocalMap();
-    private final Heading heading = new Heading(map);
+    private final FreeDirectionFinder directionFinder = new FreeDirectionFinder(map);
 
-    HeadingTest() {
+    FreeDirectionFinderTest() {
         diagnosis.update(new Observation(0, 0.01, BLIND, new double[0]), 0, 0, 1);
         refresh(0.1);
     }
@@ -49,7 +49,7 @@ class HeadingTest {
     }
 
     private double degrees(double from, double length, double distance) {
-        return Math.toDegrees(heading.along(at, Math.toRadians(from), length, distance));
+        return Math.toDegrees(directionFinder.along(at, Math.toRadians(from), length, distance));
     }
 
     @Test
@@ -89,7 +89,7 @@ class HeadingTest {
         for (int side = 0; side < 360; side += 90) {
             wall(side, 0.3);
         }
-        assertTrue(Double.isNaN(heading.along(at, 0, LENGTH, DISTANCE)));
+        assertTrue(Double.isNaN(directionFinder.along(at, 0, LENGTH, DISTANCE)));
     }
 
     @Test
@@ -109,11 +109,12 @@ class HeadingTest {
     void theRobotCanRollUpToTheFirstUnknownPlace(double direction) {
         refresh(0.4);
         double radians = Math.toRadians(direction);
-        double known = heading.known(at, radians, 1, 0.1, 0.08);
+        double known = directionFinder.known(at, radians, 1, 0.1, 0.08);
         // The corners of the front leave the disc of 0.4 m first: 0.39 m ahead.
         assertEquals(0.39 - 0.125 - 0.015, known, 0.04);
-        double ahead = heading.unknownX() * Math.cos(radians) + heading.unknownY() * Math.sin(radians);
-        double across = -heading.unknownX() * Math.sin(radians) + heading.unknownY() * Math.cos(radians);
+        double ahead = directionFinder.unknownX() * Math.cos(radians) + directionFinder.unknownY() * Math.sin(radians);
+        double across =
+                -directionFinder.unknownX() * Math.sin(radians) + directionFinder.unknownY() * Math.cos(radians);
         assertEquals(known + 0.03 + 0.125, ahead, 1e-9);
         assertEquals(0.08, Math.abs(across), 0.08 + 1e-9);
     }
@@ -128,7 +129,7 @@ class HeadingTest {
             }
             LocalMap around = new LocalMap();
             around.refresh(fresh, 0, 1000, 0.5);
-            Heading strip = new Heading(around);
+            FreeDirectionFinder strip = new FreeDirectionFinder(around);
             double known = strip.known(fresh.reckoning(), 0, 0.3, 0.1, 0.08);
             assertEquals(0.06, known, 1e-9, "line " + side);
             assertEquals(0.215, strip.unknownX(), 1e-9);
@@ -139,6 +140,6 @@ class HeadingTest {
     @Test
     void theLimitIsReturnedIfAllIsKnown() {
         refresh(0.8);
-        assertEquals(0.3, heading.known(at, 0, 0.3, 0.1, 0.08));
+        assertEquals(0.3, directionFinder.known(at, 0, 0.3, 0.1, 0.08));
     }
 }

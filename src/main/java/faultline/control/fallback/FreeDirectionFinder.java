@@ -3,10 +3,10 @@ package faultline.control.fallback;
 import faultline.control.diagnosis.DeadReckoning;
 
 /**
- * The direction along the wall: the first one, clockwise from the direction of the wall, that keeps the wanted distance
- * from all surfaces.
+ * Finds the direction along the wall: the first one, clockwise from the direction of the wall, that keeps the wanted
+ * distance from all surfaces.
  */
-final class Heading {
+final class FreeDirectionFinder {
 
     private static final double STEP = StrictMath.toRadians(5);
     private static final int DIRECTIONS = 66;
@@ -17,7 +17,7 @@ final class Heading {
     private double unknownX;
     private double unknownY;
 
-    Heading(LocalMap map) {
+    FreeDirectionFinder(LocalMap map) {
         this.map = map;
     }
 

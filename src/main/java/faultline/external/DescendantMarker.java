@@ -12,18 +12,18 @@ import java.util.concurrent.atomic.AtomicLong;
  *
  * @param value the value of the variable, different for each child
  */
-record FamilyMark(String value) {
+record DescendantMarker(String value) {
 
     /** The name of the variable. */
     static final String VARIABLE = "FAULTLINE_CHILD";
 
     private static final AtomicLong SEQUENCE = new AtomicLong();
 
-    static FamilyMark create() {
+    static DescendantMarker create() {
         ProcessHandle own = ProcessHandle.current();
         long start =
                 own.info().startInstant().map(java.time.Instant::toEpochMilli).orElse(0L);
-        return new FamilyMark(own.pid() + "-" + start + "-" + SEQUENCE.incrementAndGet());
+        return new DescendantMarker(own.pid() + "-" + start + "-" + SEQUENCE.incrementAndGet());
     }
 
     /** Ends every process that has the mark. */
