@@ -21,6 +21,8 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import java.awt.event.ActionEvent;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -178,11 +180,17 @@ class ObstaclePanelTest {
     }
 
     @Test
-    void pointsThatAreNotAllowedAreReplacedByTheOldOnes() {
+    void pointsThatAreNotAllowedStayUntilTheFocusLeaves() {
         select("fence");
+        JTextField field = callOnEdt(() -> ComponentFinder.find(panel, JTextField.class, "Points, m"));
         write("Points, m", "0,0 1,nought");
-        assertEquals("0,0 1,0 1,0.7", callOnEdt(() -> ComponentFinder.find(panel, JTextField.class, "Points, m")
-                .getText()));
+        assertEquals("0,0 1,nought", callOnEdt(field::getText));
+        runOnEdt(() -> {
+            for (FocusListener listener : field.getFocusListeners()) {
+                listener.focusLost(new FocusEvent(field, FocusEvent.FOCUS_LOST));
+            }
+        });
+        assertEquals("0,0 1,0 1,0.7", callOnEdt(field::getText));
         write("Points, m", "0,0");
         assertEquals(List.of(), commands);
         write("Points, m", "0,0 1.5,0");
