@@ -8,6 +8,7 @@ final class MotionAccumulator {
     private double unsteadiness;
     private double netDistance;
     private double heading;
+    private int steps;
 
     /** Adds a step. */
     void advance(double rolledBy, double turnedBy) {
@@ -16,6 +17,7 @@ final class MotionAccumulator {
         turned = turnedBy;
         netDistance += rolledBy;
         heading += turnedBy;
+        steps++;
     }
 
     /** Returns the distance rolled in the last step, metres, negative backwards. */
@@ -41,5 +43,10 @@ final class MotionAccumulator {
     /** Returns the total turn, radians, positive to the left. */
     double heading() {
         return heading;
+    }
+
+    /** Returns the number of steps. */
+    int steps() {
+        return steps;
     }
 }

@@ -4,7 +4,6 @@ import faultline.control.Observation;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.robot.RobotSpec;
-import faultline.sensor.Reading;
 import java.util.List;
 
 /**
@@ -21,6 +20,9 @@ public final class SensorDiagnosis {
 
     /** The time between two inspections, as a multiple of the number of sensors, seconds. */
     private static final double STEP = 0.01;
+
+    /** The distance between two samples for the estimate of the curvature, metres. */
+    private static final double CURVATURE_STEP = 0.01;
 
     private final double side;
     private final DeadReckoning reckoning = new DeadReckoning();
@@ -39,6 +41,10 @@ public final class SensorDiagnosis {
     private HealthReport report;
     private double[] lastReadings = {};
 
+    /** The distance and the heading at the last sample of the curvature. */
+    private double sampledDistance;
+
+    private double sampledHeading;
     private long tick;
     private double time;
     private double untilInspection;
@@ -80,13 +86,23 @@ public final class SensorDiagnosis {
         }
     }
 
-    /** Estimates beside straight walls how much the curvature of the path exceeds that of the motor model. */
+    /**
+     * Estimates beside straight walls how much the curvature of the path exceeds that of the motor model, from one
+     * reading for each step of the path.
+     */
     private void learnCurvature() {
+        double rolled = motion.netDistance() - sampledDistance;
+        if (Math.abs(rolled) < CURVATURE_STEP) {
+            return;
+        }
+        double turned = motion.heading() - sampledHeading;
+        sampledDistance = motion.netDistance();
+        sampledHeading = motion.heading();
         curvature.update(
                 wallLine.distance(lastReadings),
                 wallLine.sag(lastReadings),
-                reckoning.rolled(),
-                reckoning.turned() - curvature.curvature() * reckoning.rolled());
+                rolled,
+                turned - curvature.curvature() * rolled);
         reckoning.setCurvature(curvature.curvature());
     }
 
@@ -120,11 +136,13 @@ public final class SensorDiagnosis {
     private void testSignals() {
         motion.advance(reckoning.rolled(), reckoning.turned());
         for (int i = 0; i < signals.length; i++) {
-            if (lastReadings[i] == Reading.NOTHING && signals[i].isQuiet()) {
+            double reading = lastReadings[i];
+            SignalCheck signal = signals[i];
+            if (signal.continues(reading)) {
                 continue;
             }
-            SensorFinding finding = signals[i].test(lastReadings[i]);
-            if (signals[i].jumped()) {
+            SensorFinding finding = signal.test(reading);
+            if (signal.jumped()) {
                 sensors[i].jump(time);
             }
             if (finding != SensorFinding.NONE) {

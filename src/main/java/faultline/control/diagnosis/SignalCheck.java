@@ -66,9 +66,6 @@ final class SignalCheck {
 
     private static final double FLIP_STEP = 1 / 150.0;
 
-    /** Smaller counts are none. */
-    private static final double NEGLIGIBLE = 1e-3;
-
     private final MountedCone cone;
     private final double axisCos;
     private final boolean hasLever;
@@ -94,9 +91,12 @@ final class SignalCheck {
     /** Whether motion explains the last surface that came and went. */
     private boolean explained;
 
+    /** Whether a further reading that sees nothing needs no test. */
     private boolean quiet;
-    /** Whether the counts of spikes, scatter and flips are negligible. */
-    private boolean unremarkable;
+    /** A reading needs no test if its first and second differences are at most this, metres; negative if it does. */
+    private double smoothLimit = -1;
+    /** The step to which the counts have faded. */
+    private int fadedTo;
 
     SignalCheck(MountedCone cone, MotionAccumulator motion) {
         this.cone = cone;
@@ -106,26 +106,21 @@ final class SignalCheck {
         this.crossing = new ConeCrossing(cone, motion);
     }
 
-    /** Processes a reading after some motion; need not be called while it {@linkplain #isQuiet() changes nothing}. */
-    SensorFinding test(double reading) {
-        if (continues(reading)) {
-            return unremarkable ? SensorFinding.NONE : fade();
+    /**
+     * Processes a reading after some motion if it needs no test: it continues the last ones smoothly, or sees nothing
+     * as they did.
+     *
+     * @return whether that is so; if not, nothing has changed
+     */
+    boolean continues(double reading) {
+        if (reading == Reading.NOTHING) {
+            return quiet;
         }
-        return testAll(reading);
-    }
-
-    /** Returns whether a reading continues the last ones smoothly; if so, stores it. */
-    private boolean continues(double reading) {
         double newFirst = reading - before;
         double newSecond = newFirst - first;
         // False for differences that are not numbers.
-        jumped = Math.abs(newSecond) > JUMP && Math.abs(newSecond) < Reading.NOTHING;
-        boolean smooth = newFirst != 0
-                && Math.abs(first) <= SPIKE
-                && Math.abs(newFirst) <= SPIKE
-                && Math.abs(newSecond - second) <= SCATTER;
+        boolean smooth = newFirst != 0 && Math.abs(newFirst) <= smoothLimit && Math.abs(newSecond) <= smoothLimit;
         if (smooth) {
-            release();
             before = reading;
             first = newFirst;
             second = newSecond;
@@ -133,59 +128,63 @@ final class SignalCheck {
         return smooth;
     }
 
-    /** Returns whether a further reading that sees nothing needs no test. */
-    boolean isQuiet() {
-        return quiet;
+    /** Tests a reading after some motion. */
+    SensorFinding test(double reading) {
+        double newSecond = reading - before - first;
+        // False for a difference that is not a number.
+        jumped = Math.abs(newSecond) > JUMP && Math.abs(newSecond) < Reading.NOTHING;
+        SensorFinding finding = Reading.isOff(reading) ? switchedOff() : testAll(reading);
+        boolean free = finding == SensorFinding.NONE && heldSteps == 0;
+        quiet = free && before == Reading.NOTHING && Double.isNaN(second);
+        smoothLimit = free && Math.abs(first) <= SPIKE && Math.abs(second) <= SPIKE ? SPIKE : -1;
+        return finding;
     }
 
-    /** Returns whether the last reading jumped: it differs from the extrapolation of the two before it. */
+    /** Returns whether the last tested reading jumped: it differs from the extrapolation of the two before it. */
     boolean jumped() {
         return jumped;
     }
 
+    private SensorFinding switchedOff() {
+        fade(0);
+        before = Double.NaN;
+        return SensorFinding.OFF;
+    }
+
     private SensorFinding testAll(double reading) {
-        if (Reading.isOff(reading)) {
-            before = Double.NaN;
-            quiet = false;
-            return SensorFinding.OFF;
-        }
         boolean stuck = isStuck(reading);
+        fade(1);
         learnCrossing(reading);
         learnSpikes(reading);
         learnScatter(reading);
         learnFlips(reading);
         before = reading;
-        quiet = changesNothing();
-        SensorFinding remembered = remembered();
-        return stuck ? SensorFinding.STUCK : remembered;
-    }
-
-    /** Reduces the counts as the tests do for a reading that continues the last ones smoothly. */
-    private SensorFinding fade() {
-        spikes -= spikes * SPIKE_STEP;
-        scatter -= scatter * SCATTER_STEP;
-        flips -= flips * FLIP_STEP;
-        return remembered();
-    }
-
-    /** Returns the finding that follows from the counts of earlier readings. */
-    private SensorFinding remembered() {
-        unremarkable = scatter < NEGLIGIBLE && spikes < NEGLIGIBLE && flips < NEGLIGIBLE;
+        if (stuck) {
+            return SensorFinding.STUCK;
+        }
         if (scatter > MAX_SCATTER || spikes > MAX_SPIKES) {
             return SensorFinding.NOISY;
         }
         return flips > MAX_FLIPS ? SensorFinding.INTERMITTENT : SensorFinding.NONE;
     }
 
-    /** Returns whether another reading that sees nothing would change no count. */
-    private boolean changesNothing() {
-        return before == Reading.NOTHING
-                && flips < NEGLIGIBLE
-                && spikes < NEGLIGIBLE
-                && scatter <= MAX_SCATTER
-                && turn == 0
-                && distance == 0
-                && Double.isNaN(second);
+    /**
+     * Reduces the counts, except that of scatter by this reading.
+     *
+     * @param present 1 if this reading counts, 0 if the sensor is off
+     */
+    private void fade(int present) {
+        int untested = motion.steps() - fadedTo - 1;
+        fadedTo = motion.steps();
+        spikes = faded(spikes, SPIKE_STEP, untested + present);
+        flips = faded(flips, FLIP_STEP, untested + present);
+        if (before != Reading.NOTHING) {
+            scatter = faded(scatter, SCATTER_STEP, untested);
+        }
+    }
+
+    private static double faded(double count, double step, int readings) {
+        return count == 0 ? 0 : count * StrictMath.pow(1 - step, readings);
     }
 
     /** Records that the reading has changed. */
@@ -230,7 +229,7 @@ final class SignalCheck {
         boolean spike = first < -SPIKE && Math.abs(first + (reading - before)) < NO_SPIKE;
         boolean counts = spike && Math.abs(before - lastSpike) > NO_SPIKE;
         lastSpike = spike ? before : lastSpike;
-        spikes += (counts && !explained ? 1 : 0) - spikes * SPIKE_STEP;
+        spikes += counts && !explained ? 1 : 0;
     }
 
     private void learnScatter(double reading) {
@@ -256,6 +255,6 @@ final class SignalCheck {
     /** Counts a reading that came and went, unless motion explains it. */
     private void learnFlips(double reading) {
         boolean gone = reading == Reading.NOTHING && before < cone.range() - NEAR_RANGE;
-        flips += (gone && !explained ? 2 : 0) - flips * FLIP_STEP;
+        flips += gone && !explained ? 2 : 0;
     }
 }

@@ -1,12 +1,15 @@
 package faultline.control.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.SensorFinding;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
+import java.util.EnumSet;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
@@ -25,9 +28,13 @@ class SignalCheckTest {
         SensorFinding finding = SensorFinding.NONE;
         for (int i = 0; i < ticks; i++) {
             motion.advance(rolled, turned);
-            finding = test.test(reading.applyAsDouble(i));
+            finding = process(test, reading.applyAsDouble(i));
         }
         return finding;
+    }
+
+    private static SensorFinding process(SignalCheck check, double reading) {
+        return check.continues(reading) ? SensorFinding.NONE : check.test(reading);
     }
 
     @Test
@@ -62,7 +69,7 @@ class SignalCheckTest {
             motion.advance(0.003, i % 2 == 0 ? turned : -turned);
             // Coarse steps at first, and then none.
             double reading = 0.25 + 0.001 * Math.min(i / coarseness, 3);
-            if (test.test(reading) == SensorFinding.STUCK) {
+            if (process(test, reading) == SensorFinding.STUCK) {
                 return i - 3 * coarseness;
             }
         }
@@ -258,5 +265,54 @@ class SignalCheckTest {
         IntToDoubleFunction poles = i -> i % 40 < 24 ? 0.25 - 0.03 * (i / 40 % 2) + 1e-4 * (i & 1) : Reading.NOTHING;
         assertEquals(SensorFinding.NONE, run(2, 2000, 0.003, 0, poles));
         assertEquals(SensorFinding.INTERMITTENT, run(2, 2000, 0.0005, 0, poles));
+    }
+
+    /** Returns readings that are smooth for a while, then step, scatter, stay the same or see nothing. */
+    private static double[] changingReadings(SplittableRandom random, int count) {
+        double[] readings = new double[count];
+        double reading = 0.4;
+        double slope = 0;
+        int mode = 0;
+        for (int i = 0; i < count; i++) {
+            if (random.nextInt(40) == 0) {
+                mode = random.nextInt(7);
+                slope = random.nextDouble(-0.003, 0.003);
+            }
+            reading = Math.min(0.8, Math.max(0.05, reading + slope));
+            readings[i] = switch (mode) {
+                case 0 -> Reading.NOTHING;
+                case 1 -> random.nextInt(9) == 0 ? Reading.NOTHING : reading;
+                case 2 -> reading + random.nextDouble(-0.15, 0.15);
+                case 3 -> i > 0 ? readings[i - 1] : reading;
+                case 4 -> random.nextInt(30) == 0 ? Reading.OFF : reading;
+                default -> reading;
+            };
+        }
+        return readings;
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
+    void readingsThatNeedNoTestWouldPassIt(long seed) {
+        MotionAccumulator motion = new MotionAccumulator();
+        MountedCone cone = MountedCone.of(RobotSpec.DEFAULT.sensors().get(1), 1);
+        SignalCheck check = new SignalCheck(cone, motion);
+        SignalCheck judge = new SignalCheck(cone, motion);
+        SplittableRandom changes = new SplittableRandom(seed);
+        Set<SensorFinding> findings = EnumSet.noneOf(SensorFinding.class);
+        int untested = 0;
+        int count = 20_000;
+        for (double reading : changingReadings(changes, count)) {
+            motion.advance(0.003, changes.nextDouble(-1e-3, 1e-3));
+            SensorFinding expected = judge.test(reading);
+            boolean continued = check.continues(reading);
+            SensorFinding actual = continued ? SensorFinding.NONE : check.test(reading);
+            assertEquals(expected, actual);
+            assertEquals(judge.jumped(), !continued && check.jumped());
+            findings.add(actual);
+            untested += continued ? 1 : 0;
+        }
+        assertTrue(untested > count / 5, untested + " readings need no test");
+        assertTrue(findings.size() >= 4, () -> "findings " + findings);
     }
 }
