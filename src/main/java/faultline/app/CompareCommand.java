@@ -153,11 +153,11 @@ final class CompareCommand {
         List<ControllerRuns.FailedRun> broken = new ArrayList<>();
         for (int i = 0; i < seeds; i++) {
             SimulationSetup setup = scenario.setup().withSeed(scenario.setup().seed() + i);
-            EndObserver ending = new EndObserver();
+            EndObserver end = new EndObserver();
             try {
-                RunResult result = runOnce(choice, scenario.name(), setup, options, ending);
-                runs.add(new ControllerRuns.ComparedRun(result, ending.path));
-                replays.putIfAbsent(replayFile, JournalScenario.create(scenario, ending.journal));
+                RunResult result = runOnce(choice, scenario.name(), setup, options, end);
+                runs.add(new ControllerRuns.ComparedRun(result, end.path));
+                replays.putIfAbsent(replayFile, JournalScenario.create(scenario, end.journal));
             } catch (ControllerStartException e) {
                 throw e;
             } catch (RunFailedException e) {
@@ -169,12 +169,11 @@ final class CompareCommand {
     }
 
     private RunResult runOnce(
-            String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver ending) {
+            String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver end) {
         try (ProcessControllerSource source =
-                new ProcessControllerSource(choice, options.terms(scenario, output::printError))) {
+                new ProcessControllerSource(choice, options.childSettings(scenario, output::printError))) {
             SimulationSetup chosen = ControllerChoice.apply(choice, setup, source);
-            List<TickObserver> observers =
-                    ControllerChoice.isCommand(choice) ? List.of(ending, source) : List.of(ending);
+            List<TickObserver> observers = ControllerChoice.isCommand(choice) ? List.of(end, source) : List.of(end);
             return HeadlessRun.run(chosen, ControllerMode.DIRECT, observers);
         }
     }

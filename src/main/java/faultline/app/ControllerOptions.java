@@ -65,7 +65,7 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
     }
 
     /** Returns how children are treated in the runs of a scenario. */
-    ProcessControllerSource.ChildSettings terms(String scenario, Consumer<String> errors) {
+    ProcessControllerSource.ChildSettings childSettings(String scenario, Consumer<String> errors) {
         return new ProcessControllerSource.ChildSettings(
                 HelpText.version(), scenario, ExternalController.Timeouts.DEFAULT.withAnswer(patience), truth, errors);
     }

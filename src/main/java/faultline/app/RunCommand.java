@@ -77,7 +77,7 @@ final class RunCommand {
     private RunResult runChosen(String choice, Scenario scenario, RunOptions options, RunOutputs outputs)
             throws IOException {
         try (ProcessControllerSource source = new ProcessControllerSource(
-                        choice, options.child().terms(scenario.name(), output::printError))
+                        choice, options.child().childSettings(scenario.name(), output::printError))
                 .keepOpen()) {
             SimulationSetup setup = ControllerChoice.apply(choice, scenario.setup(), source);
             if (!ControllerChoice.isCommand(choice)) {

@@ -40,7 +40,7 @@ final class ChildProcess implements AutoCloseable {
     private static final long GRACE_SECONDS = 2;
 
     private final Process process;
-    private final DescendantMarker mark = DescendantMarker.create();
+    private final DescendantMarker marker = DescendantMarker.create();
     private final OutputStream input;
     private final ChildOutput output;
     private final Deque<String> errorLines = new ArrayDeque<>();
@@ -64,7 +64,7 @@ final class ChildProcess implements AutoCloseable {
     ChildProcess(List<String> command, double writeSeconds, Consumer<String> errors) throws IOException {
         this.errors = errors;
         ProcessBuilder builder = new ProcessBuilder(command);
-        builder.environment().put(DescendantMarker.VARIABLE, mark.value());
+        builder.environment().put(DescendantMarker.VARIABLE, marker.value());
         process = builder.start();
         input = process.getOutputStream();
         output = new ChildOutput(process.getInputStream());
@@ -230,7 +230,7 @@ final class ChildProcess implements AutoCloseable {
             }
         }
         descendants.forEach(ProcessHandle::destroyForcibly);
-        mark.killAll();
+        marker.killAll();
         joinBriefly(errorReader);
         writeGuard.interrupt();
         try {
@@ -271,6 +271,6 @@ final class ChildProcess implements AutoCloseable {
     private void killTree() {
         process.descendants().forEach(ProcessHandle::destroyForcibly);
         process.destroyForcibly();
-        mark.killAll();
+        marker.killAll();
     }
 }

@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 public final class ProcessControllerSource implements ControllerSource, TickObserver, AutoCloseable {
 
     private final String command;
-    private final ChildSettings terms;
+    private final ChildSettings settings;
     private ExternalController newest;
     private boolean keepsOpen;
 
@@ -36,11 +36,11 @@ public final class ProcessControllerSource implements ControllerSource, TickObse
      * Creates a source that starts a command.
      *
      * @param command the command, as in a shell
-     * @param terms the properties of all of its children
+     * @param settings the properties of all of its children
      */
-    public ProcessControllerSource(String command, ChildSettings terms) {
+    public ProcessControllerSource(String command, ChildSettings settings) {
         this.command = command;
-        this.terms = terms;
+        this.settings = settings;
     }
 
     /**
@@ -59,14 +59,15 @@ public final class ProcessControllerSource implements ControllerSource, TickObse
     @Override
     public Controller start(RunConditions run) {
         RunDescription description = new RunDescription(
-                terms.program(),
-                terms.scenario(),
+                settings.program(),
+                settings.scenario(),
                 run.seed(),
                 run.dt(),
                 run.periodTicks(),
                 run.duration(),
                 run.robot());
-        newest = new ExternalController(command, description, terms.timeouts(), terms.givesTruth(), terms.errors());
+        newest = new ExternalController(
+                command, description, settings.timeouts(), settings.givesTruth(), settings.errors());
         return keepsOpen ? newest::decide : newest;
     }
 

@@ -106,11 +106,11 @@ class ForeignControllerTest {
                 + "while read l; do case $l in *observe*) echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,"
                 + "\\\"v_m_s\\\":0.2,\\\"omega_rad_s\\\":0.$((i % 7)),\\\"state\\\":\\\"S$((i / 300))\\\"}\";; esac; "
                 + "i=$((i+1)); done'";
-        ProcessControllerSource.ChildSettings terms = new ProcessControllerSource.ChildSettings(
+        ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         SimulationSetup setup = yard().setup().withDuration(9);
         Recorded recorded =
-                record(yard(), ControllerChoice.apply(child, setup, new ProcessControllerSource(child, terms)));
+                record(yard(), ControllerChoice.apply(child, setup, new ProcessControllerSource(child, settings)));
         assertEquals(
                 List.of("EXTERN", "S0", "S1", "S2"),
                 recorded.result().visitedStates().stream()
@@ -161,9 +161,9 @@ class ForeignControllerTest {
 
     @Test
     void aMisspeltNameOfTheCommandLineIsCorrected() {
-        ProcessControllerSource.ChildSettings terms = new ProcessControllerSource.ChildSettings(
+        ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
-        ProcessControllerSource source = new ProcessControllerSource("right-turnr", terms);
+        ProcessControllerSource source = new ProcessControllerSource("right-turnr", settings);
         ControllerStartException e = assertThrows(
                 ControllerStartException.class,
                 () -> HeadlessRun.run(

@@ -54,23 +54,23 @@ final class FaultsReader {
         AttributeReader fields = new AttributeReader(node, problems);
         String name = FactorReader.columnName(fields, "fault");
         fields.reportUnknownAndMissing();
-        List<IncompleteLevel> drafts = new ArrayList<>();
+        List<IncompleteLevel> levels = new ArrayList<>();
         for (XmlElement child : node.children()) {
             if (child.name().equals("healthy")) {
                 ElementRules.checkChildren(child, List.of(), problems);
                 new AttributeReader(child, problems).reportUnknownAndMissing();
-                drafts.add(new IncompleteLevel(Map.of(), child));
+                levels.add(new IncompleteLevel(Map.of(), child));
             } else if (child.name().equals("fault")) {
-                readFault(child, name).forEach(values -> drafts.add(new IncompleteLevel(values, child)));
+                readFault(child, name).forEach(values -> levels.add(new IncompleteLevel(values, child)));
             }
         }
-        if (drafts.isEmpty()) {
+        if (levels.isEmpty()) {
             problems.add(node, PlanProblem.NO_FAULT.with());
             return Optional.empty();
         }
         List<Column> columns = attributes.stream().map(key -> column(name, key)).toList();
         return Optional.of(new Factor(
-                FactorKind.FAULTS, columns, drafts.stream().map(this::level).toList()));
+                FactorKind.FAULTS, columns, levels.stream().map(this::level).toList()));
     }
 
     private static Column column(String factor, String attribute) {
@@ -123,17 +123,17 @@ final class FaultsReader {
         return timed;
     }
 
-    private Factor.Level level(IncompleteLevel draft) {
+    private Factor.Level level(IncompleteLevel level) {
         List<AttributeValue> cells = new ArrayList<>();
         for (String key : attributes) {
-            AttributeValue kind = draft.attributes.getOrDefault("kind", new AttributeValue.FixedValue("none"));
+            AttributeValue kind = level.attributes.getOrDefault("kind", new AttributeValue.FixedValue("none"));
             AttributeValue missing = key.equals("kind") || key.equals(LABEL) ? kind : AttributeValue.NONE;
-            cells.add(draft.attributes.getOrDefault(key, missing));
+            cells.add(level.attributes.getOrDefault(key, missing));
         }
-        Map<String, AttributeValue> fault = new LinkedHashMap<>(draft.attributes);
+        Map<String, AttributeValue> fault = new LinkedHashMap<>(level.attributes);
         fault.remove(LABEL);
         List<ScenarioChange> edits =
-                fault.isEmpty() ? List.of() : List.of(new ScenarioChange.AddFault(fault, draft.node.location()));
+                fault.isEmpty() ? List.of() : List.of(new ScenarioChange.AddFault(fault, level.node.location()));
         return new Factor.Level(cells, edits);
     }
 }

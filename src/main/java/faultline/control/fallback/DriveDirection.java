@@ -27,7 +27,7 @@ enum DriveDirection {
         this.sign = sign;
     }
 
-    /** Returns the gear for the trusted sensors: backwards if none of them looks ahead or faces the wall. */
+    /** Returns the direction for the trusted sensors: backwards if none of them looks ahead or faces the wall. */
     static DriveDirection of(SensorDiagnosis diagnosis) {
         for (int i = 0; i < diagnosis.sensors(); i++) {
             if (diagnosis.isTrusted(i) && looksAhead(diagnosis.cone(i))) {

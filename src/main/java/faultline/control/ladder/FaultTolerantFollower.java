@@ -43,7 +43,7 @@ public final class FaultTolerantFollower implements Controller {
     private StopReason stopReason = StopReason.NO_SENSOR;
     private Rung reportedRung;
     private List<SensorHealth> reportedHealth = List.of();
-    private Telemetry.Diagnosis shownVerdict = Telemetry.Diagnosis.NONE;
+    private Telemetry.Diagnosis reportedVerdict = Telemetry.Diagnosis.NONE;
 
     /**
      * Creates a follower that trusts all sensors.
@@ -162,9 +162,9 @@ public final class FaultTolerantFollower implements Controller {
         if (reportedRung != rung || reportedHealth != diagnosis.health()) {
             reportedRung = rung;
             reportedHealth = diagnosis.health();
-            shownVerdict = new Telemetry.Diagnosis(rung.name(), reportedHealth);
+            reportedVerdict = new Telemetry.Diagnosis(rung.name(), reportedHealth);
         }
-        return shownVerdict;
+        return reportedVerdict;
     }
 
     /** Returns the observation in which sensors that are not trusted are off. */

@@ -13,7 +13,7 @@ final class CellNumbers {
 
     private static final int MIN_CAPACITY = 64;
 
-    /** The keys of a hash table with linear probing. */
+    /** The keys and the numbers of a hash table with linear probing. */
     private long[] keys = new long[MIN_CAPACITY];
 
     private int[] values = newValues(MIN_CAPACITY);

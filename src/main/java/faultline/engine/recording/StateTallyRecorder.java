@@ -39,11 +39,11 @@ final class StateTallyRecorder {
 
     /** Returns the counts so far. */
     public StateTally view() {
-        List<StateTally.StateVisits> stays = new ArrayList<>();
-        states.forEach((state, count) -> stays.add(new StateTally.StateVisits(state, count.ticks, count.visits)));
+        List<StateTally.StateVisits> visited = new ArrayList<>();
+        states.forEach((state, count) -> visited.add(new StateTally.StateVisits(state, count.ticks, count.visits)));
         List<StateTally.TransitionCount> taken = new ArrayList<>();
         transitions.forEach(
                 (ends, count) -> taken.add(new StateTally.TransitionCount(ends.from(), ends.to(), count.visits)));
-        return new StateTally(stays, taken);
+        return new StateTally(visited, taken);
     }
 }

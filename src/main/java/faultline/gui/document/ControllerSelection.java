@@ -44,10 +44,10 @@ public record ControllerSelection(String text, List<Path> jars) {
         if (isScenarios()) {
             return setup;
         }
-        ProcessControllerSource.ChildSettings terms = new ProcessControllerSource.ChildSettings(
+        ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 "faultline", scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
         return ControllerChoice.withJars(
-                jars, () -> ControllerChoice.apply(text, setup, new ProcessControllerSource(text, terms)));
+                jars, () -> ControllerChoice.apply(text, setup, new ProcessControllerSource(text, settings)));
     }
 
     /** Returns the files of the controller that the selection names. */

@@ -93,11 +93,11 @@ class ControllerChoiceTest {
     }
 
     private void choose(String command) {
-        ProcessControllerSource.ChildSettings terms = new ProcessControllerSource.ChildSettings(
+        ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         runOnEdt(() -> {
             workspace.setControllerChoice(
-                    setup -> ControllerChoice.apply(command, setup, new ProcessControllerSource(command, terms)));
+                    setup -> ControllerChoice.apply(command, setup, new ProcessControllerSource(command, settings)));
             run.restart();
         });
     }
