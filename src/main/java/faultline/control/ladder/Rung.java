@@ -90,6 +90,11 @@ public enum Rung {
         return strategy;
     }
 
+    /** {@return whether the follower of the six states drives on this rung} */
+    public boolean drivesSixStates() {
+        return strategy == Strategy.SIX_STATES;
+    }
+
     /** {@return the condition of the rung, in words, for a wall on the left} */
     public String needs() {
         return needs;

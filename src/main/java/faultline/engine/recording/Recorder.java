@@ -1,5 +1,6 @@
 package faultline.engine.recording;
 
+import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.engine.CommandListener;
@@ -88,7 +89,8 @@ public final class Recorder implements TickObserver, CommandListener {
         if (now.state() == FollowerState.TURN) {
             turnStart = lastHeading;
         } else if (now.state() == FollowerState.ALIGN
-                && Double.isFinite(now.edges().tP())) {
+                && Double.isFinite(now.edges().tP())
+                && simulation.controllerSpec() instanceof ControllerSpec.WallFollowing follower) {
             double clock =
                     Math.abs(lastHeading - turnStart) / simulation.robot().turnRate();
             double origin = simulation.time() - setup.dt() - clock;
@@ -97,7 +99,8 @@ public final class Recorder implements TickObserver, CommandListener {
                     setup.timeOf(simulation.ticks()),
                     origin + now.edges().tF3(),
                     origin + now.edges().tF4(),
-                    now.edges().tP()));
+                    now.edges().tP(),
+                    follower.timingRule()));
         }
     }
 

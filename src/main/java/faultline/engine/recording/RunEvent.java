@@ -3,6 +3,7 @@ package faultline.engine.recording;
 import faultline.control.ControllerState;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
+import faultline.control.TimingRule;
 import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Refusal;
@@ -115,8 +116,10 @@ public sealed interface RunEvent {
      * @param f3 the simulated time of frame F3, seconds
      * @param f4 the simulated time of frame F4, seconds
      * @param tP the duration of the turn back, t_p of eq. (4), seconds
+     * @param rule the rule that determined F3 and F4
      */
-    record AlignmentTimed(long tick, double time, double f3, double f4, double tP) implements RunEvent {
+    record AlignmentTimed(long tick, double time, double f3, double f4, double tP, TimingRule rule)
+            implements RunEvent {
         @Override
         public <R> R accept(EventVisitor<R> visitor) {
             return visitor.visit(this);

@@ -1,11 +1,9 @@
 package faultline.gui.instrument;
 
-import faultline.control.TimingRule;
-import faultline.geometry.Angles;
+import faultline.gui.text.AngleText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TurnTimes;
 import java.util.List;
-import java.util.Locale;
 
 /** Formats the values of an alignment manoeuvre; a dash for a value that is not yet known. */
 final class AlignmentText {
@@ -20,18 +18,23 @@ final class AlignmentText {
      */
     record NamedValue(String name, String value) {}
 
-    static List<NamedValue> rows(AlignmentTrace spin, TimingRule rule) {
+    static List<NamedValue> rows(AlignmentTrace spin) {
         double predicted = spin.isTimed() ? spin.predictedHeading() : Double.NaN;
         TurnTimes times = TurnTimes.of(spin.origin() + spin.f3(), spin.origin() + spin.f4());
         return List.of(
-                row("rule", Messages.get("spin.rule." + rule.fileName())),
+                row("rule", Messages.get("spin.rule." + spin.rule().fileName())),
                 row("f3", seconds(spin.isTimed(), times.f3())),
                 row("f4", seconds(spin.isTimed(), times.f4())),
                 row("tD", seconds(spin.isTimed(), times.tD())),
                 row("tP", seconds(spin.isTimed(), times.tP())),
-                row("predicted", degrees(predicted, "%.2f°")),
-                row("achieved", degrees(spin.achievedHeading(), "%.2f°")),
-                row("error", degrees(spin.headingError().orElse(Double.NaN), "%+.2f°")));
+                row("predicted", heading(predicted)),
+                row("achieved", heading(spin.achievedHeading())),
+                row(
+                        "error",
+                        spin.headingError().isPresent()
+                                ? unit(AngleText.signedDegrees(
+                                        spin.headingError().getAsDouble(), 2))
+                                : "–"));
     }
 
     private static NamedValue row(String key, String value) {
@@ -42,10 +45,11 @@ final class AlignmentText {
         return known ? value + " s" : "–";
     }
 
-    private static String degrees(double radians, String format) {
-        return Double.isNaN(radians)
-                ? "–"
-                : String.format(Locale.ROOT, format, Math.toDegrees(Angles.normalize(radians)))
-                        .replace('-', '\u2212');
+    private static String heading(double radians) {
+        return Double.isNaN(radians) ? "–" : unit(AngleText.degrees(radians, 2));
+    }
+
+    private static String unit(String degrees) {
+        return degrees.replace('-', '\u2212') + "°";
     }
 }

@@ -1,7 +1,11 @@
 package faultline.gui.instrument;
 
+import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry;
+import faultline.control.TimingRule;
+import faultline.control.ladder.Rung;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.recording.TraceChannels;
@@ -12,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 
 /**
  * The newest alignment manoeuvre of a run. Times are those of the manoeuvre's clock: the angle turned since TURN began,
@@ -20,12 +25,13 @@ import java.util.OptionalDouble;
  * @param samples the left reading during the turn, up to frame F4
  * @param start the heading at the beginning of TURN, radians
  * @param rate the turn rate, radians per second; negative for a turn to the right
- * @param headingNow the current heading, or the one at the end of ALIGN, radians
+ * @param headingNow the current heading, or the one at the end of the manoeuvre, radians
  * @param f3 when the left sensor met the wall, seconds; NaN if not yet known
  * @param f4 when the left sensor lost the wall, seconds; NaN if not yet known
  * @param tP the duration of the turn back, seconds; NaN if not yet known
  * @param origin the simulated time at which the manoeuvre's clock would be 0 at the constant turn rate, seconds
  * @param achievedHeading the heading at the end of ALIGN, radians; NaN if not yet known
+ * @param rule the rule that determined F3 and F4; the present one if they are not yet known
  */
 record AlignmentTrace(
         List<AlignmentSample> samples,
@@ -36,7 +42,8 @@ record AlignmentTrace(
         double f4,
         double tP,
         double origin,
-        double achievedHeading) {
+        double achievedHeading,
+        TimingRule rule) {
 
     /**
      * A reading.
@@ -50,29 +57,40 @@ record AlignmentTrace(
         samples = List.copyOf(samples);
     }
 
-    /** The first ticks of the phases; for a phase that has not begun, the tick after the newest. */
-    private record PhaseTicks(long turn, long align, long follow, boolean done) {
+    /**
+     * The first ticks of the phases; for a phase that has not begun, the tick after the newest.
+     *
+     * @param turn the first tick of TURN
+     * @param align the first tick of ALIGN, or the end of a manoeuvre that was interrupted before
+     * @param end the first tick in another state, or with another strategy that uses the same names of states
+     * @param done whether the manoeuvre led to FOLLOW
+     */
+    private record PhaseTicks(long turn, long align, long end, boolean done) {
 
-        static Optional<PhaseTicks> of(EventLog log, long end) {
-            long align = end;
-            long follow = end;
+        private static final Set<ControllerState> STATES =
+                Set.of(FollowerState.TURN, FollowerState.MEASURE, FollowerState.ALIGN);
+
+        static Optional<PhaseTicks> of(EventLog log, long newest) {
+            long align = newest;
+            long end = newest;
+            boolean done = false;
             for (long i = log.endIndex() - 1; i >= log.firstIndex(); i--) {
-                if (log.get(i) instanceof RunEvent.StateChanged transition) {
-                    if (leadsTo(transition, FollowerState.TURN)) {
-                        return Optional.of(
-                                new PhaseTicks(transition.tick(), Math.min(align, follow), follow, follow < end));
+                if (log.get(i) instanceof RunEvent.RungChanged change
+                        && !Rung.valueOf(change.to()).drivesSixStates()) {
+                    end = change.tick();
+                    done = false;
+                } else if (log.get(i) instanceof RunEvent.StateChanged transition) {
+                    if (transition.to() == FollowerState.TURN) {
+                        return Optional.of(new PhaseTicks(transition.tick(), Math.min(align, end), end, done));
+                    } else if (transition.to() == FollowerState.ALIGN) {
+                        align = transition.tick();
+                    } else if (!STATES.contains(transition.to())) {
+                        end = transition.tick();
+                        done = transition.from() == FollowerState.ALIGN && transition.to() == FollowerState.FOLLOW;
                     }
-                    align = leadsTo(transition, FollowerState.ALIGN) ? transition.tick() : align;
-                    follow = leadsTo(transition, FollowerState.FOLLOW) && transition.from() == FollowerState.ALIGN
-                            ? transition.tick()
-                            : follow;
                 }
             }
             return Optional.empty();
-        }
-
-        private static boolean leadsTo(RunEvent.StateChanged transition, FollowerState state) {
-            return transition.to() == state;
         }
     }
 
@@ -97,8 +115,9 @@ record AlignmentTrace(
                     (headingAt(level, tick - 1) - start) / rate, level.min(TraceChannels.MEASURED_DISTANCE, tick)));
         }
         double origin = (ticks.align() - 1) * dt(frame) - Math.abs(turnedBy / rate);
-        Telemetry.EdgeTimes shown = edges(frame, ticks, origin);
-        double now = headingAt(level, ticks.follow() - 1);
+        Optional<RunEvent.AlignmentTimed> timed = timing(frame, ticks);
+        Telemetry.EdgeTimes shown = edges(frame, timed, origin);
+        double now = headingAt(level, ticks.end() - 1);
         return new AlignmentTrace(
                 samples,
                 start,
@@ -108,25 +127,39 @@ record AlignmentTrace(
                 shown.tF4(),
                 shown.tP(),
                 origin,
-                ticks.done() ? now : Double.NaN);
+                ticks.done() ? now : Double.NaN,
+                timed.map(RunEvent.AlignmentTimed::rule).orElse(presentRule(frame)));
     }
 
-    /**
-     * Returns the controller's times; those of the event log if the controller no longer reports them, because another
-     * strategy drives since the turn.
-     */
-    private static Telemetry.EdgeTimes edges(SessionFrame frame, PhaseTicks ticks, double origin) {
-        Telemetry.EdgeTimes reported = frame.telemetry().edges();
-        if (!Double.isNaN(reported.tP())) {
-            return reported;
-        }
+    /** Returns the recorded timing of a manoeuvre. */
+    private static Optional<RunEvent.AlignmentTimed> timing(SessionFrame frame, PhaseTicks ticks) {
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= log.firstIndex() && log.get(i).tick() >= ticks.align(); i--) {
             if (log.get(i) instanceof RunEvent.AlignmentTimed timed) {
-                return new Telemetry.EdgeTimes(timed.f3() - origin, timed.f4() - origin, timed.tP());
+                return Optional.of(timed);
             }
         }
-        return reported;
+        return Optional.empty();
+    }
+
+    /** Returns the rule of the present controller; the default rule if it is no wall follower. */
+    static TimingRule presentRule(SessionFrame frame) {
+        return frame.controller() instanceof ControllerSpec.WallFollowing follower
+                ? follower.timingRule()
+                : ControllerSpec.WallFollowing.DEFAULT.timingRule();
+    }
+
+    /**
+     * Returns the controller's times; the recorded ones if the controller no longer reports them, because another
+     * strategy drives since the turn.
+     */
+    private static Telemetry.EdgeTimes edges(
+            SessionFrame frame, Optional<RunEvent.AlignmentTimed> recorded, double origin) {
+        Telemetry.EdgeTimes reported = frame.telemetry().edges();
+        return Double.isNaN(reported.tP())
+                ? recorded.map(timed -> new Telemetry.EdgeTimes(timed.f3() - origin, timed.f4() - origin, timed.tP()))
+                        .orElse(reported)
+                : reported;
     }
 
     private static double dt(SessionFrame frame) {

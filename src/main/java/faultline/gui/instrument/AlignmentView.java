@@ -36,6 +36,7 @@ public final class AlignmentView extends AccessibleComponent {
     private static final int ROW_HEIGHT = 20;
 
     private int sensor;
+    /** The rule that the tool tip explains. */
     private TimingRule timingRule = TimingRule.EQUAL_READINGS;
     /** Null if there is no manoeuvre. */
     private transient AlignmentTrace trace;
@@ -55,6 +56,11 @@ public final class AlignmentView extends AccessibleComponent {
         assert EventQueue.isDispatchThread();
         sensor = SignalGroup.followedSensor(frame.snapshot().sensors());
         trace = AlignmentTrace.latest(frame).orElse(null);
+        TimingRule rule = trace == null ? AlignmentTrace.presentRule(frame) : trace.rule();
+        if (rule != timingRule) {
+            timingRule = rule;
+            refresh();
+        }
         String words = accessibleText();
         if (!words.equals(getAccessibleContext().getAccessibleDescription())) {
             getAccessibleContext().setAccessibleDescription(words);
@@ -68,13 +74,7 @@ public final class AlignmentView extends AccessibleComponent {
     }
 
     List<AlignmentText.NamedValue> rows() {
-        return trace == null ? List.of() : AlignmentText.rows(trace, timingRule);
-    }
-
-    /** Names the rule by which the controller chooses F3 and F4. */
-    void setTimingRule(TimingRule rule) {
-        timingRule = rule;
-        refresh();
+        return trace == null ? List.of() : AlignmentText.rows(trace);
     }
 
     private void refresh() {

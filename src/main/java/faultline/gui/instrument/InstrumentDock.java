@@ -1,6 +1,5 @@
 package faultline.gui.instrument;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
@@ -91,16 +90,9 @@ public final class InstrumentDock extends JTabbedPane {
         return chart;
     }
 
-    /** Prepares for another scenario: names its timing rule and releases a held chart. */
-    public void startScenario(ControllerSpec controller) {
+    /** Prepares for another scenario: releases a held chart. */
+    public void startScenario() {
         chart.release();
-        showTimingRule(controller);
-    }
-
-    private void showTimingRule(ControllerSpec controller) {
-        if (controller instanceof ControllerSpec.WallFollowing following) {
-            alignment.setTimingRule(following.timingRule());
-        }
     }
 
     private void update() {
@@ -111,7 +103,6 @@ public final class InstrumentDock extends JTabbedPane {
             chart.setFrame(newestFrame);
             diagram.setFrame(newestFrame);
         } else if (getSelectedComponent() == alignment) {
-            showTimingRule(newestFrame.controller());
             alignment.setFrame(newestFrame);
         } else {
             events.setFrame(newestFrame);

@@ -152,8 +152,8 @@ final class MainPanel extends JPanel {
     }
 
     /** Prepares for another scenario: neither notes nor selections of the one before remain. */
-    void startScenario(Scenario scenario) {
-        instruments.startScenario(scenario.setup().controller());
+    void startScenario() {
+        instruments.startScenario();
         timeline.startScenario();
         canvas.tools().clearSelection();
         controlPanel.startScenario();

@@ -348,7 +348,7 @@ public final class MainWindow extends JFrame {
         @Override
         public void scenarioOpened() {
             undoController.clear();
-            workspace.scenario().ifPresent(mainPanel::startScenario);
+            workspace.scenario().ifPresent(scenario -> mainPanel.startScenario());
             workspace.file().ifPresent(preferences.recentFiles()::add);
         }
 

@@ -5,6 +5,7 @@ import faultline.engine.Frame;
 import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.text.AngleText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
@@ -90,9 +91,7 @@ final class StatusBar extends JPanel {
     }
 
     private static String poseText(Pose pose) {
-        // Round to tenths first: -0.04 would be formatted as -0.0.
-        double degrees = Math.round(10 * Math.toDegrees(Math.IEEEremainder(pose.heading(), 2 * Math.PI))) / 10.0;
-        return format("x %.3f  y %.3f  θ %.1f°", pose.x(), pose.y(), degrees);
+        return format("x %.3f  y %.3f  θ %s°", pose.x(), pose.y(), AngleText.degrees(pose.heading(), 1));
     }
 
     /** Shows permanently why the run failed, or temporarily why a command was refused. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
+import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.EventLog;
@@ -134,6 +135,46 @@ class AlignmentTraceTest {
         assertEquals(timed.f3(), trace.origin() + trace.f3(), 1e-9);
         assertEquals(timed.f4(), trace.origin() + trace.f4(), 1e-9);
         assertEquals(timed.tP(), trace.tP());
+    }
+
+    @Test
+    void aTurnThatASensorFailureInterruptsEndsThere() {
+        long turn = arrival(FRAME, FollowerState.TURN);
+        double failure = (turn + 20) * SampleRuns.ROOM_SETUP.dt();
+        SimulationSetup setup = SampleRuns.ROOM_SETUP.withTimeline(
+                List.of(new SimulationSetup.TimedCommand(failure, new Command.SwitchSensor("left", false))));
+        AlignmentTrace soon =
+                AlignmentTrace.latest(SampleRuns.frame(setup, turn + 30)).orElseThrow();
+        AlignmentTrace late =
+                AlignmentTrace.latest(SampleRuns.frame(setup, turn + 400)).orElseThrow();
+        assertTrue(soon.samples().size() < 30, soon.samples().size() + " samples");
+        assertEquals(soon.samples(), late.samples());
+        assertEquals(soon.headingNow(), late.headingNow());
+        assertTrue(Double.isNaN(late.achievedHeading()), "the manoeuvre did not lead to FOLLOW");
+        assertTrue(!late.isTimed());
+    }
+
+    @Test
+    void theRuleIsTheOneThatDeterminedTheTimes() {
+        ControllerSpec.WallFollowing range = ControllerSpec.WallFollowing.DEFAULT.withTimingRule(TimingRule.RANGE);
+        SimulationSetup setup = SampleRuns.ROOM_SETUP.withTimeline(
+                List.of(new SimulationSetup.TimedCommand(20, new Command.ConfigureController(range))));
+        long turn = arrival(FRAME, FollowerState.TURN);
+        SessionFrame changed = SampleRuns.frame(setup, 2010);
+        assertEquals(range, changed.controller());
+        assertTrue(turn < 2000 && arrival(changed, FollowerState.TURN) == turn, "no other turn");
+        AlignmentTrace trace = AlignmentTrace.latest(changed).orElseThrow();
+        assertEquals(TimingRule.EQUAL_READINGS, trace.rule());
+        assertEquals(lastTiming(changed).rule(), trace.rule());
+        AlignmentView view = callOnEdt(AlignmentView::new);
+        runOnEdt(() -> view.setFrame(changed));
+        assertEquals("equal readings", callOnEdt(() -> view.rows().get(0).value()));
+        SimulationSetup other = SampleRuns.ROOM_SETUP.withController(range);
+        assertEquals(
+                TimingRule.RANGE,
+                AlignmentTrace.latest(SampleRuns.frame(other, 2000))
+                        .orElseThrow()
+                        .rule());
     }
 
     private static RunEvent.AlignmentTimed lastTiming(SessionFrame frame) {

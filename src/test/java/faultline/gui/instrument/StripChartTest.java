@@ -378,7 +378,7 @@ class StripChartTest {
             JToggleButton hold = ComponentFinder.find(dock, JToggleButton.class, "Hold the strip chart");
             hold.doClick();
             assertTrue(hold.isSelected());
-            dock.startScenario(ControllerSpec.WallFollowing.DEFAULT);
+            dock.startScenario();
             assertFalse(hold.isSelected());
         });
     }

@@ -38,8 +38,6 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineEditor;
-import faultline.scenario.Scenario;
-import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -232,8 +230,7 @@ class MainPanelTest {
     }
 
     @Test
-    void neitherNotesNorSelectionsAreKeptForAnotherScenario() throws ScenarioException {
-        Scenario next = Scenario.load(Path.of("scenarios/office.xml"));
+    void neitherNotesNorSelectionsAreKeptForAnotherScenario() {
         runOnEdt(() -> {
             JLabel note = ComponentFinder.find(mainPanel, JLabel.class, "Note");
             mainPanel.statusBar().showNote("Saved as a.xml");
@@ -241,7 +238,7 @@ class MainPanelTest {
             canvas.tools().selectAll();
             assertEquals("rear", chosenSensor());
             assertFalse(canvas.tools().selected().isEmpty());
-            mainPanel.startScenario(next);
+            mainPanel.startScenario();
             mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED);
             assertEquals("", note.getText());
             assertFalse(mainPanel.statusBar().isNoteShown());

@@ -7,6 +7,7 @@ import faultline.gui.edit.EditLimits;
 import faultline.gui.edit.Rounding;
 import faultline.gui.edit.ShapeHandles;
 import faultline.gui.edit.SnapSettings;
+import faultline.gui.text.AngleText;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.sensor.SensorSpec;
@@ -102,11 +103,10 @@ public sealed interface DragOperation {
                     .map(obstacle -> obstacle.withPose(Rounding.round(
                             obstacle.pose(), ObstacleOutlines.rotatedPose(obstacle, middle, after - before))))
                     .toList();
-            String degrees = String.format(Locale.ROOT, "%.1f", Math.toDegrees(Math.IEEEremainder(after, 2 * Math.PI)));
             return new DragPreview(
                     moveCommands(there),
                     there,
-                    Messages.get(obstacles.size() == 1 ? "value.heading" : "value.turn", degrees));
+                    Messages.get(obstacles.size() == 1 ? "value.heading" : "value.turn", AngleText.degrees(after, 1)));
         }
     }
 

@@ -4,12 +4,12 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.ShapeHandles;
 import faultline.gui.edit.SnapSettings;
+import faultline.gui.text.AngleText;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
 import faultline.paint.surface.DrawContext;
 import faultline.world.Snapshot;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /** Moves or rotates the robot before the run has started; on release the run restarts there. */
@@ -76,10 +76,8 @@ public final class StartPoseGesture implements Gesture {
     }
 
     private String poseText(Pose pose) {
-        String degrees =
-                String.format(Locale.ROOT, "%.1f", Math.toDegrees(Math.IEEEremainder(pose.heading(), 2 * Math.PI)));
         return rotating
-                ? Messages.get("value.heading", degrees)
+                ? Messages.get("value.heading", AngleText.degrees(pose.heading(), 1))
                 : Messages.get("value.place", ShapeHandles.formatMetres(pose.x()), ShapeHandles.formatMetres(pose.y()));
     }
 }
