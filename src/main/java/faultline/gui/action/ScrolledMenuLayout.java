@@ -67,10 +67,7 @@ public final class ScrolledMenuLayout implements LayoutManager {
         // It also prepares the columns of the items, which are as wide as the widest.
         Dimension all = new DefaultMenuLayout(popup, BoxLayout.PAGE_AXIS).preferredLayoutSize(popup);
         Insets insets = popup.getInsets();
-        int height = items().stream()
-                .mapToInt(item -> item.getPreferredSize().height)
-                .sum();
-        return new Dimension(all.width, Math.min(height + insets.top + insets.bottom, room()));
+        return new Dimension(all.width, Math.min(heightOf(items()) + insets.top + insets.bottom, room()));
     }
 
     @Override
@@ -108,8 +105,7 @@ public final class ScrolledMenuLayout implements LayoutManager {
         int width = popup.getWidth() - insets.left - insets.right;
         List<Component> items = items();
         int bottom = popup.getHeight() - insets.bottom;
-        boolean scrolled = heightOf(items) > bottom - insets.top;
-        int arrow = scrolled ? TextSize.scaled(ARROW_HEIGHT) : 0;
+        int arrow = isScrolled(popup.getHeight()) ? TextSize.scaled(ARROW_HEIGHT) : 0;
         up.setBounds(insets.left, insets.top, width, arrow);
         down.setBounds(insets.left, bottom - arrow, width, arrow);
         int room = bottom - insets.top - 2 * arrow;
@@ -123,6 +119,12 @@ public final class ScrolledMenuLayout implements LayoutManager {
         }
         up.setEnabled(first > 0);
         down.setEnabled(y > bottom);
+    }
+
+    /** Returns whether a menu of a height cannot show all items. */
+    private boolean isScrolled(int height) {
+        Insets insets = popup.getInsets();
+        return heightOf(items()) > height - insets.top - insets.bottom;
     }
 
     private static int heightOf(List<Component> items) {
@@ -168,7 +170,7 @@ public final class ScrolledMenuLayout implements LayoutManager {
         @Override
         public void popupMenuWillBecomeVisible(PopupMenuEvent event) {
             first = 0;
-            if (popup.getPreferredSize().height < heightOf(items())) {
+            if (isScrolled(popup.getPreferredSize().height)) {
                 popup.add(up);
                 popup.add(down);
             }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.gui.EdtChecker;
 import faultline.gui.GuiRobot;
 import faultline.gui.theme.Theme;
+import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
@@ -18,6 +19,7 @@ import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -94,5 +96,26 @@ class ScrolledMenuRobotTest {
         robot.pressKeys(KeyEvent.VK_ENTER);
         robot.waitFor("the item is chosen", () -> chosen.get() == COUNT - 2);
         assertEquals(COUNT, callOnEdt(menu::getItemCount), "the arrows are gone");
+    }
+
+    @Test
+    void aMenuThatIsTooHighOnlyByItsBorderHasArrows() {
+        JPopupMenu popup = callOnEdt(() -> {
+            JPopupMenu high = new JPopupMenu();
+            ScrolledMenuLayout.install(high);
+            int screen = frame.getGraphicsConfiguration().getBounds().height;
+            List.of(screen - 101, 50, 50)
+                    .forEach(height -> high.add(createItem(0)).setPreferredSize(new Dimension(100, height)));
+            assertTrue(high.getInsets().top + high.getInsets().bottom > 1);
+            high.show(frame, 0, 0);
+            return high;
+        });
+        robot.waitFor("the menu shows", popup::isShowing);
+        // The third item does not fit; the component after the items is the lower arrow.
+        assertEquals(5, callOnEdt(popup::getComponentCount));
+        assertTrue(callOnEdt(() -> !popup.getComponent(2).getBounds().intersects(new Rectangle(popup.getSize()))));
+        assertTrue(callOnEdt(() -> popup.getComponent(4).getHeight()) > 0);
+        assertTrue(callOnEdt(() -> popup.getComponent(4).isShowing()));
+        runOnEdt(() -> popup.setVisible(false));
     }
 }
