@@ -62,7 +62,7 @@ final class CanvasOverlays implements LayoutManager {
         if (card != null && card.isVisible()) {
             // A card under the mouse is being used: it stays in its corner.
             boolean used = card.isShowing() && card.getMousePosition(true) != null;
-            move(card, card.sizeWithin(parent.getWidth()), cardCorner, used ? List.of() : avoided);
+            move(card, card.sizeWithin(parent.getSize()), cardCorner, used ? List.of() : avoided);
         }
     }
 

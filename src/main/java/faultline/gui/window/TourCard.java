@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.UiText;
@@ -19,6 +20,8 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollBar;
+import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
@@ -26,7 +29,8 @@ import javax.swing.SwingUtilities;
 
 /**
  * The tour of the window: a card in the canvas that explains one step at a time and marks the control concerned. The
- * program can be used while it is open. Escape closes it.
+ * program can be used while it is open. Escape closes it. On a small canvas the text scrolls, with the mouse wheel and
+ * with Up and Down.
  */
 final class TourCard extends JPanel {
 
@@ -46,6 +50,7 @@ final class TourCard extends JPanel {
     private final transient Consumer<JComponent> marker;
     private final JLabel title = new JLabel();
     private final JTextArea text = new JTextArea();
+    private final JScrollPane scroll = ScreenFit.scrolling(text);
     private final JButton back = UiText.button("tour.back");
     private final JButton next = UiText.button("tour.next");
     private final JButton close = UiText.button("dialog.close");
@@ -62,6 +67,9 @@ final class TourCard extends JPanel {
         back.addActionListener(event -> show(shown - 1));
         next.addActionListener(event -> show(shown + 1));
         registerKeyboardAction(event -> close(), KeyStroke.getKeyStroke("ESCAPE"), WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
+        registerKeyboardAction(event -> scrollBy(-1), KeyStroke.getKeyStroke("UP"), WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
+        registerKeyboardAction(
+                event -> scrollBy(1), KeyStroke.getKeyStroke("DOWN"), WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
         RefreshSteps.add(title, RefreshSteps::embolden);
         text.setEditable(false);
         text.setFocusable(false);
@@ -72,7 +80,10 @@ final class TourCard extends JPanel {
         buttons.setOpaque(false);
         List.of(back, next, close).forEach(buttons::add);
         add(title, BorderLayout.NORTH);
-        add(text, BorderLayout.CENTER);
+        scroll.setViewportBorder(null);
+        scroll.setOpaque(false);
+        scroll.getViewport().setOpaque(false);
+        add(scroll, BorderLayout.CENTER);
         add(buttons, BorderLayout.SOUTH);
         // Clicks must not reach the canvas below.
         addMouseListener(new MouseAdapter() {});
@@ -97,6 +108,11 @@ final class TourCard extends JPanel {
         canvas.requestFocusInWindow();
     }
 
+    private void scrollBy(int direction) {
+        JScrollBar bar = scroll.getVerticalScrollBar();
+        bar.setValue(bar.getValue() + direction * bar.getUnitIncrement(direction));
+    }
+
     private void show(int step) {
         shown = step;
         updateTexts();
@@ -108,12 +124,12 @@ final class TourCard extends JPanel {
         getParent().revalidate();
     }
 
-    /** Returns the size that shows all texts within a width, pixels. */
-    Dimension sizeWithin(int available) {
-        int width = Math.min(TextSize.scaled(WIDTH), available);
+    /** Returns the size that shows all texts, or as much of them as fits, pixels. */
+    Dimension sizeWithin(Dimension available) {
+        int width = Math.min(TextSize.scaled(WIDTH), available.width);
         // The height of a text that wraps depends on its width.
         text.setSize(width - getInsets().left - getInsets().right, Short.MAX_VALUE);
-        return new Dimension(width, getPreferredSize().height);
+        return new Dimension(width, Math.min(getPreferredSize().height, available.height));
     }
 
     private void updateTexts() {
@@ -121,6 +137,7 @@ final class TourCard extends JPanel {
         String name = Messages.get("tour." + now.key());
         title.setText(Messages.get("tour.title", Integer.toString(shown + 1), Integer.toString(steps.size()), name));
         text.setText(Messages.get("tour." + now.key() + ".text"));
+        text.setCaretPosition(0);
         getAccessibleContext().setAccessibleName(title.getText());
         getAccessibleContext().setAccessibleDescription(text.getText());
     }

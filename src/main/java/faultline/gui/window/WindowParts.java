@@ -70,8 +70,12 @@ final class WindowParts {
         return MIN_HEIGHT_WITH_DOCK - TEXT_HEIGHT_WITH_DOCK + TextSize.scaled(TEXT_HEIGHT_WITH_DOCK);
     }
 
-    /** Shows the time line and the control panel. */
+    /** Shows the time line and the control panel; a window that is not high hides the instruments, for the card. */
     void showForTour() {
+        if (mainPanel.getRootPane().getHeight() < minHeightWithDock()) {
+            mainPanel.setDockShown(false);
+            instruments.setOn(false);
+        }
         setTimelineShown(true);
         timeline.setOn(true);
         setPanelShown(true);

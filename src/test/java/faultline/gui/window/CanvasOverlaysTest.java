@@ -8,17 +8,26 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.ComponentFinder;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import java.awt.event.ActionEvent;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JPanel;
+import javax.swing.JScrollBar;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -85,6 +94,48 @@ class CanvasOverlaysTest {
                 assertTrue(moves <= 9, "moves in two laps: " + moves);
             });
         }
+    }
+
+    @Test
+    void theTextOfACardThatIsHigherThanTheCanvasScrolls() {
+        runOnEdt(() -> {
+            build(TextSize.LARGEST);
+            drive(3, 2);
+            card.start();
+            JScrollBar bar = ComponentFinder.findAll(card, JScrollPane.class)
+                    .findFirst()
+                    .orElseThrow()
+                    .getVerticalScrollBar();
+            overlays.update();
+            layOut(card);
+            assertFalse(bar.isVisible(), "all of the text shows");
+            canvas.setSize(448, 140);
+            overlays.update();
+            layOut(card);
+            assertEquals(new Rectangle(0, 0, 448, 140), card.getBounds());
+            JButton next = ComponentFinder.find(card, JButton.class, "Next");
+            assertTrue(new Rectangle(card.getSize())
+                    .contains(SwingUtilities.convertRectangle(next.getParent(), next.getBounds(), card)));
+            assertTrue(bar.isVisible());
+            assertEquals(0, bar.getValue(), "the text begins at its start");
+            press("DOWN");
+            assertTrue(bar.getValue() > 0);
+            press("UP");
+            assertEquals(0, bar.getValue());
+        });
+    }
+
+    private void press(String key) {
+        card.getActionForKeyStroke(KeyStroke.getKeyStroke(key))
+                .actionPerformed(new ActionEvent(card, ActionEvent.ACTION_PERFORMED, key));
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        Stream.of(container.getComponents())
+                .filter(Container.class::isInstance)
+                .map(Container.class::cast)
+                .forEach(CanvasOverlaysTest::layOut);
     }
 
     /** Returns what the card must not hide: at the largest text size there is room for the platform only. */

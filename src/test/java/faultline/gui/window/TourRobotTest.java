@@ -7,9 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.panel.RunPanel;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.LaneView;
+import java.awt.Dimension;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import javax.swing.JButton;
@@ -89,6 +91,23 @@ class TourRobotTest {
         driver.type(KeyEvent.VK_SPACE);
         driver.waitForFrame("time runs", frame -> frame.snapshot().time() > 0.3);
         assertTrue(callOnEdt(card()::isShowing));
+    }
+
+    @Test
+    void aLowWindowHidesTheInstrumentsSoThatTheCardFits() {
+        runOnEdt(() -> driver.window().setSize(800, 600));
+        driver.robot().waitFor("the window is low", () -> driver.window().getHeight() == 600);
+        if (!isShowing(InstrumentDock.class)) {
+            driver.choose("instruments");
+        }
+        assertTrue(isShowing(InstrumentDock.class));
+        driver.choose("tour");
+        waitForStep("1 of 4: Break a sensor");
+        assertFalse(isShowing(InstrumentDock.class));
+        driver.robot()
+                .waitFor(
+                        "the card shows all of its text",
+                        () -> card().getHeight() == card().sizeWithin(new Dimension(card().getWidth(), 2000)).height);
     }
 
     @Test
