@@ -115,8 +115,7 @@ record AlignmentTrace(
                     (headingAt(level, tick - 1) - start) / rate, level.min(TraceChannels.MEASURED_DISTANCE, tick)));
         }
         double origin = (ticks.align() - 1) * dt(frame) - Math.abs(turnedBy / rate);
-        Optional<RunEvent.AlignmentTimed> timed = timing(frame, ticks);
-        Telemetry.EdgeTimes shown = edges(frame, timed, origin);
+        Telemetry.EdgeTimes shown = edges(frame, ticks, origin);
         double now = headingAt(level, ticks.end() - 1);
         return new AlignmentTrace(
                 samples,
@@ -128,7 +127,7 @@ record AlignmentTrace(
                 shown.tP(),
                 origin,
                 ticks.done() ? now : Double.NaN,
-                timed.map(RunEvent.AlignmentTimed::rule).orElse(presentRule(frame)));
+                timing(frame, ticks).map(RunEvent.AlignmentTimed::rule).orElse(presentRule(frame)));
     }
 
     /** Returns the recorded timing of a manoeuvre. */
@@ -153,11 +152,11 @@ record AlignmentTrace(
      * Returns the controller's times; the recorded ones if the controller no longer reports them, because another
      * strategy drives since the turn.
      */
-    private static Telemetry.EdgeTimes edges(
-            SessionFrame frame, Optional<RunEvent.AlignmentTimed> recorded, double origin) {
+    private static Telemetry.EdgeTimes edges(SessionFrame frame, PhaseTicks ticks, double origin) {
         Telemetry.EdgeTimes reported = frame.telemetry().edges();
         return Double.isNaN(reported.tP())
-                ? recorded.map(timed -> new Telemetry.EdgeTimes(timed.f3() - origin, timed.f4() - origin, timed.tP()))
+                ? timing(frame, ticks)
+                        .map(timed -> new Telemetry.EdgeTimes(timed.f3() - origin, timed.f4() - origin, timed.tP()))
                         .orElse(reported)
                 : reported;
     }

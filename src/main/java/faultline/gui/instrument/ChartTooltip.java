@@ -66,14 +66,14 @@ final class ChartTooltip {
         return String.format(Locale.ROOT, pattern, values);
     }
 
-    /** Paints the values in a picture of the given height, pixels. */
-    void paint(Graphics2D g, Theme theme, double height) {
+    /** Paints the values in a picture of the given width and height, pixels. */
+    void paint(Graphics2D g, Theme theme, double width, double height) {
         double x = chart.plot().x(chart.data().timeOf(bucket));
         g.setColor(theme.palette().muted());
         g.setStroke(new BasicStroke(1));
         g.draw(new Line2D.Double(x, area().y(), x, area().y() + area().height()));
         chart.signal().lines().forEach(curve -> paintDot(g, theme, curve, x));
-        paintBox(g, theme, x, height);
+        paintBox(g, theme, box(g.getFontMetrics(FONT), width, height));
     }
 
     private PixelRectangle area() {
@@ -88,20 +88,35 @@ final class ChartTooltip {
         }
     }
 
-    /** Paints the box beside the marked time, on the side that has room. */
-    private void paintBox(Graphics2D g, Theme theme, double x, double pictureHeight) {
-        g.setFont(FONT);
-        FontMetrics metrics = g.getFontMetrics();
+    /** Returns the box beside the marked time, on the side that has room, no wider than the picture. */
+    Rectangle2D box(FontMetrics metrics, double pictureWidth, double pictureHeight) {
         List<String> lines = lines();
-        double width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + SAMPLE_WIDTH + 3 * PADDING;
+        double x = chart.plot().x(chart.data().timeOf(bucket));
+        double width = Math.min(fullWidth(metrics), pictureWidth - 1);
         double beside = x + POINTER_DISTANCE + width < area().x() + area().width()
                 ? x + POINTER_DISTANCE
-                : x - POINTER_DISTANCE - width;
-        double left = Math.max(beside, area().x());
+                : Math.max(x - POINTER_DISTANCE - width, area().x());
         double rowHeight = Math.min(ROW_HEIGHT, (pictureHeight - PADDING - 1) / lines.size());
         double height = lines.size() * rowHeight + PADDING;
-        double top = Math.max(0, Math.min(area().y() + 4, pictureHeight - height - 1));
-        Shape background = new RoundRectangle2D.Double(left, top, width, height, 6, 6);
+        return new Rectangle2D.Double(
+                Math.max(0, Math.min(beside, pictureWidth - width - 1)),
+                Math.max(0, Math.min(area().y() + 4, pictureHeight - height - 1)),
+                width,
+                height);
+    }
+
+    private double fullWidth(FontMetrics metrics) {
+        return lines().stream().mapToInt(metrics::stringWidth).max().orElse(0) + SAMPLE_WIDTH + 3 * PADDING;
+    }
+
+    private void paintBox(Graphics2D g, Theme theme, Rectangle2D box) {
+        double size = box.getWidth() / fullWidth(g.getFontMetrics(FONT));
+        g.setFont(FONT.deriveFont((float) (FONT.getSize2D() * size)));
+        List<String> lines = lines();
+        double left = box.getX();
+        double top = box.getY();
+        double rowHeight = (box.getHeight() - PADDING) / lines.size();
+        Shape background = new RoundRectangle2D.Double(left, top, box.getWidth(), box.getHeight(), 6, 6);
         g.setColor(theme.palette().canvas());
         g.fill(background);
         g.setColor(theme.colours().border());

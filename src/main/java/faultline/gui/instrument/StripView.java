@@ -182,7 +182,8 @@ final class StripView extends AccessibleComponent {
 
     private void paint(Graphics2D g, StripScale scale) {
         content().orElseThrow().paint(new GraphicsSurface(g), Theme.current(), scale);
-        tooltip(scale).ifPresent(out -> out.paint(g, Theme.current(), getHeight() / imageScale()));
+        tooltip(scale)
+                .ifPresent(out -> out.paint(g, Theme.current(), getWidth() / imageScale(), getHeight() / imageScale()));
     }
 
     @Override

@@ -18,9 +18,12 @@ import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.PixelRectangle;
 import faultline.world.Command;
+import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
@@ -170,12 +173,26 @@ class StripChartTest {
         BufferedImage picture = new BufferedImage(240, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = picture.createGraphics();
         ChartTooltip values = new ChartTooltip(scale, 15);
-        values.paint(graphics, Theme.LIGHT, HEIGHT);
+        values.paint(graphics, Theme.LIGHT, 240, HEIGHT);
         graphics.dispose();
         assertEquals(scale.signal().lines().size() + 1, values.lines().size());
         for (ChartLine line : scale.signal().lines()) {
             long pixels = SampleRuns.count(picture, line.colour().apply(Theme.LIGHT));
             assertTrue(pixels >= 16, line.name() + " has " + pixels + " pixels");
+        }
+    }
+
+    @Test
+    void theBoxOfValuesIsWithinTheChart() {
+        addSensors(2);
+        for (int width : new int[] {240, 300, 420}) {
+            runOnEdt(() -> SampleRuns.render(chart, width, HEIGHT));
+            StripScale scale = callOnEdt(() -> chart.view().scale().orElseThrow());
+            FontMetrics metrics = callOnEdt(() -> chart.getFontMetrics(new Font(Font.SANS_SERIF, Font.PLAIN, 12)));
+            for (double time = 10.5; time < 20; time += 0.5) {
+                Rectangle2D box = new ChartTooltip(scale, time).box(metrics, width, HEIGHT);
+                assertTrue(new Rectangle2D.Double(0, 0, width, HEIGHT).contains(box), time + ": " + box);
+            }
         }
     }
 
