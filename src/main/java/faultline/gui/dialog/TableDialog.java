@@ -4,9 +4,12 @@ import faultline.gui.panel.RowTable;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Window;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
@@ -15,6 +18,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
+import javax.swing.JTextArea;
 import javax.swing.table.DefaultTableModel;
 
 /** A modal dialog with a heading, a read-only table and a button. Escape and Enter close it. */
@@ -44,9 +48,7 @@ final class TableDialog extends JDialog {
         super(owner, title, ModalityType.APPLICATION_MODAL);
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
-        JLabel label = new JLabel(heading, icon, JLabel.LEADING);
-        label.setIconTextGap(12);
-        content.add(label, BorderLayout.NORTH);
+        content.add(createHeading(heading, icon), BorderLayout.NORTH);
         JTable table = createTable(columns, rows);
         WrappedCellRenderer.install(table, widths);
         content.add(createScrollPane(table, title), BorderLayout.CENTER);
@@ -54,7 +56,28 @@ final class TableDialog extends JDialog {
         setContentPane(content);
         EmptyToolTips.disable(content);
         ScreenFit.pack(this);
+        // The height of a heading that wraps is known after its width.
+        content.invalidate();
+        validate();
         setLocationRelativeTo(owner);
+    }
+
+    private static JPanel createHeading(String heading, Icon icon) {
+        JTextArea text = UiText.wrappedText();
+        text.setText(heading);
+        text.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                // The height depends on the width.
+                text.revalidate();
+            }
+        });
+        JLabel label = new JLabel(icon);
+        label.setVerticalAlignment(JLabel.TOP);
+        JPanel row = new JPanel(new BorderLayout(12, 0));
+        row.add(label, BorderLayout.LINE_START);
+        row.add(text, BorderLayout.CENTER);
+        return row;
     }
 
     private static JTable createTable(List<String> columns, List<List<String>> rows) {

@@ -1,6 +1,8 @@
 package faultline.gui.dialog;
 
 import java.awt.Component;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
@@ -31,14 +33,27 @@ final class WrappedCellRenderer extends JTextArea implements TableCellRenderer {
             table.getColumnModel().getColumn(column).setPreferredWidth(widths.get(column));
             table.getColumnModel().getColumn(column).setWidth(widths.get(column));
         }
+        cells.fitRows(table);
+        table.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                cells.fitRows(table);
+            }
+        });
+    }
+
+    /** Gives each row the height that its texts need in the present columns. */
+    private void fitRows(JTable table) {
         for (int row = 0; row < table.getRowCount(); row++) {
             int height = 0;
-            for (int column = 0; column < widths.size(); column++) {
-                cells.setSize(widths.get(column), Short.MAX_VALUE);
-                cells.setText(String.valueOf(table.getValueAt(row, column)));
-                height = Math.max(height, cells.getPreferredSize().height);
+            for (int column = 0; column < table.getColumnCount(); column++) {
+                setSize(table.getColumnModel().getColumn(column).getWidth(), Short.MAX_VALUE);
+                setText(String.valueOf(table.getValueAt(row, column)));
+                height = Math.max(height, getPreferredSize().height);
             }
-            table.setRowHeight(row, height);
+            if (height != table.getRowHeight(row)) {
+                table.setRowHeight(row, height);
+            }
         }
     }
 

@@ -7,6 +7,7 @@ import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.Theme;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -49,7 +50,7 @@ public final class Gallery extends JDialog {
     private final transient ExampleFilter filter = new ExampleFilter();
     private final JList<Example> list = new JList<>(filter.shown());
     private final JTextField search = new JTextField(SEARCH_COLUMNS);
-    private final JTextArea description = new JTextArea(2, 20);
+    private final JTextArea description = UiText.wrappedText();
     private final transient Consumer<String> onOpen;
     private final transient ExampleLoader loader;
 
@@ -159,11 +160,8 @@ public final class Gallery extends JDialog {
     }
 
     private JPanel footer(boolean atStart, Consumer<Boolean> atStartChanged, Runnable onTour) {
-        description.setLineWrap(true);
-        description.setWrapStyleWord(true);
-        description.setEditable(false);
-        description.setFocusable(false);
-        description.setOpaque(false);
+        description.setRows(2);
+        description.setColumns(20);
         description.getAccessibleContext().setAccessibleName(Messages.get("gallery.description"));
         JCheckBox again = new JCheckBox(Messages.get("gallery.atStart"), atStart);
         again.addActionListener(event -> atStartChanged.accept(again.isSelected()));

@@ -11,7 +11,6 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.event.MouseAdapter;
-import java.util.List;
 import java.util.function.LongConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
@@ -31,8 +30,8 @@ public final class VerdictBanner extends JPanel {
     private static final GlyphIcon FAILURE = new GlyphIcon(Glyph.WARNING, 18, colours -> colours.warning());
 
     private final JLabel icon = new JLabel();
-    private final JTextArea title = new JTextArea();
-    private final JTextArea detail = new JTextArea();
+    private final JTextArea title = UiText.wrappedText();
+    private final JTextArea detail = UiText.wrappedText();
     private final JPanel buttons = new JPanel();
     private final JButton back = UiText.button("verdict.back");
     /** Null while there is none. */
@@ -72,14 +71,7 @@ public final class VerdictBanner extends JPanel {
 
     private void configureTexts() {
         RefreshSteps.add(title, RefreshSteps::embolden);
-        for (JTextArea text : List.of(title, detail)) {
-            text.setEditable(false);
-            text.setFocusable(false);
-            text.setLineWrap(true);
-            text.setWrapStyleWord(true);
-            text.setOpaque(false);
-            text.setBorder(BorderFactory.createEmptyBorder());
-        }
+        title.setBorder(BorderFactory.createEmptyBorder());
         detail.setBorder(BorderFactory.createEmptyBorder(2, 0, 0, 0));
     }
 

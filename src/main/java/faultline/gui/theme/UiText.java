@@ -13,6 +13,7 @@ import javax.swing.JList;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
+import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 
 /** Texts of components that follow the language; see {@link RefreshSteps}. */
@@ -23,6 +24,17 @@ public final class UiText {
     /** Creates a label with the text of a key. */
     public static JLabel label(String key) {
         return RefreshSteps.add(new JLabel(), label -> label.setText(Messages.get(key)));
+    }
+
+    /** Creates a component for a text that wraps, which cannot be edited and takes no focus. */
+    public static JTextArea wrappedText() {
+        JTextArea area = new JTextArea();
+        area.setEditable(false);
+        area.setFocusable(false);
+        area.setLineWrap(true);
+        area.setWrapStyleWord(true);
+        area.setOpaque(false);
+        return area;
     }
 
     /** Creates a button with the text of a key. */

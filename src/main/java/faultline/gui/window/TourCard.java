@@ -49,7 +49,7 @@ final class TourCard extends JPanel {
     private final transient List<TourStep> steps;
     private final transient Consumer<JComponent> marker;
     private final JLabel title = new JLabel();
-    private final JTextArea text = new JTextArea();
+    private final JTextArea text = UiText.wrappedText();
     private final JScrollPane scroll = ScreenFit.scrolling(text);
     private final JButton back = UiText.button("tour.back");
     private final JButton next = UiText.button("tour.next");
@@ -71,11 +71,6 @@ final class TourCard extends JPanel {
         registerKeyboardAction(
                 event -> scrollBy(1), KeyStroke.getKeyStroke("DOWN"), WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
         RefreshSteps.add(title, RefreshSteps::embolden);
-        text.setEditable(false);
-        text.setFocusable(false);
-        text.setLineWrap(true);
-        text.setWrapStyleWord(true);
-        text.setOpaque(false);
         JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, GAP, 0));
         buttons.setOpaque(false);
         List.of(back, next, close).forEach(buttons::add);

@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
@@ -25,6 +26,7 @@ import javax.swing.JComboBox;
 import javax.swing.JDialog;
 import javax.swing.JList;
 import javax.swing.JTable;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.ToolTipManager;
@@ -37,6 +39,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Every dialog can be used by keyboard and screen reader: each control has a name, Tab reaches it, and Esc closes the
@@ -80,6 +83,36 @@ class DialogAccessRobotTest {
     void aDialogOfAnActionIsNamedReachedAndClosedByKeys(String action, String title) {
         driver.chooseLater(action);
         check(title);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {420, 700})
+    void theTextsOfTheShortcutsWrapInADialogOfAnyWidth(int width) {
+        driver.chooseLater("shortcuts");
+        JDialog dialog = driver.dialog("Keyboard and mouse");
+        runOnEdt(() -> dialog.setSize(width, 480));
+        driver.robot().waitFor("the dialog has its size", () -> dialog.getWidth() == width);
+        JTextArea heading =
+                ComponentFinder.findAll(dialog, JTextArea.class).findFirst().orElseThrow();
+        driver.robot()
+                .waitFor(
+                        "the heading shows all of its text",
+                        () -> heading.getHeight() >= heading.getUI().getPreferredSize(heading).height);
+        JTable table = ComponentFinder.findAll(dialog, JTable.class).findFirst().orElseThrow();
+        driver.robot().waitFor("each row has the height of its texts", () -> IntStream.range(0, table.getRowCount())
+                .allMatch(row -> table.getRowHeight(row) == highestCell(table, row)));
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+    }
+
+    private static int highestCell(JTable table, int row) {
+        return IntStream.range(0, table.getColumnCount())
+                .map(column -> {
+                    Component cell = table.prepareRenderer(table.getCellRenderer(row, column), row, column);
+                    cell.setSize(table.getColumnModel().getColumn(column).getWidth(), Short.MAX_VALUE);
+                    return cell.getPreferredSize().height;
+                })
+                .max()
+                .orElseThrow();
     }
 
     /** The tool tip manager consumes Escape while it believes that it shows a tip. */
