@@ -9,7 +9,9 @@ import faultline.gui.theme.Theme;
 import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Component;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.MouseAdapter;
 import java.util.function.LongConsumer;
 import javax.swing.BorderFactory;
@@ -20,6 +22,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
 
 /** Shows over the canvas how a run ended, so that no other component moves when it appears. */
 public final class VerdictBanner extends JPanel {
@@ -47,7 +50,7 @@ public final class VerdictBanner extends JPanel {
         JButton close = new JButton(new GlyphIcon(Glyph.REMOVE, 14, null));
         UiText.nameAndTip(close, "verdict.close");
         close.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
-        close.addActionListener(event -> setVisible(false));
+        close.addActionListener(event -> close());
         UiText.tip(back, "verdict.back.tip");
         back.addActionListener(event -> seek.accept(verdict.tickBefore(dt)));
         buttons.setOpaque(false);
@@ -101,7 +104,17 @@ public final class VerdictBanner extends JPanel {
     public void clearVerdict() {
         assert EventQueue.isDispatchThread();
         verdict = null;
+        close();
+    }
+
+    /** Hides the banner; the focus of one of its buttons moves to the canvas. */
+    private void close() {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        boolean focused = owner != null && SwingUtilities.isDescendingFrom(owner, this);
         setVisible(false);
+        if (focused) {
+            getParent().requestFocusInWindow();
+        }
     }
 
     /** Gives the texts the width that they will have, because their height depends on it. */

@@ -44,6 +44,7 @@ class VerdictRobotTest {
             driver.click(callOnEdt(() -> ComponentFinder.find(driver.window(), JButton.class, "Go to just before")));
             driver.waitForFrame("two seconds before", frame -> frame.snapshot().tick() == 757);
             driver.robot().waitFor("the banner is gone", () -> !banner(driver).isShowing());
+            driver.robot().waitFor("keys reach the canvas", driver.canvas()::isFocusOwner);
         }
     }
 
