@@ -27,6 +27,10 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     private static final int RULER_HEIGHT = 14;
 
     private final transient TimelineEditor editor;
+    private final transient LaneActions actions;
+    /** The sensor for which a fault is asked when the lanes are updated, empty for none. */
+    private String faultSensor = "";
+
     private transient List<Lane> allLanes = List.of(Lane.OTHER);
     /** Whether the lanes of another scenario will be shown next. */
     private boolean newScenario;
@@ -64,7 +68,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
                 repaint();
             }
         });
-        LaneActions actions = new LaneActions(this, editor);
+        actions = new LaneActions(this, editor);
         new LaneMouse(this, editor, actions).install();
         new LaneKeys(this, actions).install();
     }
@@ -114,10 +118,27 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
             }
             repaint();
         }
+        if (!faultSensor.isEmpty()) {
+            String sensor = faultSensor;
+            faultSensor = "";
+            EventQueue.invokeLater(() -> addFault(new Lane.SensorLane(sensor)));
+        }
         if (newScenario) {
             newScenario = false;
             // When the lanes have their new height.
             EventQueue.invokeLater(this::showFirstItem);
+        }
+    }
+
+    /** Asks for a new fault of a sensor that starts at the present time, as soon as the lanes show. */
+    public void addFault(String sensor) {
+        faultSensor = sensor;
+    }
+
+    private void addFault(Lane wanted) {
+        if (allLanes.contains(wanted)) {
+            select(allLanes.indexOf(wanted), LaneLayout.NONE);
+            actions.addItem(now);
         }
     }
 

@@ -53,6 +53,7 @@ import java.util.concurrent.Callable;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
 import javax.swing.JFrame;
+import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.WindowConstants;
 
@@ -216,14 +217,23 @@ public final class MainWindow extends JFrame {
     private void installCanvasListeners() {
         canvas.tools().addMenuListener(at -> {
             MenuTarget target = canvas.tools().targetAt(at);
+            JPopupMenu popup = new JPopupMenu();
             if (target == MenuTarget.SENSOR) {
-                canvas.tools().selectSensorAt(at);
+                canvas.tools()
+                        .selectSensorAt(at)
+                        .ifPresent(sensor -> SensorMenu.addTo(popup, sensor, undoController, this::addFault));
             }
-            Menus.createCanvasPopup(actionRegistry, target).show(canvas, at.x, at.y);
+            Menus.addCanvasItems(popup, actionRegistry, target);
+            popup.show(canvas, at.x, at.y);
         });
         canvas.tools().addStartListener(pose -> workspace
                 .scenario()
                 .ifPresent(open -> scenarioEditor.moveStart(open.setup().start(), pose)));
+    }
+
+    private void addFault(String sensor) {
+        parts.showTimeline();
+        mainPanel.timeline().lanes().addFault(sensor);
     }
 
     private void updateEditActions() {

@@ -79,10 +79,9 @@ final class Menus {
         return createMenu("presets", "sensorsTwo sensorsThree sensorsAll");
     }
 
-    /** Creates the context menu of the canvas for what is under the cursor. */
-    static JPopupMenu createCanvasPopup(ActionRegistry actions, MenuTarget target) {
+    /** Adds the items of the canvas for what is under the cursor to a context menu. */
+    static void addCanvasItems(JPopupMenu popup, ActionRegistry actions, MenuTarget target) {
         Menus menus = new Menus(actions);
-        JPopupMenu popup = new JPopupMenu();
         for (String key : popupKeys(target).split(" ")) {
             popup.add(key.equals(SEPARATOR) ? new JPopupMenu.Separator() : createItem(actions.get(key)));
         }
@@ -90,7 +89,6 @@ final class Menus {
             popup.add(menus.createSensorMenu());
             popup.add(menus.createPresetMenu());
         }
-        return popup;
     }
 
     private static String popupKeys(MenuTarget target) {

@@ -76,10 +76,15 @@ final class WindowParts {
             mainPanel.setDockShown(false);
             instruments.setOn(false);
         }
-        setTimelineShown(true);
-        timeline.setOn(true);
+        showTimeline();
         setPanelShown(true);
         controlPanel.setOn(true);
+    }
+
+    /** Shows the time line. */
+    void showTimeline() {
+        setTimelineShown(true);
+        timeline.setOn(true);
     }
 
     private void setDockShown(boolean shown) {

@@ -11,6 +11,7 @@ import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
 import faultline.world.Obstacle;
+import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import faultline.world.WaypointPath;
 import java.awt.EventQueue;
@@ -184,15 +185,12 @@ public final class CanvasTools {
                         : MenuTarget.FLOOR;
     }
 
-    /** Selects the sensor whose cone is at a position on the canvas. */
-    public void selectSensorAt(Point at) {
-        context.model()
-                .sensor()
-                .set(ConeHitTest.sensorAt(
-                                context.viewport().camera().get(),
-                                context.model().sensors(),
-                                new Vector2(at.x, at.y))
-                        .map(sensor -> sensor.spec().id()));
+    /** Selects the sensor whose cone is at a position on the canvas, and returns it. */
+    public Optional<SensorSnapshot> selectSensorAt(Point at) {
+        Optional<SensorSnapshot> sensor = ConeHitTest.sensorAt(
+                context.viewport().camera().get(), context.model().sensors(), new Vector2(at.x, at.y));
+        context.model().sensor().set(sensor.map(found -> found.spec().id()));
+        return sensor;
     }
 
     /** Selects obstacles that are about to be placed, as soon as a frame has them all. */

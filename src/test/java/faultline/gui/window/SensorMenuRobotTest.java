@@ -1,0 +1,119 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.geometry.Sector;
+import faultline.geometry.Vector2;
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import faultline.gui.timeline.LaneView;
+import faultline.sensor.Fault;
+import faultline.world.SensorSnapshot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
+import javax.swing.MenuElement;
+import javax.swing.MenuSelectionManager;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** The context menu of a cone switches its sensor, adds a fault to it and repairs it. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
+class SensorMenuRobotTest {
+
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() {
+        driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/office.xml"));
+    }
+
+    @AfterEach
+    void close() {
+        driver.close();
+    }
+
+    private static SensorSnapshot left(Frame frame) {
+        return frame.snapshot().sensors().stream()
+                .filter(sensor -> sensor.spec().id().equals("left"))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private void openMenu() {
+        Sector cone = left(driver.frame()).sector();
+        Vector2 at = callOnEdt(() ->
+                driver.canvas().camera().toScreen(cone.apex().plus(cone.axis().times(0.7 * cone.range()))));
+        driver.robot().click(driver.canvas(), at.x(), at.y(), InputEvent.BUTTON3_DOWN_MASK);
+        driver.robot().waitFor("the menu shows", () -> items().findAny().isPresent());
+    }
+
+    private static Stream<JMenuItem> items() {
+        return Stream.of(MenuSelectionManager.defaultManager().getSelectedPath())
+                .filter(JPopupMenu.class::isInstance)
+                .map(MenuElement::getSubElements)
+                .flatMap(Stream::of)
+                .filter(JMenuItem.class::isInstance)
+                .map(JMenuItem.class::cast);
+    }
+
+    private static JMenuItem item(String text) {
+        return callOnEdt(() ->
+                items().filter(item -> item.getText().equals(text)).findFirst().orElseThrow());
+    }
+
+    private void choose(String text) {
+        openMenu();
+        driver.click(item(text));
+    }
+
+    @Test
+    void theSensorIsSwitchedOffAndOn() {
+        choose("Switch off left");
+        driver.waitForFrame("it is off", frame -> !left(frame).spec().on());
+        choose("Switch on left");
+        driver.waitForFrame("it is on again", frame -> left(frame).spec().on());
+    }
+
+    @Test
+    void aFaultIsAddedInItsLaneWhichShowsAndIsRepaired() {
+        LaneView lanes = ComponentFinder.findAll(driver.window(), LaneView.class)
+                .findFirst()
+                .orElseThrow();
+        openMenu();
+        JMenuItem repair = item("Repair left");
+        assertFalse(callOnEdt(repair::isEnabled), "it has no fault");
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        if (callOnEdt(lanes::isShowing)) {
+            driver.choose("timeline");
+        }
+        choose("Add a fault of left…");
+        driver.clickButton("left: stuck 0.40 m", "OK");
+        driver.robot().waitFor("the lanes show", lanes::isShowing);
+        driver.waitForTitle("office.xml*");
+        runOnEdt(() -> driver.canvas().requestFocusInWindow());
+        driver.choose("step");
+        driver.waitForFrame(
+                "the fault is active", frame -> !left(frame).faults().isEmpty());
+        assertEquals(List.of(new Fault.Stuck(0.4)), left(driver.frame()).faults());
+        choose("Repair left");
+        driver.waitForFrame("it is repaired", frame -> left(frame).faults().isEmpty());
+        assertTrue(left(driver.frame()).spec().on());
+    }
+}
