@@ -18,6 +18,8 @@ public final class SelectionPainter {
     /** The radius of a rotation handle, pixels. */
     public static final double HANDLE_RADIUS = 6;
 
+    private static final double WAYPOINT_RADIUS = 4;
+
     private static final double SQUARE_SIZE = 7;
     /** The position of the handle on a cone's edge, as a fraction of its length. */
     private static final double EDGE_HANDLE_POSITION = 0.75;
@@ -64,9 +66,15 @@ public final class SelectionPainter {
         context.draw(screenOutline(context, obstacle), context.palette().accent(), OUTLINE_STROKE);
     }
 
-    /** Paints the handles of the only selected obstacle; {@code places} are those that change its size, metres. */
+    /**
+     * Paints the handles of the only selected obstacle, also those of its way-points; {@code places} are those that
+     * change its size, metres.
+     */
     public static void paintHandles(DrawContext context, Obstacle obstacle, List<Vector2> places) {
         paintHandle(context, stalkEnd(context.camera(), obstacle, 0), handlePosition(context.camera(), obstacle));
+        obstacle.motion().waypoints().stream()
+                .map(context.camera()::toScreen)
+                .forEach(place -> paintKnob(context, Shapes.circle(place, WAYPOINT_RADIUS)));
         places.stream().map(context.camera()::toScreen).forEach(place -> paintSquareHandle(context, place));
     }
 

@@ -14,6 +14,7 @@ import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
@@ -133,6 +134,42 @@ public sealed interface DragOperation {
         @Override
         public List<Obstacle> obstacles() {
             return List.of(obstacle);
+        }
+    }
+
+    /**
+     * Moves a way-point of an obstacle.
+     *
+     * @param start the obstacle at the start
+     * @param index the index of the way-point
+     * @param current supplies the present obstacle, which may be moving
+     */
+    record MoveWaypoint(Obstacle start, int index, Supplier<Obstacle> current) implements DragOperation {
+
+        @Override
+        public DragPreview preview(Vector2 mouse, SnapSettings snap) {
+            Vector2 to = snap.point(start.motion().waypoints().get(index), mouse);
+            List<Vector2> waypoints = new ArrayList<>(start.motion().waypoints());
+            waypoints.set(index, to);
+            return new DragPreview(
+                    List.of(withWaypoints(waypoints)),
+                    List.of(),
+                    Messages.get("value.place", ShapeHandles.formatMetres(to.x()), ShapeHandles.formatMetres(to.y())));
+        }
+
+        private Command withWaypoints(List<Vector2> waypoints) {
+            return new Command.PlaceObstacle(
+                    current.get().withMotion(start.motion().withWaypoints(waypoints)));
+        }
+
+        @Override
+        public List<Command> restoreCommands() {
+            return List.of(withWaypoints(start.motion().waypoints()));
+        }
+
+        @Override
+        public List<Obstacle> obstacles() {
+            return List.of(start);
         }
     }
 

@@ -59,12 +59,24 @@ public final class GesturePicker {
                 .isPresent()) {
             return Optional.of(new DragOperation.Rotate(model.selected(), camera().toWorld(at)));
         }
-        Optional<Obstacle> single = model.singleSelected();
-        OptionalInt handle =
-                single.map(obstacle -> resizeHandleAt(obstacle, at)).orElse(OptionalInt.empty());
-        return handle.isPresent()
-                ? Optional.of(new DragOperation.Resize(single.orElseThrow(), handle.getAsInt()))
-                : model.selectedSensor().flatMap(s -> coneDrag(s, at));
+        return model.singleSelected()
+                .flatMap(obstacle -> obstacleHandleDrag(obstacle, at))
+                .or(() -> model.selectedSensor().flatMap(s -> coneDrag(s, at)));
+    }
+
+    private Optional<DragOperation> obstacleHandleDrag(Obstacle obstacle, Vector2 at) {
+        OptionalInt resize = handleAt(ShapeHandles.positions(obstacle), at);
+        if (resize.isPresent()) {
+            return Optional.of(new DragOperation.Resize(obstacle, resize.getAsInt()));
+        }
+        OptionalInt waypoint = handleAt(obstacle.motion().waypoints(), at);
+        return waypoint.isPresent()
+                ? Optional.of(
+                        new DragOperation.MoveWaypoint(obstacle, waypoint.getAsInt(), () -> model.obstacles().stream()
+                                .filter(now -> now.id().equals(obstacle.id()))
+                                .findFirst()
+                                .orElse(obstacle)))
+                : Optional.empty();
     }
 
     /** Returns the position of the handle that rotates the selection. */
@@ -78,12 +90,10 @@ public final class GesturePicker {
                                 : SelectionPainter.handlePosition(camera(), selected));
     }
 
-    private OptionalInt resizeHandleAt(Obstacle obstacle, Vector2 at) {
-        List<Vector2> places = ShapeHandles.positions(obstacle).stream()
-                .map(camera()::toScreen)
-                .toList();
-        return IntStream.range(0, places.size())
-                .filter(i -> places.get(i).distanceTo(at) <= HANDLE_TOLERANCE)
+    /** Returns the index of the first point whose handle is at a position on the canvas. */
+    private OptionalInt handleAt(List<Vector2> points, Vector2 at) {
+        return IntStream.range(0, points.size())
+                .filter(i -> camera().toScreen(points.get(i)).distanceTo(at) <= HANDLE_TOLERANCE)
                 .findFirst();
     }
 

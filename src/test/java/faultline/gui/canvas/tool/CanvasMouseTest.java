@@ -15,6 +15,7 @@ import faultline.paint.surface.Camera;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
@@ -71,6 +72,34 @@ class CanvasMouseTest {
         Vector2 moved = screen(new Vector2(2, 3)).minus(before);
         assertEquals(-60, moved.x(), 1e-9);
         assertEquals(0, moved.y(), 1e-9);
+    }
+
+    @Test
+    void aWaypointOfTheSelectedObstacleIsDragged() {
+        WaypointPath motion = new WaypointPath(0.2, true, List.of(new Vector2(2, 3), new Vector2(5, 3)));
+        Obstacle still =
+                new Obstacle("visitor", new ObstacleShape.CircleShape(0.2), new Pose(4, 2, 0)).withMotion(motion);
+        Obstacle moved = still.withPose(new Pose(3.5, 2.5, 0));
+        Vector2 waypoint = screen(new Vector2(5, 3));
+        runOnEdt(() -> {
+            canvas.setFrame(SampleFrames.frameOf(new Pose(1, 1, 0), still));
+            canvas.tools().select(List.of("visitor"));
+        });
+        mouse(MouseEvent.MOUSE_PRESSED, waypoint, MouseEvent.BUTTON1);
+        runOnEdt(() -> canvas.setFrame(SampleFrames.frameOf(new Pose(1, 1, 0), moved)));
+        mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(5, 1)), MouseEvent.NOBUTTON);
+        Command last = sent.get(sent.size() - 1);
+        Obstacle placed = ((Command.PlaceObstacle) last).obstacle();
+        assertEquals(moved.pose(), placed.pose(), "the obstacle goes on from where it is");
+        assertEquals(motion.waypoints().get(0), placed.motion().waypoints().get(0));
+        assertEquals(0, placed.motion().waypoints().get(1).distanceTo(new Vector2(5, 1)), 0.02);
+        mouse(MouseEvent.MOUSE_RELEASED, screen(new Vector2(5, 1)), MouseEvent.BUTTON1);
+        runOnEdt(() -> canvas.tools().select(List.of()));
+        sent.clear();
+        mouse(MouseEvent.MOUSE_PRESSED, screen(new Vector2(2, 3)), MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(2, 2.5)), MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_RELEASED, screen(new Vector2(2, 2.5)), MouseEvent.BUTTON1);
+        assertEquals(List.of(), sent, "an obstacle that is not selected has no handles");
     }
 
     @Test
