@@ -67,13 +67,15 @@ public final class SelectionPainter {
     }
 
     /**
-     * Paints the handles of the only selected obstacle, also those of its way-points; {@code places} are those that
-     * change its size, metres.
+     * Paints the handles of the only selected obstacle, also those of its way-points beside it; {@code places} are
+     * those that change its size, metres.
      */
     public static void paintHandles(DrawContext context, Obstacle obstacle, List<Vector2> places) {
         paintHandle(context, stalkEnd(context.camera(), obstacle, 0), handlePosition(context.camera(), obstacle));
+        Shape outline = screenOutline(context, obstacle);
         obstacle.motion().waypoints().stream()
                 .map(context.camera()::toScreen)
+                .filter(place -> !outline.contains(place.x(), place.y()))
                 .forEach(place -> paintKnob(context, Shapes.circle(place, WAYPOINT_RADIUS)));
         places.stream().map(context.camera()::toScreen).forEach(place -> paintSquareHandle(context, place));
     }

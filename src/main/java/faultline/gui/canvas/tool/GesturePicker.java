@@ -69,14 +69,22 @@ public final class GesturePicker {
         if (resize.isPresent()) {
             return Optional.of(new DragOperation.Resize(obstacle, resize.getAsInt()));
         }
-        OptionalInt waypoint = handleAt(obstacle.motion().waypoints(), at);
+        // At a way-point on the obstacle, the mouse moves the obstacle.
+        boolean onObstacle =
+                ObstacleFinder.topmostAt(camera(), List.of(obstacle), at).isPresent();
+        OptionalInt waypoint =
+                onObstacle ? OptionalInt.empty() : handleAt(obstacle.motion().waypoints(), at);
         return waypoint.isPresent()
                 ? Optional.of(
-                        new DragOperation.MoveWaypoint(obstacle, waypoint.getAsInt(), () -> model.obstacles().stream()
-                                .filter(now -> now.id().equals(obstacle.id()))
-                                .findFirst()
-                                .orElse(obstacle)))
+                        new DragOperation.MoveWaypoint(obstacle, waypoint.getAsInt(), () -> presentState(obstacle)))
                 : Optional.empty();
+    }
+
+    private Obstacle presentState(Obstacle obstacle) {
+        return model.obstacles().stream()
+                .filter(now -> now.id().equals(obstacle.id()))
+                .findFirst()
+                .orElse(obstacle);
     }
 
     /** Returns the position of the handle that rotates the selection. */

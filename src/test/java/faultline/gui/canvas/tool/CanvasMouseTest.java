@@ -5,6 +5,7 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
@@ -100,6 +101,13 @@ class CanvasMouseTest {
         mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(2, 2.5)), MouseEvent.NOBUTTON);
         mouse(MouseEvent.MOUSE_RELEASED, screen(new Vector2(2, 2.5)), MouseEvent.BUTTON1);
         assertEquals(List.of(), sent, "an obstacle that is not selected has no handles");
+        runOnEdt(() -> {
+            canvas.setFrame(SampleFrames.frameOf(new Pose(1, 1, 0), still.withPose(new Pose(5, 3, 0))));
+            canvas.tools().select(List.of("visitor"));
+        });
+        mouse(MouseEvent.MOUSE_PRESSED, waypoint, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(5, 1)), MouseEvent.NOBUTTON);
+        assertTrue(sent.get(0) instanceof Command.MoveObstacle, "the obstacle covers its way-point");
     }
 
     @Test
