@@ -5,47 +5,47 @@ import java.util.List;
 import java.util.OptionalInt;
 
 /**
- * A strategy of the ladder with the sensors that it needs. The choice, the diagram and the documentation use the same
- * table, {@link #LADDER}: the first rung whose requirements are met drives.
+ * A strategy of the ladder with the sensors that it needs. The first rung of {@link #LADDER} whose requirements are met
+ * drives; the diagram shows the same table.
  */
 public enum Rung {
     /** All sensors are trusted: the six states. */
-    ALL("all sensors trusted", Strategy.SIX_STATES) {
+    ALL(Strategy.SIX_STATES) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
             return diagnosis.allTrusted();
         }
     },
     /** The sensors that face the wall and ahead are trusted: the six states without the others. */
-    REDUCED("left and front trusted", Strategy.SIX_STATES) {
+    REDUCED(Strategy.SIX_STATES) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
             return serves(diagnosis, QUARTER, FACING) && serves(diagnosis, 0, FACING);
         }
     },
     /** A sensor on the wall's side and two others are trusted: the local map. */
-    THREE("one on the wall's side and two more", Strategy.MAP) {
+    THREE(Strategy.MAP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
             return serves(diagnosis, QUARTER, SIDEWAYS) && Integer.bitCount(diagnosis.trusted()) >= 3;
         }
     },
     /** A sensor on the wall's side and another one are trusted: the local map, with turns to look around. */
-    TWO("one on the wall's side and another", Strategy.MAP) {
+    TWO(Strategy.MAP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
             return serves(diagnosis, QUARTER, SIDEWAYS) && Integer.bitCount(diagnosis.trusted()) == 2;
         }
     },
     /** Only one that looks to the wall's side is trusted: the local map, with more turns to look around. */
-    ONE("one on the wall's side", Strategy.MAP) {
+    ONE(Strategy.MAP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
             return serves(diagnosis, QUARTER, SIDEWAYS);
         }
     },
     /** No sensor on the wall's side is trusted: the robot stops. */
-    STOP("none on the wall's side", Strategy.STOP) {
+    STOP(Strategy.STOP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
             return true;
@@ -66,11 +66,9 @@ public enum Rung {
     private static final double FACING = StrictMath.toRadians(20);
     private static final double SIDEWAYS = StrictMath.toRadians(50);
 
-    private final String needs;
     private final Strategy strategy;
 
-    Rung(String needs, Strategy strategy) {
-        this.needs = needs;
+    Rung(Strategy strategy) {
         this.strategy = strategy;
     }
 
@@ -93,11 +91,6 @@ public enum Rung {
     /** {@return whether the follower of the six states drives on this rung} */
     public boolean drivesSixStates() {
         return strategy == Strategy.SIX_STATES;
-    }
-
-    /** {@return the condition of the rung, in words, for a wall on the left} */
-    public String needs() {
-        return needs;
     }
 
     /** Returns the trusted sensor that the six states use to follow the wall. */

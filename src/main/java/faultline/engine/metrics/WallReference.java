@@ -88,17 +88,6 @@ public final class WallReference {
     }
 
     /**
-     * {@return the places from which walls can be followed, in the order of the walls: points at a distance from a wall
-     * and nowhere nearer to any}
-     *
-     * @param distance the distance from the wall to the robot's centre, metres
-     * @param spacing the spacing of the samples along the walls, metres
-     */
-    public List<WallSample> samples(double distance, double spacing) {
-        return samples(distance, spacing, 0);
-    }
-
-    /**
      * {@return the places from which walls can be followed, in the order of the walls} They are spaced along the
      * robot's path rather than along the walls, so that those around a pole are as close together as any.
      *
@@ -109,7 +98,12 @@ public final class WallReference {
         return samples(distance, spacing, distance);
     }
 
-    private List<WallSample> samples(double distance, double spacing, double reach) {
+    /**
+     * Returns the points at a distance from a wall and nowhere nearer to any, in the order of the walls. They are
+     * spaced along the path of the robot if {@code reach} is its distance from the walls, and along the walls if it is
+     * 0.
+     */
+    List<WallSample> samples(double distance, double spacing, double reach) {
         List<WallSample> places = new ArrayList<>();
         List<Vector2> circle = PlaceRow.circle(distance, spacing);
         for (int i = 0; i < walls().size(); i++) {

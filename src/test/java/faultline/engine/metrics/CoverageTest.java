@@ -184,7 +184,7 @@ class CoverageTest {
             WallReference walls = new WallReference(world);
             Coverage lazy = new Coverage(walls, wanted);
             EagerCoverage eager = new EagerCoverage(walls, wanted);
-            List<WallReference.WallSample> places = walls.samples(wanted, 0.01);
+            List<WallReference.WallSample> places = walls.samples(wanted, 0.01, 0);
             for (int stretch = 0; stretch < 3 && !places.isEmpty(); stretch++) {
                 int from = random.nextInt(places.size());
                 for (int k = from; k < Math.min(places.size(), from + 400); k++) {

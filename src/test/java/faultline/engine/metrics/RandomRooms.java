@@ -157,7 +157,7 @@ record RandomRooms(
         }
         boolean inside = room.start().equals(Pose.ORIGIN);
         double places = new WallReference(room.world())
-                .samples(offset, 0.02).stream()
+                .samples(offset, 0.02, 0).stream()
                         .filter(place -> room.surrounds(place.position()) == inside)
                         .mapToDouble(WallReference.WallSample::wallLength)
                         .sum();

@@ -59,7 +59,7 @@ class WallReferenceTest {
 
     @Test
     void inASquareRoomTheCornersCannotBePassed() {
-        double inside = room().samples(WANTED, 0.01).stream()
+        double inside = room().samples(WANTED, 0.01, 0).stream()
                 .filter(place -> outsideBox(place.position(), 2) == 0)
                 .mapToDouble(WallReference.WallSample::wallLength)
                 .sum();
@@ -69,7 +69,7 @@ class WallReferenceTest {
     @Test
     void everySampleIsAtTheDistanceFromItsWallAndNoNearerToAnyOther() {
         for (WallReference.WallSample place :
-                room(inTheMiddle(new ObstacleShape.RectangleShape(0.6, 0.6))).samples(WANTED, 0.01)) {
+                room(inTheMiddle(new ObstacleShape.RectangleShape(0.6, 0.6))).samples(WANTED, 0.01, 0)) {
             Vector2 at = place.position();
             double enclosure = outsideBox(at, 2) > 0
                     ? outsideBox(at, 2)
@@ -85,7 +85,7 @@ class WallReferenceTest {
 
     @Test
     void aRoundObstacleCanBePassedAllAround() {
-        double around = room(inTheMiddle(new ObstacleShape.CircleShape(0.5))).samples(WANTED, 0.01).stream()
+        double around = room(inTheMiddle(new ObstacleShape.CircleShape(0.5))).samples(WANTED, 0.01, 0).stream()
                 .filter(place -> place.position().distanceTo(new Vector2(2, 2)) < 0.9)
                 .mapToDouble(WallReference.WallSample::wallLength)
                 .sum();
@@ -96,7 +96,7 @@ class WallReferenceTest {
     void aThinPartitionHasTwoSidesAndTwoEndsWithoutLength() {
         Obstacle partition =
                 inTheMiddle(new ObstacleShape.WallShape(List.of(new Vector2(0, -0.5), new Vector2(0, 0.5))));
-        List<WallReference.WallSample> around = room(partition).samples(WANTED, 0.01).stream()
+        List<WallReference.WallSample> around = room(partition).samples(WANTED, 0.01, 0).stream()
                 .filter(place -> place.position().distanceTo(new Vector2(2, 2)) < 0.9)
                 .toList();
         assertEquals(
@@ -116,6 +116,6 @@ class WallReferenceTest {
     void aMovingObstacleIsNoWall() {
         WaypointPath motion = new WaypointPath(0.1, true, List.of(new Vector2(1, 1)));
         Obstacle visitor = new Obstacle("visitor", new ObstacleShape.CircleShape(0.3), new Pose(2, 2, 0), motion);
-        assertEquals(room().samples(WANTED, 0.01), room(visitor).samples(WANTED, 0.01));
+        assertEquals(room().samples(WANTED, 0.01, 0), room(visitor).samples(WANTED, 0.01, 0));
     }
 }
