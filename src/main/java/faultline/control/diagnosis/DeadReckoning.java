@@ -1,6 +1,6 @@
 package faultline.control.diagnosis;
 
-import faultline.robot.MotorSpec;
+import faultline.control.Odometer;
 import faultline.robot.RobotSpec;
 
 /**
@@ -12,16 +12,19 @@ public final class DeadReckoning {
     /** Below this angle the series of sine and cosine to the fifth power are exact, radians. */
     private static final double SMALL_TURN = 0.02;
 
+    /** The inverse factorials of the series; products take less time than quotients. */
+    private static final double HALF = 1 / 2.0;
+
+    private static final double SIXTH = 1 / 6.0;
+    private static final double TWENTY_FOURTH = 1 / 24.0;
+    private static final double HUNDRED_TWENTIETH = 1 / 120.0;
+
+    private final Odometer odometer = new Odometer();
     private double x;
     private double y;
     private double heading;
-    private double leftSpeed;
-    private double rightSpeed;
     private double headingCos = 1;
     private double headingSin;
-    private RobotSpec motorOf;
-    private double decayDt;
-    private double decay;
     private double rolled;
     private double turned;
     private double distance;
@@ -40,19 +43,13 @@ public final class DeadReckoning {
      * @param ticks the number of ticks
      */
     void advance(RobotSpec robot, double leftVolts, double rightVolts, double dt, long ticks) {
-        MotorSpec motor = robot.motor();
         rolled = 0;
         turned = 0;
-        if (robot != motorOf || dt != decayDt) {
-            motorOf = robot;
-            decayDt = dt;
-            decay = motor.decay(dt);
-        }
+        odometer.begin(robot, dt);
         for (long i = 0; i < ticks; i++) {
-            leftSpeed = motor.step(leftSpeed, leftVolts, decay);
-            rightSpeed = motor.step(rightSpeed, rightVolts, decay);
-            double step = v() * dt;
-            double turn = omega(robot) * dt + curvature * step;
+            odometer.step(leftVolts, rightVolts);
+            double step = odometer.stepDistance();
+            double turn = odometer.stepTurn() + curvature * step;
             // The direction at the middle of the arc, to second order in the turn of a tick.
             double half = turn / 2;
             double shrink = 1 - half * half / 2;
@@ -83,8 +80,8 @@ public final class DeadReckoning {
             return;
         }
         double square = angle * angle;
-        double cos = 1 - square / 2 * (1 - square / 12);
-        double sin = angle * (1 - square / 6 * (1 - square / 20));
+        double cos = 1 - square * (HALF - square * TWENTY_FOURTH);
+        double sin = angle * (1 - square * (SIXTH - square * HUNDRED_TWENTIETH));
         double turnedCos = headingCos * cos - headingSin * sin;
         double turnedSin = headingSin * cos + headingCos * sin;
         // One step of Newton's method keeps the length at 1.
@@ -159,21 +156,11 @@ public final class DeadReckoning {
     }
 
     /**
-     * Returns the current turn rate.
+     * Returns the odometer, which knows nothing of the curvature that the motor model lacks.
      *
-     * @param robot the robot as the controller believes it to be
-     * @return radians per second, positive to the left
+     * @return the live odometer, which {@link #advance} updates
      */
-    public double omega(RobotSpec robot) {
-        return (rightSpeed - leftSpeed) / robot.track();
-    }
-
-    /**
-     * Returns the current linear velocity.
-     *
-     * @return metres per second
-     */
-    public double v() {
-        return (leftSpeed + rightSpeed) / 2;
+    public Odometer odometer() {
+        return odometer;
     }
 }

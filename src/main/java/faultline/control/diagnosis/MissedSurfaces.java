@@ -37,7 +37,9 @@ final class MissedSurfaces {
         if (ApproachCheck.applies(cone)) {
             testFront(cone, ApproachCheck.expectedAhead(sensor), readings, oldest, time);
         }
-        if (NearSurfaceCheck.applies(cone) && assessment.mayBeRight(sensor) && reckoning.v() > DRIVING) {
+        if (NearSurfaceCheck.applies(cone)
+                && assessment.mayBeRight(sensor)
+                && reckoning.odometer().v() > DRIVING) {
             testFront(
                     cone,
                     NearSurfaceCheck.expectedAhead(cone, sensor.measurements(), wantedDistance),

@@ -55,7 +55,7 @@ public final class FaultTolerantFollower implements Controller {
         this.diagnosis = new SensorDiagnosis(spec.side() == WallSide.LEFT ? 1 : -1);
         diagnosis.setWantedDistance(spec.distance());
         this.mapFollower = new MapFollower(diagnosis, spec.distance());
-        this.sixStates = new WallFollower(spec);
+        this.sixStates = new WallFollower(spec, diagnosis.reckoning().odometer());
     }
 
     @Override
@@ -97,7 +97,7 @@ public final class FaultTolerantFollower implements Controller {
             if (rung.strategy() == Rung.Strategy.MAP) {
                 mapFollower.begin(last.telemetry().state() != FollowerState.SEARCH);
             } else if (rung.strategy() == Rung.Strategy.SIX_STATES) {
-                sixStates = new WallFollower(spec);
+                sixStates = new WallFollower(spec, diagnosis.reckoning().odometer());
                 alignments.reset();
                 earlierTransitions = last.telemetry().transitions();
             }

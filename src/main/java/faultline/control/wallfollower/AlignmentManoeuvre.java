@@ -126,7 +126,7 @@ final class AlignmentManoeuvre {
         remainingTurn = estimate.turnRate() * edgeTimer.tP();
         if (rule == TimingRule.EQUAL_READINGS) {
             remainingTurn += estimate.turnRate() * (spinClock() - edgeTimer.tF4())
-                    - estimate.odometer().omega(estimate.robot()) * estimate.motorLag();
+                    - estimate.odometer().omega() * estimate.motorLag();
         }
     }
 
@@ -139,8 +139,7 @@ final class AlignmentManoeuvre {
 
     boolean isAligned() {
         return remainingTurn <= 0
-                && Math.abs(estimate.odometer().omega(estimate.robot()))
-                        < estimate.thresholds().radians(Threshold.SETTLED_RATE);
+                && Math.abs(estimate.odometer().omega()) < estimate.thresholds().radians(Threshold.SETTLED_RATE);
     }
 
     /**

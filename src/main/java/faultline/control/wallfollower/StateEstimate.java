@@ -2,6 +2,7 @@ package faultline.control.wallfollower;
 
 import faultline.control.ControllerSpec;
 import faultline.control.Observation;
+import faultline.control.Odometer;
 import faultline.control.PeriodicController;
 import faultline.control.Threshold;
 import faultline.control.Thresholds;
@@ -29,7 +30,7 @@ final class StateEstimate {
     private double wantedDistance;
     private Thresholds thresholds;
     private final SensorViews views;
-    private final Odometer odometer = new Odometer();
+    private final Odometer odometer;
     private final FrontRangeMemory frontMemory = new FrontRangeMemory();
     private final LastSeenPoint[] lastSeen = {new LastSeenPoint(), new LastSeenPoint(), new LastSeenPoint()};
     private final NoiseEstimator leftNoise = new NoiseEstimator();
@@ -45,9 +46,10 @@ final class StateEstimate {
     private SensorView frontRight;
     private SensorView right;
     private double stoppingDistance;
-    private long lastTick;
 
-    StateEstimate(ControllerSpec.WallFollowing spec) {
+    /** Creates an estimate whose motion an odometer knows; its owner updates it before each observation. */
+    StateEstimate(ControllerSpec.WallFollowing spec, Odometer odometer) {
+        this.odometer = odometer;
         views = new SensorViews(spec.side());
         configure(spec);
         controlPeriod = spec.period();
@@ -63,10 +65,8 @@ final class StateEstimate {
         return thresholds;
     }
 
-    /** Processes an observation, until which a command has acted. */
+    /** Processes an observation. */
     void update(Observation observation) {
-        odometer.advance(observation.robot(), observation.dt(), observation.tick() - lastTick);
-        lastTick = observation.tick();
         current = observation;
         stoppingDistance = robot().speed() * (motorLag() + current.dt());
         views.update(observation);
@@ -122,7 +122,7 @@ final class StateEstimate {
         }
     }
 
-    /** Returns the commanded motion with its dead reckoning. */
+    /** Returns the odometer of the robot's motion. */
     Odometer odometer() {
         return odometer;
     }

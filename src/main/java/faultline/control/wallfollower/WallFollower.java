@@ -12,8 +12,10 @@ import faultline.control.ControllerSpec;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
+import faultline.control.Odometer;
 import faultline.control.Telemetry;
 import faultline.control.Threshold;
+import faultline.control.WallSide;
 import faultline.robot.Velocity;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -57,6 +59,7 @@ public final class WallFollower implements Controller {
     static final FollowerState INITIAL_STATE = SEARCH;
 
     private ControllerSpec.WallFollowing spec;
+    private final Odometer odometer;
     private final StateEstimate estimate;
     private final AlignmentManoeuvre alignment;
     private final SearchState search;
@@ -70,6 +73,10 @@ public final class WallFollower implements Controller {
     private long sinceTick;
     private int transitions;
     private double entryHeading;
+    /** The last decision, and its tick, if the follower updates its odometer itself. */
+    private Decision last = new Decision(0, 0, Telemetry.ofState(INITIAL_STATE));
+
+    private long lastTick;
 
     /**
      * Creates a follower in its initial state.
@@ -88,8 +95,24 @@ public final class WallFollower implements Controller {
      *     reckoning in units of the constant rate
      */
     public WallFollower(ControllerSpec.WallFollowing spec, boolean realClock) {
+        this(spec, realClock, new Odometer());
+    }
+
+    /**
+     * Creates a follower in its initial state that shares an odometer.
+     *
+     * @param spec its settings
+     * @param odometer the odometer of the robot's motion, which its owner updates before each decision
+     */
+    public WallFollower(ControllerSpec.WallFollowing spec, Odometer odometer) {
+        this(spec, false, odometer);
+    }
+
+    private WallFollower(ControllerSpec.WallFollowing spec, boolean realClock, Odometer odometer) {
         this.spec = spec;
-        estimate = new StateEstimate(spec);
+        this.odometer = odometer;
+        entryHeading = odometer.heading();
+        estimate = new StateEstimate(spec, odometer);
         alignment = new AlignmentManoeuvre(estimate, spec.timingRule(), realClock);
         search = new SearchState(estimate);
         SpinStates spin = new SpinStates(estimate, alignment);
@@ -105,11 +128,20 @@ public final class WallFollower implements Controller {
 
     @Override
     public Decision decide(Observation observation) {
-        return decide(observation, Telemetry.Diagnosis.NONE);
+        boolean left = spec.side() == WallSide.LEFT;
+        odometer.advance(
+                observation.robot(),
+                left ? last.leftVolts() : last.rightVolts(),
+                left ? last.rightVolts() : last.leftVolts(),
+                observation.dt(),
+                observation.tick() - lastTick);
+        lastTick = observation.tick();
+        last = decide(observation, Telemetry.Diagnosis.NONE);
+        return last;
     }
 
     /**
-     * Decides as {@link #decide(Observation)} does, and shows the result of a diagnosis.
+     * Decides after the odometer has been updated, and shows the result of a diagnosis.
      *
      * @param observation the newest
      * @param diagnosis the trust in the sensors
@@ -125,7 +157,6 @@ public final class WallFollower implements Controller {
             }
         }
         Velocity velocity = behaviour.velocity();
-        estimate.odometer().setCommand(velocity);
         return Decision.ofVelocity(estimate.robot(), spec.side(), velocity, telemetry(diagnosis));
     }
 
@@ -144,7 +175,7 @@ public final class WallFollower implements Controller {
         condition = transition.condition();
         sinceTick = estimate.tick();
         transitions++;
-        entryHeading = estimate.odometer().heading();
+        entryHeading = odometer.heading();
         behaviour.enter(transition.from());
     }
 
@@ -158,8 +189,7 @@ public final class WallFollower implements Controller {
     }
 
     private boolean turnedAllRound() {
-        return Math.abs(estimate.odometer().heading() - entryHeading)
-                > spec.thresholds().radians(Threshold.GIVE_UP_ANGLE);
+        return Math.abs(odometer.heading() - entryHeading) > spec.thresholds().radians(Threshold.GIVE_UP_ANGLE);
     }
 
     private Telemetry telemetry(Telemetry.Diagnosis diagnosis) {

@@ -32,8 +32,8 @@ class DeadReckoningTest {
             assertEquals(x, reckoning.x(), 2e-5);
             assertEquals(y, reckoning.y(), 2e-5);
         }
-        assertEquals(v, reckoning.v(), 1e-12);
-        assertEquals(omega, reckoning.omega(PROMPT), 1e-12);
+        assertEquals(v, reckoning.odometer().v(), 1e-12);
+        assertEquals(omega, reckoning.odometer().omega(), 1e-12);
         assertEquals(v * DT, reckoning.rolled(), 1e-12);
         assertEquals(omega * DT, reckoning.turned(), 1e-12);
         assertEquals(Math.abs(v) * 2, reckoning.distance(), 1e-9);
@@ -61,11 +61,11 @@ class DeadReckoningTest {
     @Test
     void wheelsReachTheirSpeedByAnExponential() {
         reckoning.advance(RobotSpec.DEFAULT, 3, 3, DT, 5);
-        assertEquals(0.3 * (1 - Math.exp(-1)), reckoning.v(), 1e-12);
+        assertEquals(0.3 * (1 - Math.exp(-1)), reckoning.odometer().v(), 1e-12);
         reckoning.advance(RobotSpec.DEFAULT, 3, 3, 2 * DT, 5);
-        assertEquals(0.3 * (1 - Math.exp(-3)), reckoning.v(), 1e-12, "with another length of a tick");
+        assertEquals(0.3 * (1 - Math.exp(-3)), reckoning.odometer().v(), 1e-12, "with another length of a tick");
         reckoning.advance(PROMPT, 3, 3, 2 * DT, 1);
-        assertEquals(0.3, reckoning.v(), 1e-12, "with another motor");
+        assertEquals(0.3, reckoning.odometer().v(), 1e-12, "with another motor");
     }
 
     @Test

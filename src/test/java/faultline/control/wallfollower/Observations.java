@@ -2,9 +2,12 @@ package faultline.control.wallfollower;
 
 import faultline.control.ControllerSpec;
 import faultline.control.Observation;
+import faultline.control.Odometer;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import faultline.sensor.Reading;
 import java.util.Arrays;
 import java.util.Map;
@@ -38,13 +41,19 @@ public final class Observations {
         return new Observation(tick, DT, robot, all);
     }
 
-    /**
-     * What the follower's left and front sensors see in one look, for a robot that has rolled and turned as commanded
-     * for a tick.
-     */
+    /** Returns what the follower's left and front sensors see at first, for a robot at rest. */
     static StateEstimate stateEstimate(double left) {
-        StateEstimate perception = new StateEstimate(ControllerSpec.WallFollowing.DEFAULT);
+        StateEstimate perception = new StateEstimate(ControllerSpec.WallFollowing.DEFAULT, new Odometer());
         perception.update(observation(0, Map.of("left", left)));
         return perception;
+    }
+
+    /** Lets the odometer of an estimate see a tick at a commanded velocity. */
+    static void drive(StateEstimate perception, Velocity velocity) {
+        WheelSpeeds wheels = WheelSpeeds.of(velocity, LAG_FREE_ROBOT.track());
+        MotorSpec motor = LAG_FREE_ROBOT.motor();
+        perception
+                .odometer()
+                .advance(LAG_FREE_ROBOT, motor.voltageFor(wheels.left()), motor.voltageFor(wheels.right()), DT, 1);
     }
 }

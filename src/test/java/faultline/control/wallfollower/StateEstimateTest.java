@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.ControllerSpec;
 import faultline.control.Observation;
+import faultline.control.Odometer;
 import faultline.control.WallSide;
 import faultline.geometry.Vector2;
 import faultline.robot.DriveScale;
@@ -18,7 +19,7 @@ class StateEstimateTest {
             0, Map.of("front", 0.1, "front-left", 0.2, "left", 0.3, "front-right", 0.4, "right", 0.5));
 
     private static StateEstimate estimate(Observation observation, WallSide side) {
-        StateEstimate estimate = new StateEstimate(ControllerSpec.WallFollowing.DEFAULT.withSide(side));
+        StateEstimate estimate = new StateEstimate(ControllerSpec.WallFollowing.DEFAULT.withSide(side), new Odometer());
         estimate.update(observation);
         return estimate;
     }

@@ -25,7 +25,7 @@ class WallStatesTest {
 
     /** A tick of rolling straight on at 0.3 m/s, after which the left sensor reads this. */
     private void roll(double left) {
-        estimate.odometer().setCommand(new Velocity(0.3, 0));
+        Observations.drive(estimate, new Velocity(0.3, 0));
         estimate.update(Observations.observation(++tick, Map.of("left", left)));
     }
 
@@ -61,8 +61,8 @@ class WallStatesTest {
     void headingForTheWallItTurnsAway() {
         roll(WANTED);
         wall.begin();
-        estimate.odometer().setCommand(new Velocity(0, 1));
         for (int i = 0; i < 20; i++) {
+            Observations.drive(estimate, new Velocity(0, 1));
             estimate.update(Observations.observation(++tick, Map.of("left", WANTED)));
             wall.trackWall();
         }
@@ -131,7 +131,7 @@ class WallStatesTest {
         double way = 0;
         while (!wall.isWallSeenAgain() && way < 1) {
             way += 0.003;
-            estimate.odometer().setCommand(new Velocity(0.3, 0.3 / 0.35));
+            Observations.drive(estimate, new Velocity(0.3, 0.3 / 0.35));
             estimate.update(Observations.observation(++tick, Map.of("left", 0.25 - way * way / 0.7)));
             wall.trackCorner();
         }
