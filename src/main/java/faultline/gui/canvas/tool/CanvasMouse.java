@@ -61,9 +61,10 @@ public final class CanvasMouse extends MouseAdapter {
         return tool;
     }
 
-    /** Asks for a menu where the mouse was pressed last, for users without a right button. */
+    /** Asks for a menu for users without a right button: at what is selected, or where the mouse was pressed last. */
     void requestMenu() {
-        listeners.fireMenuRequested(new Point((int) pressPoint.x(), (int) pressPoint.y()));
+        Vector2 at = gesturePicker.selectedPoint().orElse(pressPoint);
+        listeners.fireMenuRequested(new Point((int) at.x(), (int) at.y()));
     }
 
     void setSnap(SnapSettings newSnap) {

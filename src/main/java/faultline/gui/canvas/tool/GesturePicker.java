@@ -3,6 +3,7 @@ package faultline.gui.canvas.tool;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.ShapeHandles;
 import faultline.gui.edit.UndoController;
+import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
 import faultline.world.Obstacle;
@@ -14,11 +15,15 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** Picks the gesture that a press of the mouse starts at a position on the canvas, and the cursor that announces it. */
 public final class GesturePicker {
 
     private static final double HANDLE_TOLERANCE = SelectionPainter.HANDLE_RADIUS + Gesture.CLICK_TOLERANCE;
+
+    /** The position of the menu of a selected cone, as a share of its range. */
+    private static final double MENU_SHARE = 0.7;
 
     private final CanvasModel model;
     private final Viewport viewport;
@@ -156,6 +161,25 @@ public final class GesturePicker {
         model.select(Set.of());
         model.sensor().set(ConeHitTest.sensorAt(camera(), model.sensors(), at).map(sensor -> sensor.spec()
                 .id()));
+    }
+
+    /** Returns a position on the selected obstacle or, without one, in the cone of the selected sensor. */
+    Optional<Vector2> selectedPoint() {
+        return model.singleSelected().flatMap(this::pointOf).or(() -> model.selectedSensor()
+                .map(SensorSnapshot::sector)
+                .map(cone -> cone.apex().plus(cone.axis().times(MENU_SHARE * cone.range())))
+                .map(camera()::toScreen));
+    }
+
+    /** Returns the centre of an obstacle, or one of its handles where the centre is not part of it. */
+    private Optional<Vector2> pointOf(Obstacle obstacle) {
+        return Stream.concat(
+                        Stream.of(ObstacleOutlines.centre(List.of(obstacle))),
+                        ShapeHandles.positions(obstacle).stream())
+                .map(camera()::toScreen)
+                .filter(at -> ObstacleFinder.topmostAt(camera(), List.of(obstacle), at)
+                        .isPresent())
+                .findFirst();
     }
 
     /** Returns the cursor that announces what a press of the left button would do. */

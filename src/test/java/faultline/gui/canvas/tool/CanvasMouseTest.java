@@ -18,11 +18,13 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import java.awt.Point;
+import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 
 /** Small movements during clicks, and several buttons at a time. No display is needed. */
@@ -73,6 +75,36 @@ class CanvasMouseTest {
         Vector2 moved = screen(new Vector2(2, 3)).minus(before);
         assertEquals(-60, moved.x(), 1e-9);
         assertEquals(0, moved.y(), 1e-9);
+    }
+
+    @Test
+    void theKeyOpensTheMenuOfWhatIsSelected() {
+        runOnEdt(() -> {
+            canvas.tools().select(List.of("box"));
+            pressMenuKey();
+        });
+        assertEquals(MenuTarget.OBSTACLE, callOnEdt(() -> canvas.tools().targetAt(menus.get(0))));
+        runOnEdt(() -> {
+            canvas.tools().select(List.of());
+            canvas.setFrame(SampleFrames.fullFrame());
+            canvas.tools().selectSensor("front-left");
+            pressMenuKey();
+        });
+        assertEquals("front-left", callOnEdt(() -> canvas.tools()
+                .selectSensorAt(menus.get(1))
+                .orElseThrow()
+                .spec()
+                .id()));
+        runOnEdt(() -> {
+            canvas.tools().clearSelection();
+            pressMenuKey();
+        });
+        assertEquals(new Point(0, 0), menus.get(2), "where the mouse was pressed last");
+    }
+
+    private void pressMenuKey() {
+        KeyStroke key = KeyStroke.getKeyStroke("shift F10");
+        canvas.getActionForKeyStroke(key).actionPerformed(new ActionEvent(canvas, ActionEvent.ACTION_PERFORMED, ""));
     }
 
     @Test
