@@ -35,6 +35,7 @@ import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 
 /** Drives the window by what a user sees: its menus, its controls and the frame on its canvas. */
@@ -201,10 +202,11 @@ final class WindowDriver implements AutoCloseable {
         robot.waitFor("the title is " + title, () -> window.getTitle().equals(title + " – Faultline"));
     }
 
-    /** Returns all label texts of a window. */
+    /** Returns the texts of all labels and text areas of a window. */
     static String text(Window window) {
-        return callOnEdt(() -> ComponentFinder.findAll(window, JLabel.class)
-                .map(JLabel::getText)
+        return callOnEdt(() -> Stream.concat(
+                        ComponentFinder.findAll(window, JLabel.class).map(JLabel::getText),
+                        ComponentFinder.findAll(window, JTextArea.class).map(JTextArea::getText))
                 .collect(Collectors.joining(" ")));
     }
 
