@@ -19,6 +19,9 @@ public final class DecimalText {
     /** Numbers beyond this power of ten are written with an exponent. */
     private static final int MAX_PLAIN_EXPONENT = 15;
 
+    /** A number with so many digits, or fewer and a point, is short. */
+    public static final int MAX_SHORT_LENGTH = 15;
+
     /** All values are exact. */
     private static final double[] POWERS_OF_TEN = {
         1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14
@@ -43,41 +46,41 @@ public final class DecimalText {
 
     /**
      * {@return the nearest double to a number that is written with at most 15 digits and without exponent; NaN for any
-     * other text} This is fast, and correctly rounded because digits and power of ten are both exact doubles.
+     * other text} This is fast.
      *
      * @param text the text
      */
     public static double parseShort(String text) {
-        return parseShort(text.toCharArray(), 0, text.length());
-    }
-
-    /**
-     * {@return {@link #parseShort(String)} of a part of a text}
-     *
-     * @param text the text
-     * @param from the index of the first character of the number
-     * @param to the index after its last character
-     */
-    public static double parseShort(char[] text, int from, int to) {
-        boolean negative = from < to && text[from] == '-';
-        int begin = negative ? from + 1 : from;
+        boolean negative = text.startsWith("-");
+        int begin = negative ? 1 : 0;
         int point = -1;
         long digits = 0;
-        for (int i = begin; i < to; i++) {
-            char c = text[i];
+        for (int i = begin; i < text.length(); i++) {
+            char c = text.charAt(i);
             if (c == '.' && point < 0 && i > begin) {
                 point = i;
-            } else if (c >= '0' && c <= '9' && i < begin + POWERS_OF_TEN.length) {
+            } else if (c >= '0' && c <= '9' && i < begin + MAX_SHORT_LENGTH) {
                 digits = 10 * digits + c - '0';
             } else {
                 return Double.NaN;
             }
         }
-        if (begin == to) {
+        if (begin == text.length()) {
             return Double.NaN;
         }
-        double size = digits / POWERS_OF_TEN[point < 0 ? 0 : to - point - 1];
+        double size = shift(digits, point < 0 ? 0 : text.length() - point - 1);
         return negative ? -size : size;
+    }
+
+    /**
+     * {@return the nearest double to a number of at most 15 digits} It is correctly rounded because digits and power of
+     * ten are both exact doubles.
+     *
+     * @param digits the digits, without a point
+     * @param decimals the number of digits after the point
+     */
+    public static double shift(long digits, int decimals) {
+        return digits / POWERS_OF_TEN[decimals];
     }
 
     /** Returns whether a text is digits with at most one point after the first; most numbers are, and this is fast. */

@@ -45,7 +45,7 @@ final class ObstacleReader {
                         f.number("rx", NumberRange.SIZE), f.number("ry", NumberRange.SIZE)));
         shapeReaders.put("polygon", (node, f) -> new ObstacleShape.PolygonShape(readPoints(node, f, 3)));
         shapeReaders.put("wall", (node, f) -> new ObstacleShape.WallShape(readPoints(node, f, 2)));
-        shapeReaders.put("plan", (node, f) -> new ObstacleShape.PlanShape(readRings(node, f)));
+        shapeReaders.put("plan", this::readPlan);
         elementNames = List.copyOf(shapeReaders.keySet());
     }
 
@@ -101,12 +101,10 @@ final class ObstacleReader {
         }
     }
 
-    private List<List<Vector2>> readRings(XmlElement node, AttributeReader fields) {
-        List<List<Vector2>> rings = pointReader(node, fields).rings();
-        for (List<Vector2> ring : rings) {
-            partCount += ring.size();
-        }
-        return rings;
+    private ObstacleShape.PlanShape readPlan(XmlElement node, AttributeReader fields) {
+        ObstacleShape.PlanShape plan = pointReader(node, fields).plan();
+        partCount += plan.pointCount();
+        return plan;
     }
 
     private List<Vector2> readPoints(XmlElement node, AttributeReader fields, int least) {

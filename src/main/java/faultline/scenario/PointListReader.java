@@ -10,8 +10,9 @@ import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioLimits;
 import faultline.scenario.xml.XmlElement;
-import java.util.ArrayList;
+import faultline.world.ObstacleShape.PlanShape;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Reads the attribute {@code points} of one element. Points that cannot be read are reported and replaced by a valid
@@ -45,53 +46,52 @@ final class PointListReader {
     /** Returns the points, of which the file must have at least some; they are written as "x,y x,y". */
     List<Vector2> points(int least) {
         Message allowed = Allowed.POINTS.with(least, NumberRange.COORDINATE.rule());
-        return fields.requiredText(NAME, allowed)
-                .map(text -> points(text.toCharArray(), 0, text.length(), least, Math.max(least, most), allowed))
-                .orElse(PLACEHOLDER);
+        Optional<String> text = fields.requiredText(NAME, allowed);
+        if (text.isPresent()) {
+            RingScanner scanner = new RingScanner(text.get(), false);
+            if (isRingValid(scanner, least, Math.max(least, most), allowed)) {
+                return scanner.points();
+            }
+        }
+        return PLACEHOLDER;
     }
 
-    /** Returns the closed rings, separated by {@code |}, the points of each written as those of {@link #points}. */
-    List<List<Vector2>> rings() {
+    /** Returns the plan of closed rings, separated by {@code |}, each written as {@link #points}. */
+    PlanShape plan() {
         Message allowed = Allowed.RINGS.with(NumberRange.COORDINATE.rule());
-        String text = fields.requiredText(NAME, allowed).orElse("0,0 1,0 0,1");
-        char[] characters = text.toCharArray();
-        List<List<Vector2>> rings = new ArrayList<>();
-        int left = Math.max(3, most);
-        for (int from = 0; from <= text.length(); ) {
-            int bar = text.indexOf('|', from);
-            int end = bar < 0 ? text.length() : bar;
-            List<Vector2> ring = points(characters, from, end, 3, left, allowed);
-            if (ring == PLACEHOLDER) {
-                return List.of(PLACEHOLDER);
+        Optional<String> text = fields.requiredText(NAME, allowed);
+        if (text.isPresent()) {
+            RingScanner scanner = new RingScanner(text.get(), true);
+            if (areRingsValid(scanner, Math.max(3, most), allowed)) {
+                return scanner.plan();
             }
-            rings.add(ring);
-            left -= ring.size();
-            from = end + 1;
         }
-        return rings;
+        return new PlanShape(List.of(PLACEHOLDER));
     }
 
-    /** Returns the points in a part of a text, {@link #PLACEHOLDER} if they are invalid or too few. */
-    private List<Vector2> points(char[] text, int from, int end, int least, int left, Message allowed) {
-        PointParser pairs = new PointParser(text, from, end);
-        List<Vector2> points = new ArrayList<>();
-        boolean more = pairs.advance();
-        while (more && points.size() < left) {
-            Vector2 point = pairs.point();
-            if (!point.isFinite()) {
-                fields.report(NAME, pairs.pair(), allowed);
-                return PLACEHOLDER;
+    private boolean areRingsValid(RingScanner scanner, int limit, Message allowed) {
+        do {
+            if (!isRingValid(scanner, 3, limit - scanner.pointCount(), allowed)) {
+                return false;
             }
-            points.add(point);
-            more = pairs.advance();
+        } while (scanner.advance());
+        return true;
+    }
+
+    /** Scans the next ring, and returns false, with a problem, if it is invalid or has too few points. */
+    private boolean isRingValid(RingScanner scanner, int least, int left, Message allowed) {
+        int count = scanner.scanRing(left);
+        if (!scanner.isRingRead() && count < left) {
+            fields.report(NAME, scanner.pair(), allowed);
+            return false;
         }
-        if (more) {
+        if (!scanner.isRingRead()) {
             problems.add(node, ProblemKind.TOO_MANY_POINTS.with(NAME, node.name(), ScenarioLimits.MAX_PARTS));
         }
-        if (points.size() < least) {
-            fields.report(NAME, XmlText.strip(new String(text, from, end - from)), allowed);
-            return PLACEHOLDER;
+        if (count < least) {
+            fields.report(NAME, XmlText.strip(scanner.ring()), allowed);
+            return false;
         }
-        return points;
+        return true;
     }
 }

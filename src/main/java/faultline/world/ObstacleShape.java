@@ -284,6 +284,24 @@ public sealed interface ObstacleShape {
             rings = RingList.copyOf(rings);
         }
 
+        /**
+         * {@return the floor plan of points that are given by their coordinates, ring after ring}
+         *
+         * @param xs the x coordinates of all points, metres
+         * @param ys the y coordinates of all points, metres
+         * @param starts the index of the first point of each ring, and last the number of all points
+         * @throws IllegalArgumentException if there is no ring, a ring has fewer than three points, a point is not
+         *     finite, or the lengths of the arrays differ
+         */
+        public static PlanShape of(double[] xs, double[] ys, int[] starts) {
+            return new PlanShape(RingList.of(xs, ys, starts));
+        }
+
+        /** {@return the number of points of all rings} */
+        public int pointCount() {
+            return points().sides();
+        }
+
         @Override
         public <R> R accept(ShapeVisitor<R> visitor) {
             return visitor.visit(this);

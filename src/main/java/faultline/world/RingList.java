@@ -20,24 +20,18 @@ final class RingList extends AbstractList<List<Vector2>> implements RandomAccess
     /** The index of the first point of each ring, and the number of all points. */
     private final int[] starts;
 
-    private RingList(List<List<Vector2>> rings) {
-        starts = new int[rings.size() + 1];
-        for (int ring = 0; ring < rings.size(); ring++) {
-            starts[ring + 1] = starts[ring] + rings.get(ring).size();
-        }
-        int size = starts[rings.size()];
-        xs = new double[size];
-        ys = new double[size];
-        next = new int[size];
-        for (int ring = 0; ring < rings.size(); ring++) {
-            List<Vector2> points = rings.get(ring);
-            for (int i = starts[ring]; i < starts[ring + 1]; i++) {
-                Vector2 point = points.get(i - starts[ring]);
-                xs[i] = point.x();
-                ys[i] = point.y();
+    private RingList(double[] xs, double[] ys, int[] starts) {
+        this.xs = xs;
+        this.ys = ys;
+        this.starts = starts;
+        next = new int[xs.length];
+        for (int ring = 1; ring < starts.length; ring++) {
+            int first = starts[ring - 1];
+            int last = starts[ring] - 1;
+            for (int i = first; i < last; i++) {
                 next[i] = i + 1;
             }
-            next[starts[ring + 1] - 1] = starts[ring];
+            next[last] = first;
         }
     }
 
@@ -51,22 +45,56 @@ final class RingList extends AbstractList<List<Vector2>> implements RandomAccess
         if (rings instanceof RingList known) {
             return known;
         }
-        if (rings.isEmpty()) {
+        int[] starts = new int[rings.size() + 1];
+        for (int ring = 0; ring < rings.size(); ring++) {
+            starts[ring + 1] = starts[ring] + rings.get(ring).size();
+        }
+        double[] xs = new double[starts[rings.size()]];
+        double[] ys = new double[xs.length];
+        int side = 0;
+        for (List<Vector2> ring : rings) {
+            for (Vector2 point : ring) {
+                xs[side] = point.x();
+                ys[side++] = point.y();
+            }
+        }
+        return of(xs, ys, starts);
+    }
+
+    /**
+     * Returns the rings of points that are given by their coordinates.
+     *
+     * @param starts the index of the first point of each ring, and last the number of all points
+     * @throws IllegalArgumentException if there is no ring, a ring has fewer than three points, a point is not finite,
+     *     or the lengths of the arrays differ
+     */
+    static RingList of(double[] xs, double[] ys, int[] starts) {
+        RingList rings = new RingList(xs.clone(), ys.clone(), requireStarts(starts.clone(), xs.length));
+        if (xs.length != ys.length) {
+            throw new IllegalArgumentException("a plan needs two coordinates for each point");
+        }
+        for (int i = 0; i < rings.sides(); i++) {
+            if (!Double.isFinite(rings.xs[i]) || !Double.isFinite(rings.ys[i])) {
+                throw new IllegalArgumentException("the points of a plan must be finite: " + rings.point(i));
+            }
+        }
+        return rings;
+    }
+
+    private static int[] requireStarts(int[] starts, int points) {
+        if (starts.length < 2) {
             throw new IllegalArgumentException("a plan needs at least one ring");
         }
-        for (int ring = 0; ring < rings.size(); ring++) {
-            if (rings.get(ring).size() < 3) {
-                throw new IllegalArgumentException(
-                        "a plan needs at least 3 points: " + rings.get(ring).size());
+        if (starts[0] != 0 || starts[starts.length - 1] != points) {
+            throw new IllegalArgumentException("the rings of a plan must have all of its points");
+        }
+        for (int ring = 1; ring < starts.length; ring++) {
+            int size = starts[ring] - starts[ring - 1];
+            if (size < 3) {
+                throw new IllegalArgumentException("a plan needs at least 3 points: " + size);
             }
         }
-        RingList copy = new RingList(rings);
-        for (int i = 0; i < copy.sides(); i++) {
-            if (!Double.isFinite(copy.xs[i]) || !Double.isFinite(copy.ys[i])) {
-                throw new IllegalArgumentException("the points of a plan must be finite: " + copy.point(i));
-            }
-        }
-        return copy;
+        return starts;
     }
 
     /** Returns the number of sides of all rings, and of points. */

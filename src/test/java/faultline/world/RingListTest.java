@@ -10,10 +10,12 @@ import faultline.geometry.Vector2;
 import faultline.world.ObstacleShape.PlanShape;
 import faultline.world.ObstacleShape.PolygonShape;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 
 /** A plan is the same as its rings as polygons. */
@@ -97,5 +99,59 @@ class RingListTest {
             List<Vector2> ring = List.of(Vector2.ZERO, new Vector2(1, 0), new Vector2(0, bad));
             assertThrows(IllegalArgumentException.class, () -> new PlanShape(List.of(ring)));
         }
+    }
+
+    @Test
+    void aPlanOfCoordinatesIsThatOfItsPoints() {
+        SplittableRandom random = new SplittableRandom(74);
+        for (int trial = 0; trial < 200; trial++) {
+            List<List<Vector2>> rings = randomRings(random);
+            double[] xs = coordinates(rings, Vector2::x);
+            double[] ys = coordinates(rings, Vector2::y);
+            PlanShape plan = PlanShape.of(xs, ys, starts(rings));
+            assertEquals(new PlanShape(rings), plan);
+            assertEquals(xs.length, plan.pointCount());
+        }
+    }
+
+    private static double[] coordinates(List<List<Vector2>> rings, ToDoubleFunction<Vector2> coordinate) {
+        return rings.stream().flatMap(List::stream).mapToDouble(coordinate).toArray();
+    }
+
+    private static int[] starts(List<List<Vector2>> rings) {
+        int[] starts = new int[rings.size() + 1];
+        for (int i = 0; i < rings.size(); i++) {
+            starts[i + 1] = starts[i] + rings.get(i).size();
+        }
+        return starts;
+    }
+
+    @Test
+    void aPlanOfCoordinatesKeepsNoArrayOfItsCaller() {
+        double[] xs = {0, 1, 0, 4, 5, 4};
+        double[] ys = {0, 0, 1, 4, 4, 5};
+        int[] starts = {0, 3, 6};
+        PlanShape plan = PlanShape.of(xs, ys, starts);
+        PlanShape same = PlanShape.of(xs, ys, starts);
+        xs[0] = 9;
+        ys[1] = 9;
+        starts[1] = 9;
+        assertEquals(same.rings(), plan.rings());
+        assertEquals(new Vector2(0, 0), plan.rings().get(0).get(0));
+        assertEquals(new Vector2(4, 4), plan.rings().get(1).get(0));
+    }
+
+    @Test
+    void coordinatesThatAreNoRingsAreRefused() {
+        double[] six = {0, 1, 0, 4, 5, 4};
+        int[][] wrong = {{}, {0}, {0, 3}, {0, 3, 5}, {0, 3, 7}, {1, 6}, {0, 2, 6}, {0, 4, 6}, {0, 3, 3, 6}, {0, 9, 6}};
+        for (int[] starts : wrong) {
+            assertThrows(IllegalArgumentException.class, () -> PlanShape.of(six, six, starts), Arrays.toString(starts));
+        }
+        double[] five = {0, 1, 0, 4, 5};
+        assertThrows(IllegalArgumentException.class, () -> PlanShape.of(six, five, new int[] {0, 6}));
+        assertThrows(IllegalArgumentException.class, () -> PlanShape.of(five, six, new int[] {0, 5}));
+        double[] infinite = {0, 1, 0, 4, Double.POSITIVE_INFINITY, 4};
+        assertThrows(IllegalArgumentException.class, () -> PlanShape.of(six, infinite, new int[] {0, 6}));
     }
 }
