@@ -1,5 +1,6 @@
 package faultline.gui.dialog;
 
+import faultline.gui.action.Keystrokes;
 import faultline.gui.panel.RowTable;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.EmptyToolTips;
@@ -10,9 +11,11 @@ import java.awt.Dimension;
 import java.awt.Window;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.KeyEvent;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -90,6 +93,9 @@ final class TableDialog extends JDialog {
         rows.forEach(row -> model.addRow(row.toArray()));
         JTable table = new RowTable(model);
         table.getTableHeader().setReorderingAllowed(false);
+        // Enter presses the button; otherwise it would select the next row.
+        table.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                .put(Keystrokes.unmodified(KeyEvent.VK_ENTER), "none");
         return table;
     }
 

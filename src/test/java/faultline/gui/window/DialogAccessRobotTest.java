@@ -140,6 +140,16 @@ class DialogAccessRobotTest {
     }
 
     @Test
+    void enterClosesADialogAlsoWhileItsTableHasTheFocus() {
+        driver.chooseLater("shortcuts");
+        JDialog dialog = driver.dialog("Keyboard and mouse");
+        JTable table = ComponentFinder.findAll(dialog, JTable.class).findFirst().orElseThrow();
+        driver.robot().waitFor("the table has the focus", table::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+    }
+
+    @Test
     void escapeClosesAFormAndEnterAcceptsItAlsoWhileANumberIsTyped() {
         typeDuration(KeyEvent.VK_ESCAPE);
         assertEquals("office.xml – Faultline", callOnEdt(driver.window()::getTitle));
