@@ -3,15 +3,15 @@ package faultline.gui.window;
 import faultline.gui.settings.RecentFiles;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
+import java.awt.event.HierarchyEvent;
+import java.awt.event.HierarchyListener;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
-import javax.swing.event.MenuEvent;
-import javax.swing.event.MenuListener;
 
-/** The menu of recently opened files, rebuilt each time it opens. */
+/** The menu of recently opened files, rebuilt each time the menu that contains it opens. */
 final class RecentMenu extends JMenu {
 
     private final transient RecentFiles recentFiles;
@@ -21,7 +21,7 @@ final class RecentMenu extends JMenu {
         this.recentFiles = recent;
         this.opener = opener;
         Menus.name(this, "recent");
-        addMenuListener(new MenuFiller());
+        addHierarchyListener(new MenuFiller());
         RefreshSteps.add(this, RecentMenu::rebuild);
     }
 
@@ -46,21 +46,16 @@ final class RecentMenu extends JMenu {
         return item;
     }
 
-    /** Fills the menu before it is shown. */
-    private final class MenuFiller implements MenuListener {
+    /**
+     * Fills the menu when the menu that contains it is shown. Once this menu is being selected it is too late: Swing
+     * has then chosen the item that is selected first, which would no longer be in the menu.
+     */
+    private final class MenuFiller implements HierarchyListener {
         @Override
-        public void menuSelected(MenuEvent event) {
-            rebuild();
-        }
-
-        @Override
-        public void menuDeselected(MenuEvent event) {
-            // Nothing to do.
-        }
-
-        @Override
-        public void menuCanceled(MenuEvent event) {
-            // Nothing to do.
+        public void hierarchyChanged(HierarchyEvent event) {
+            if ((event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0 && isShowing()) {
+                rebuild();
+            }
         }
     }
 }

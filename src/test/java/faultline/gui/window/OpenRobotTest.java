@@ -20,7 +20,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
@@ -28,7 +27,6 @@ import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
-import javax.swing.JMenuItem;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -115,60 +113,6 @@ class OpenRobotTest {
         JCheckBox left = ComponentFinder.find(driver.window(), JCheckBox.class, "Turn left on or off");
         driver.robot().waitFor("the switch is off", () -> !left.isSelected());
         assertEquals(0, driver.frame().snapshot().tick());
-    }
-
-    @Test
-    void recentFilesAreListedNewestFirstAndAMissingOneIsReportedAndRemoved() throws IOException {
-        runOnEdt(() -> driver.window().open(square));
-        driver.waitForTitle("square.xml");
-        assertEquals(List.of("1  square.xml", "2  office.xml"), recent());
-        Files.delete(office);
-        chooseRecent(KeyEvent.VK_2);
-        JDialog dialog = driver.dialog("Faultline");
-        assertTrue(
-                WindowDriver.text(dialog).contains("office.xml cannot be opened: there is no such file"),
-                WindowDriver.text(dialog));
-        driver.robot().pressKeys(KeyEvent.VK_ENTER);
-        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
-        assertEquals(List.of("1  square.xml"), recent());
-        assertEquals("square.xml – Faultline", callOnEdt(driver.window()::getTitle));
-    }
-
-    @Test
-    void aRecentFileIsOpenedFromTheMenuByKeys() {
-        runOnEdt(() -> driver.window().open(square));
-        driver.waitForTitle("square.xml");
-        chooseRecent(KeyEvent.VK_2);
-        driver.waitForTitle("office.xml");
-    }
-
-    /** Alt+F, R, and the number before the file. */
-    private void chooseRecent(int number) {
-        driver.type(KeyEvent.VK_ALT, KeyEvent.VK_F);
-        RecentMenu menu = recentMenu();
-        driver.robot().waitFor("the menu is open", menu::isShowing);
-        driver.robot().pressKeys(callOnEdt(menu::getMnemonic));
-        driver.robot().waitFor("the list is open", () -> menu.getPopupMenu().isShowing());
-        driver.robot().pressKeys(number);
-    }
-
-    private RecentMenu recentMenu() {
-        return callOnEdt(() -> ComponentFinder.findAll(driver.window(), RecentMenu.class)
-                .findFirst()
-                .orElseThrow());
-    }
-
-    private List<String> recent() {
-        RecentMenu menu = recentMenu();
-        return callOnEdt(() -> {
-            menu.setSelected(true);
-            menu.setSelected(false);
-            return ComponentFinder.findAll(menu, JMenuItem.class)
-                    .map(JMenuItem::getText)
-                    .filter(text -> text.matches("\\d .*"))
-                    .map(text -> text.substring(0, text.indexOf("  –")))
-                    .toList();
-        });
     }
 
     @Test
