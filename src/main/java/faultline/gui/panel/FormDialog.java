@@ -2,6 +2,10 @@ package faultline.gui.panel;
 
 import faultline.gui.theme.ScreenFit;
 import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.ComponentListener;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JOptionPane;
@@ -12,7 +16,8 @@ public final class FormDialog {
     private FormDialog() {}
 
     /**
-     * Shows a form, which scrolls if the screen is too small for it, and waits for the answer.
+     * Shows a form, which scrolls if the screen is too small for it, and waits for the answer. The dialog grows with
+     * the form.
      *
      * @param parent the component behind the dialog
      * @param title the title of the dialog
@@ -33,9 +38,35 @@ public final class FormDialog {
         JDialog dialog = pane.createDialog(parent, title);
         dialog.setResizable(true);
         ScreenFit.pack(dialog);
+        ComponentListener growth = new Growth(dialog, form.getPreferredSize());
+        form.addComponentListener(growth);
         dialog.setLocationRelativeTo(parent);
         dialog.setVisible(true);
+        form.removeComponentListener(growth);
         dialog.dispose();
         return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
+    }
+
+    /** Enlarges a dialog whose form needs more room than before, such as for a field that has become visible. */
+    private static final class Growth extends ComponentAdapter {
+
+        private final JDialog dialog;
+        private Dimension needed;
+
+        Growth(JDialog dialog, Dimension needed) {
+            this.dialog = dialog;
+            this.needed = needed;
+        }
+
+        @Override
+        public void componentResized(ComponentEvent event) {
+            Dimension before = needed;
+            needed = event.getComponent().getPreferredSize();
+            // A dialog that the user makes smaller stays so.
+            if (needed.width > before.width || needed.height > before.height) {
+                ScreenFit.resize(dialog, 1);
+                ScreenFit.moveOntoScreen(dialog);
+            }
+        }
     }
 }

@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
+import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -57,6 +58,17 @@ public final class ScreenFit {
                 Math.max(preferred.height, (int) Math.round(factor * dialog.getHeight())));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         dialog.setSize(limit(wanted, screen.getSize()));
+    }
+
+    /** Moves a dialog up and to the left as far as its lower right corner is not on its screen. */
+    public static void moveOntoScreen(JDialog dialog) {
+        Rectangle screen = dialog.getGraphicsConfiguration().getBounds();
+        Insets panels = dialog.getToolkit().getScreenInsets(dialog.getGraphicsConfiguration());
+        int right = screen.x + screen.width - panels.right;
+        int bottom = screen.y + screen.height - panels.bottom;
+        dialog.setLocation(
+                Math.min(dialog.getX(), Math.max(screen.x + panels.left, right - dialog.getWidth())),
+                Math.min(dialog.getY(), Math.max(screen.y + panels.top, bottom - dialog.getHeight())));
     }
 
     /** Returns a scroll pane without borders around the fields of a dialog, which shows the field with the focus. */

@@ -19,15 +19,21 @@ import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
+import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JSpinner;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 
-/** A form that is larger than the screen, as many are on small screens and with large text. */
+/**
+ * A form that is larger than the screen, as many are on small screens and with large text, and one that grows while it
+ * is open.
+ */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
@@ -64,6 +70,37 @@ class FormDialogRobotTest {
         robot.waitFor("the last field shows", () -> last.isFocusOwner() && isWhole(last));
         robot.pressKeys(KeyEvent.VK_ENTER);
         robot.waitFor("the form is accepted", accepted::get);
+    }
+
+    @Test
+    void aDialogGrowsWithItsFormAndStaysOnTheScreen() {
+        List<JComponent> fields = callOnEdt(() -> {
+            Theme.LIGHT.install();
+            return List.of(new JTextField(12), new JSpinner(), new JTextField(12));
+        });
+        JComponent first = fields.get(0);
+        JComponent hidden = fields.get(1);
+        EventQueue.invokeLater(() -> {
+            Box form = Box.createVerticalBox();
+            fields.forEach(form::add);
+            hidden.setVisible(false);
+            FormDialog.showDialog(null, "Growing", form, first);
+        });
+        robot.waitFor("the first field has the focus", first::isFocusOwner);
+        Window dialog = callOnEdt(() -> SwingUtilities.getWindowAncestor(first));
+        Rectangle screen = callOnEdt(
+                () -> GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds());
+        runOnEdt(() -> {
+            dialog.setLocation(screen.width - dialog.getWidth(), screen.height - dialog.getHeight());
+            hidden.setVisible(true);
+        });
+        robot.waitFor(
+                "all fields show",
+                () -> hidden.getHeight() > 0
+                        && fields.stream().allMatch(FormDialogRobotTest::isWhole)
+                        && screen.contains(dialog.getBounds()));
+        robot.pressKeys(KeyEvent.VK_ESCAPE);
+        robot.waitFor("the dialog is gone", () -> !dialog.isShowing());
     }
 
     private static boolean isWhole(Component part) {
