@@ -2,7 +2,6 @@ package faultline.world;
 
 import faultline.geometry.ConvexShape;
 import java.util.Arrays;
-import java.util.List;
 
 /** A reusable list of shapes, each with its owner; filled without allocation. */
 public final class CandidateBuffer {
@@ -38,20 +37,32 @@ public final class CandidateBuffer {
     /** Adds the shape of a number in an index. */
     void add(ConvexShape shape, ShapeOwner owner, int number) {
         if (size == shapes.length) {
-            shapes = Arrays.copyOf(shapes, 2 * size);
-            owners = Arrays.copyOf(owners, 2 * size);
-            numbers = Arrays.copyOf(numbers, 2 * size);
+            grow(2 * size);
         }
         shapes[size] = shape;
         numbers[size] = number;
         owners[size++] = owner;
     }
 
+    /** Adds the shapes of an obstacle by a copy of them all, because a floor plan has tens of thousands. */
     void addAll(PlacedObstacle obstacle) {
-        List<ConvexShape> parts = obstacle.parts();
-        for (int i = 0; i < parts.size(); i++) {
-            add(parts.get(i), obstacle, size);
+        ConvexShape[] parts = obstacle.parts().toArray(new ConvexShape[0]);
+        int end = size + parts.length;
+        if (end > shapes.length) {
+            grow(Math.max(end, 2 * size));
         }
+        System.arraycopy(parts, 0, shapes, size, parts.length);
+        Arrays.fill(owners, size, end, obstacle);
+        for (int i = size; i < end; i++) {
+            numbers[i] = i;
+        }
+        size = end;
+    }
+
+    private void grow(int capacity) {
+        shapes = Arrays.copyOf(shapes, capacity);
+        owners = Arrays.copyOf(owners, capacity);
+        numbers = Arrays.copyOf(numbers, capacity);
     }
 
     /** Removes the shapes, after the first few, whose owners have been removed from the world. */

@@ -7,7 +7,6 @@ import faultline.geometry.RigidMotion;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -100,23 +99,9 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         public List<ConvexShape> visit(ObstacleShape.PlanShape shape) {
             RingList points = shape.points();
             if (reach < NO_LIMIT) {
-                return Arrays.stream(points.sidesNear(centre, reach))
-                        .<ConvexShape>mapToObj(side -> segment(points, side))
-                        .toList();
+                return List.of(points.segments(frame, points.sidesNear(centre, reach)));
             }
-            Vector2[] placed = new Vector2[points.sides()];
-            for (int i = 0; i < placed.length; i++) {
-                placed[i] = frame.toParent(points.point(i));
-            }
-            ConvexShape[] segments = new ConvexShape[placed.length];
-            for (int i = 0; i < placed.length; i++) {
-                segments[i] = new Segment(placed[i], placed[points.next(i)]);
-            }
-            return List.of(segments);
-        }
-
-        private Segment segment(RingList points, int side) {
-            return new Segment(frame.toParent(points.point(side)), frame.toParent(points.point(points.next(side))));
+            return List.of(points.segments(frame));
         }
 
         private List<ConvexShape> segments(List<Vector2> points, boolean closed) {

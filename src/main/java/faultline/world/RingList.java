@@ -1,5 +1,8 @@
 package faultline.world;
 
+import faultline.geometry.ConvexShape;
+import faultline.geometry.RigidMotion;
+import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import java.util.AbstractList;
 import java.util.Arrays;
@@ -107,9 +110,32 @@ final class RingList extends AbstractList<List<Vector2>> implements RandomAccess
         return new Vector2(xs[side], ys[side]);
     }
 
-    /** Returns the side that begins where a side ends. */
-    int next(int side) {
-        return next[side];
+    /** Returns all sides in the parent of a frame. It computes each point once, and creates nothing but the sides. */
+    ConvexShape[] segments(RigidMotion frame) {
+        double[] parentXs = new double[xs.length];
+        double[] parentYs = new double[xs.length];
+        double cos = frame.cos();
+        double sin = frame.sin();
+        double x = frame.x();
+        double y = frame.y();
+        for (int i = 0; i < xs.length; i++) {
+            parentXs[i] = x + cos * xs[i] - sin * ys[i];
+            parentYs[i] = y + sin * xs[i] + cos * ys[i];
+        }
+        ConvexShape[] segments = new ConvexShape[xs.length];
+        for (int i = 0; i < segments.length; i++) {
+            segments[i] = new Segment(parentXs[i], parentYs[i], parentXs[next[i]], parentYs[next[i]]);
+        }
+        return segments;
+    }
+
+    /** Returns some of the sides in the parent of a frame. */
+    ConvexShape[] segments(RigidMotion frame, int[] sides) {
+        ConvexShape[] segments = new ConvexShape[sides.length];
+        for (int i = 0; i < sides.length; i++) {
+            segments[i] = new Segment(frame.toParent(point(sides[i])), frame.toParent(point(next[sides[i]])));
+        }
+        return segments;
     }
 
     /** Returns whether a point is inside by the even-odd rule. */
