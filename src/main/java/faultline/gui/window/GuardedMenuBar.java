@@ -5,11 +5,13 @@ import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import javax.swing.JMenuBar;
 import javax.swing.KeyStroke;
+import javax.swing.MenuSelectionManager;
 
 /**
  * A menu bar whose accelerators do not act on keys that are being typed into a text component; otherwise a space in a
- * field would start the run. Accelerators that are shown in the menu but bound elsewhere are not handled here either,
- * because they would act twice. A character that is typed while Ctrl is pressed is not treated as the character alone.
+ * field would start the run. Neither do they act on keys that are pressed for an item of an open menu. Accelerators
+ * that are shown in the menu but bound elsewhere are not handled here either, because they would act twice. A character
+ * that is typed while Ctrl is pressed is not treated as the character alone.
  */
 final class GuardedMenuBar extends JMenuBar {
 
@@ -18,9 +20,16 @@ final class GuardedMenuBar extends JMenuBar {
         boolean typed = Keystrokes.isTypedInto(
                 KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner(), stroke);
         return !typed
+                && !isMeantForMenu(stroke)
                 && !isShortcut(event)
                 && !Keystrokes.isMenuCharacter(stroke)
                 && super.processKeyBinding(stroke, event, condition, pressed);
+    }
+
+    /** Returns whether a stroke without Ctrl or Alt comes while a menu is open; it has no item for the stroke. */
+    private static boolean isMeantForMenu(KeyStroke stroke) {
+        return Keystrokes.producesText(stroke)
+                && MenuSelectionManager.defaultManager().getSelectedPath().length > 0;
     }
 
     /**
