@@ -32,7 +32,6 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.stream.Stream;
@@ -50,7 +49,6 @@ public final class SimulationCanvas extends AccessibleComponent {
     private final Viewport viewport = new Viewport();
     private final CachedSceneRenderer renderer;
     private final BackBuffer backBuffer = new BackBuffer();
-    private final Set<Layer> layers = Layer.defaults();
     private final CanvasMouse mouse;
     private final CanvasTools tools;
     private final FocusRing focusRing = new FocusRing(this);
@@ -113,7 +111,7 @@ public final class SimulationCanvas extends AccessibleComponent {
                 now,
                 camera(),
                 newPalette,
-                new ScenePainter(layers, LocalizedLabels.create(DrawContext.DEFAULT_FONT)),
+                new ScenePainter(model.layers(), LocalizedLabels.create(DrawContext.DEFAULT_FONT)),
                 model.referenceOverlay().get().stream().toList()));
     }
 
@@ -134,16 +132,16 @@ public final class SimulationCanvas extends AccessibleComponent {
     public void setLayer(Layer layer, boolean on) {
         assert EventQueue.isDispatchThread();
         if (on) {
-            layers.add(layer);
+            model.layers().add(layer);
         } else {
-            layers.remove(layer);
+            model.layers().remove(layer);
         }
         repaint();
     }
 
     /** Returns whether a layer is shown. */
     public boolean isLayerOn(Layer layer) {
-        return layers.contains(layer);
+        return model.layers().contains(layer);
     }
 
     /** Fits the whole world into the canvas, also when the canvas is resized, until the user zooms or pans. */
@@ -246,7 +244,7 @@ public final class SimulationCanvas extends AccessibleComponent {
         graphics.setColor(palette.canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
         model.frame().ifPresent(frame -> {
-            renderer.paint(graphics, camera(), palette, layers, frame, model, covered());
+            renderer.paint(graphics, camera(), palette, model.layers(), frame, model, covered());
             mouse.paint(new DrawContext(graphics, camera(), palette).withFont(LocalizedLabels.font()));
         });
         if (!renderer.isComplete()) {

@@ -1,6 +1,7 @@
 package faultline.gui.canvas.tool;
 
 import faultline.engine.Frame;
+import faultline.paint.scene.Layer;
 import faultline.paint.scene.ReferenceOverlay;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
@@ -12,13 +13,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** The frame that is shown, and the selected obstacles and sensor. */
+/** The frame and the layers that are shown, and the selected obstacles and sensor. */
 public final class CanvasModel {
 
     private final ObservableValue<Set<String>> selection = new ObservableValue<>(Set.of());
     private final ObservableValue<Optional<String>> sensor = new ObservableValue<>(Optional.empty());
     private final ObservableValue<Optional<ReferenceOverlay>> referenceOverlay =
             new ObservableValue<>(Optional.empty());
+    private final Set<Layer> layers = Layer.defaults();
     private Frame frame;
     private Set<String> pendingSelection = Set.of();
 
@@ -37,6 +39,11 @@ public final class CanvasModel {
 
     public Optional<Frame> frame() {
         return Optional.ofNullable(frame);
+    }
+
+    /** Returns the layers that are shown, as a live set. */
+    public Set<Layer> layers() {
+        return layers;
     }
 
     public ObservableValue<Set<String>> selection() {

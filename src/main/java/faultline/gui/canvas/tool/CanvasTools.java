@@ -167,22 +167,22 @@ public final class CanvasTools {
     public MenuTarget targetAt(Point at) {
         Camera camera = context.viewport().camera().get();
         Vector2 screen = new Vector2(at.x, at.y);
-        if (ObstacleFinder.topmostAt(camera, context.model().obstacles(), screen)
-                .isPresent()) {
+        CanvasModel model = context.model();
+        if (ObstacleFinder.topmostAt(camera, model.obstacles(), screen).isPresent()) {
             return MenuTarget.OBSTACLE;
         }
         Vector2 point = camera.toWorld(screen);
-        boolean onRobot = context.model()
-                .frame()
+        boolean onRobot = model.frame()
                 .filter(frame -> frame.snapshot().pose().position().distanceTo(point)
                         <= frame.snapshot().robot().length() / 2)
                 .isPresent();
-        return onRobot
-                ? MenuTarget.ROBOT
-                : ConeHitTest.sensorAt(camera, context.model().sensors(), screen)
-                                .isPresent()
-                        ? MenuTarget.SENSOR
-                        : MenuTarget.FLOOR;
+        if (onRobot) {
+            return MenuTarget.ROBOT;
+        }
+        if (ObstacleFinder.ofWaypointAt(model, camera, screen).isPresent()) {
+            return MenuTarget.OBSTACLE;
+        }
+        return ConeHitTest.sensorAt(camera, model.sensors(), screen).isPresent() ? MenuTarget.SENSOR : MenuTarget.FLOOR;
     }
 
     /** Selects the sensor whose cone is at a position on the canvas, and returns it. */

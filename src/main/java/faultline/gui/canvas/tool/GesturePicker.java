@@ -30,11 +30,11 @@ public final class GesturePicker {
     private final UndoController editor;
     private final CanvasListeners listeners;
 
-    public GesturePicker(CanvasModel scene, Viewport viewpoint, UndoController editor, CanvasListeners watchers) {
-        this.model = scene;
-        this.viewport = viewpoint;
+    public GesturePicker(CanvasModel model, Viewport viewport, UndoController editor, CanvasListeners listeners) {
+        this.model = model;
+        this.viewport = viewport;
         this.editor = editor;
-        this.listeners = watchers;
+        this.listeners = listeners;
     }
 
     /** Returns the gesture of a press, with or without Shift or a modifier that rotates. */
@@ -53,8 +53,13 @@ public final class GesturePicker {
         if (robot.isPresent()) {
             return new StartPoseGesture(robot.get(), turns, at, viewport, listeners);
         }
-        return left && shift
-                ? new RubberBandGesture(model, viewport, at)
+        if (left && shift) {
+            return new RubberBandGesture(model, viewport, at);
+        }
+        Optional<Obstacle> travelling = ObstacleFinder.ofWaypointAt(model, camera(), at);
+        return travelling.isPresent()
+                ? new PanGesture(
+                        viewport, at, () -> model.select(Set.of(travelling.get().id())))
                 : new PanGesture(viewport, at, left ? () -> selectSensorAt(at) : () -> {});
     }
 

@@ -2,6 +2,7 @@ package faultline.gui.canvas.tool;
 
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Vector2;
+import faultline.paint.scene.Layer;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.surface.Camera;
 import faultline.world.Obstacle;
@@ -11,7 +12,7 @@ import java.awt.geom.Line2D;
 import java.util.List;
 import java.util.Optional;
 
-/** Finds the obstacle under the mouse, with a tolerance for thin poles and walls. */
+/** Finds the obstacle under the mouse, or whose waypoint is there, with a tolerance for thin poles and walls. */
 public final class ObstacleFinder {
 
     /** The largest distance between an obstacle and the mouse, pixels. */
@@ -29,6 +30,16 @@ public final class ObstacleFinder {
         Optional<Obstacle> moving =
                 under.stream().filter(obstacle -> obstacle.isMoving()).reduce((lower, upper) -> upper);
         return moving.or(() -> under.stream().reduce((lower, upper) -> upper));
+    }
+
+    /** Returns the topmost obstacle that has a visible waypoint at a position on the canvas. */
+    static Optional<Obstacle> ofWaypointAt(CanvasModel model, Camera camera, Vector2 screen) {
+        return model.obstacles().stream()
+                .filter(obstacle -> obstacle.isMoving())
+                .filter(obstacle -> model.layers().contains(Layer.ROUTES) || model.isSelected(obstacle))
+                .filter(obstacle -> obstacle.motion().waypoints().stream()
+                        .anyMatch(point -> camera.toScreen(point).distanceTo(screen) <= TOLERANCE))
+                .reduce((lower, upper) -> upper);
     }
 
     private static boolean touches(Obstacle obstacle, Vector2 point, double tolerance) {

@@ -12,6 +12,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.UndoController;
+import faultline.paint.scene.Layer;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -147,6 +148,34 @@ class CanvasMouseTest {
         MenuTarget[] targets = callOnEdt(() ->
                 new MenuTarget[] {target(new Vector2(4, 2)), target(new Vector2(1, 1)), target(new Vector2(5.5, 3.5))});
         assertArrayEquals(new MenuTarget[] {MenuTarget.OBSTACLE, MenuTarget.ROBOT, MenuTarget.FLOOR}, targets);
+    }
+
+    @Test
+    void aClickOnAWaypointSelectsItsObstacle() {
+        Obstacle visitor = new Obstacle("visitor", new ObstacleShape.CircleShape(0.2), new Pose(4, 2, 0))
+                .withMotion(new WaypointPath(0.2, true, List.of(new Vector2(2, 3), new Vector2(5, 3))));
+        runOnEdt(() -> canvas.setFrame(SampleFrames.frameOf(new Pose(1, 1, 0), visitor)));
+        for (int button : new int[] {MouseEvent.BUTTON1, MouseEvent.BUTTON3}) {
+            click(screen(new Vector2(5, 3)), button);
+            assertEquals(List.of("visitor"), selectedIds());
+            assertEquals(MenuTarget.OBSTACLE, callOnEdt(() -> target(new Vector2(5, 3))));
+            click(screen(new Vector2(3, 3.5)), MouseEvent.BUTTON1);
+            assertEquals(List.of(), selectedIds());
+        }
+        runOnEdt(() -> canvas.setLayer(Layer.ROUTES, false));
+        click(screen(new Vector2(5, 3)), MouseEvent.BUTTON1);
+        assertEquals(List.of(), selectedIds(), "the waypoint is not shown");
+        assertEquals(MenuTarget.FLOOR, callOnEdt(() -> target(new Vector2(5, 3))));
+    }
+
+    private void click(Vector2 at, int button) {
+        mouse(MouseEvent.MOUSE_PRESSED, at, button);
+        mouse(MouseEvent.MOUSE_RELEASED, at, button);
+    }
+
+    private List<String> selectedIds() {
+        return callOnEdt(
+                () -> canvas.tools().selected().stream().map(Obstacle::id).toList());
     }
 
     private MenuTarget target(Vector2 world) {
