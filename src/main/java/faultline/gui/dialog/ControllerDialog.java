@@ -32,7 +32,10 @@ final class ControllerDialog {
         jars.addAll(now.jars());
         field.setEditable(true);
         field.setPrototypeDisplayValue(EXAMPLE.repeat(2));
-        field.getAccessibleContext().setAccessibleName(Messages.get("chooseController.label"));
+        // The text has the focus, not the combo box.
+        for (Component part : List.of(field, field.getEditor().getEditorComponent())) {
+            part.getAccessibleContext().setAccessibleName(Messages.get("chooseController.label"));
+        }
         fillNames(now.isScenarios() ? Messages.get("chooseController.scenarios") : now.text());
     }
 

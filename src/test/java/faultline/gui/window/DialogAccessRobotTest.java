@@ -78,7 +78,8 @@ class DialogAccessRobotTest {
         "saveJournal, Save journal",
         "exportPng, Export image",
         "examples, Examples",
-        "preferences, Preferences"
+        "preferences, Preferences",
+        "chooseController, Choose a controller"
     })
     void aDialogOfAnActionIsNamedReachedAndClosedByKeys(String action, String title) {
         driver.chooseLater(action);
@@ -242,14 +243,18 @@ class DialogAccessRobotTest {
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
     }
 
-    /** Returns the controls of a dialog; the arrow of a combo box is part of it. */
+    /**
+     * Returns the controls of a dialog; the arrow of a combo box is part of it. The text of an editable one has the
+     * focus instead of it.
+     */
     private static Stream<Component> controls(JDialog dialog) {
         return ComponentFinder.tree(dialog.getContentPane())
                 .filter(DialogAccessRobotTest::isControl)
                 .filter(part -> part.isFocusable()
                         && part.isShowing()
                         && part.isEnabled()
-                        && !(part.getParent() instanceof JComboBox))
+                        && !(part instanceof JComboBox<?> box && box.isEditable())
+                        && !(part instanceof AbstractButton && part.getParent() instanceof JComboBox))
                 .filter(part -> !isOneOfAGroup(part));
     }
 
