@@ -113,11 +113,7 @@ final class Coverage {
         int wall = 0;
         for (List<PlaceBlock> blocks : places.blocks()) {
             for (PlaceBlock block : blocks) {
-                for (int i = 0; i < block.size(); i++) {
-                    if (block.piece(i) >= 0) {
-                        lengths.add(block.piece(i), block.wallLength(i), block.isPassed(i), wall, block.rank(i));
-                    }
-                }
+                lengths.add(block, wall);
             }
             wall++;
         }

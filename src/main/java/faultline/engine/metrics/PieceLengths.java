@@ -18,11 +18,27 @@ final class PieceLengths {
         Arrays.fill(firstWall, Integer.MAX_VALUE);
     }
 
-    /** Adds the piece of wall of a place; walls come in order, places within a wall in any order. */
-    void add(int piece, double length, boolean isPassed, int wall, long rank) {
-        all[piece] += length;
-        passed[piece] += isPassed ? length : 0;
-        if (wall < firstWall[piece] || wall == firstWall[piece] && rank < firstRank[piece]) {
+    /** Adds the pieces of wall of the places of a block; walls come in order, the blocks of a wall in any order. */
+    void add(PlaceBlock block, int wall) {
+        for (int i = block.nextInPiece(0); i < block.size(); i = block.nextInPiece(i + 1)) {
+            int piece = block.piece(i);
+            addLength(piece, block, i);
+            if (wall <= firstWall[piece]) {
+                addStart(piece, wall, block.rank(i));
+            }
+        }
+    }
+
+    private void addLength(int piece, PlaceBlock block, int index) {
+        double length = block.wallLength(index);
+        if (length > 0) {
+            all[piece] += length;
+            passed[piece] += block.isPassed(index) ? length : 0;
+        }
+    }
+
+    private void addStart(int piece, int wall, long rank) {
+        if (wall < firstWall[piece] || rank < firstRank[piece]) {
             firstWall[piece] = wall;
             firstRank[piece] = rank;
         }

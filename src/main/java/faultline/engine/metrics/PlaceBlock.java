@@ -207,6 +207,18 @@ final class PlaceBlock {
         return pieces[isAlone() ? 0 : index];
     }
 
+    /** Returns the first place, from an index on, that is in a piece; if there is none, the size. */
+    int nextInPiece(int start) {
+        if (isAlone()) {
+            return pieces[0] < 0 ? size : start;
+        }
+        int i = start;
+        while (i < size && pieces[i] < 0) {
+            i++;
+        }
+        return i;
+    }
+
     boolean isPassed(int index) {
         return passed.get(index);
     }
