@@ -50,24 +50,30 @@ public final class ObstacleActions {
     private final CanvasTools tools;
     private final UndoController editor;
     private final Consumer<String> notifier;
+    private final Consumer<String> noteRemover;
     private final DoubleFunction<OptionalDouble> askSpeed;
     private final WindowPreferences preferences;
     private final UiAction snapGrid;
     private final UiAction snapAngle;
+    /** The note that was shown last about the use of a tool. */
+    private String toolNote = "";
 
     /**
-     * Creates the actions. {@code notifier} shows a note to the user; {@code askSpeed} asks for a speed, metres per
-     * second, given the present one, and returns empty if cancelled.
+     * Creates the actions. {@code notifier} shows a note to the user, which {@code noteRemover} removes if it is still
+     * shown; {@code askSpeed} asks for a speed, metres per second, given the present one, and returns empty if
+     * cancelled.
      */
     public ObstacleActions(
             CanvasTools tools,
             UndoController editor,
             Consumer<String> notifier,
+            Consumer<String> noteRemover,
             DoubleFunction<OptionalDouble> askSpeed,
             WindowPreferences preferences) {
         this.tools = tools;
         this.editor = editor;
         this.notifier = notifier;
+        this.noteRemover = noteRemover;
         this.askSpeed = askSpeed;
         this.preferences = preferences;
         snapGrid = UiAction.toggle("snapGrid", preferences.isGridSnapped(), on -> applySnap());
@@ -76,6 +82,7 @@ public final class ObstacleActions {
     }
 
     public void addTo(ActionRegistry actions) {
+        tools.addToolListener(inUse -> noteRemover.accept(toolNote));
         actions.add(createSelectAction().withIcon(Glyph.SELECT).withAccelerator(unmodified(KeyEvent.VK_V)));
         for (ShapePreset shape : ShapePreset.values()) {
             actions.add(createToolAction(UiAction.key("place", shape), () -> tools.placeShape(shape))
@@ -119,11 +126,17 @@ public final class ObstacleActions {
         return self[0];
     }
 
-    /** Activates a tool and shows how it is used. */
+    /** Activates a tool. */
     private void activateTool(UiAction action, Runnable tool) {
         tool.run();
         action.setOn(true);
-        notifier.accept(Messages.get("action." + action.key() + ".tip"));
+        showToolNote(action.key());
+    }
+
+    /** Shows how a tool is used, until it ends. */
+    private void showToolNote(String action) {
+        toolNote = Messages.get("action." + action + ".tip");
+        notifier.accept(toolNote);
     }
 
     private void applySnap() {
@@ -134,7 +147,7 @@ public final class ObstacleActions {
     private void drawMotionPath() {
         if (tools.selected().size() == 1) {
             tools.drawMotionPath();
-            notifier.accept(Messages.get("action.drawWaypoints.tip"));
+            showToolNote("drawWaypoints");
         } else {
             notifier.accept(Messages.get("note.selectOne"));
         }

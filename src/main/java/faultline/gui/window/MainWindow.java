@@ -170,6 +170,7 @@ public final class MainWindow extends JFrame {
                         canvas.tools(),
                         undoController,
                         this::showNote,
+                        this::removeNote,
                         now -> SpeedDialog.showDialog(this, now),
                         preferences)
                 .addTo(actionRegistry);

@@ -121,6 +121,7 @@ class MainPanelTest {
                             canvas.tools(),
                             edits,
                             sentence -> {},
+                            sentence -> {},
                             now -> OptionalDouble.empty(),
                             WindowPreferences.nonPersistent())
                     .addTo(actions);
