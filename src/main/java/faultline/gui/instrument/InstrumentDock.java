@@ -36,7 +36,7 @@ public final class InstrumentDock extends JTabbedPane {
     /** Creates empty instruments; {@code jump} receives the tick of an event to go to. */
     public InstrumentDock(LongConsumer jump) {
         events = new EventLogView(jump);
-        split = new PositionedSplitPane(JSplitPane.HORIZONTAL_SPLIT, chart, diagram, 0.5);
+        split = new PositionedSplitPane("divider.chart", JSplitPane.HORIZONTAL_SPLIT, chart, diagram, 0.5);
         split.place(width -> width / 2);
         addInstrument("charts", split);
         addInstrument("timing", alignment);

@@ -1,5 +1,7 @@
 package faultline.gui.instrument;
 
+import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import java.awt.Component;
 import java.util.function.IntUnaryOperator;
 import javax.swing.BorderFactory;
@@ -22,14 +24,16 @@ public final class PositionedSplitPane extends JSplitPane {
     /**
      * Creates a split pane without a border and with continuous layout.
      *
+     * @param nameKey the key of the name of the divider for screen readers, as it can be moved by keys
      * @param orientation the orientation as in {@link JSplitPane}
      * @param before the left or top component
      * @param after the right or bottom component
      * @param weight the share of additional space that goes to {@code before} after the user has moved the divider, in
      *     [0, 1]
      */
-    public PositionedSplitPane(int orientation, Component before, Component after, double weight) {
+    public PositionedSplitPane(String nameKey, int orientation, Component before, Component after, double weight) {
         super(orientation, before, after);
+        RefreshSteps.add(this, self -> self.getAccessibleContext().setAccessibleName(Messages.get(nameKey)));
         setResizeWeight(weight);
         setContinuousLayout(true);
         setBorder(BorderFactory.createEmptyBorder());

@@ -93,9 +93,10 @@ final class MainPanel extends JPanel {
         stage.add(canvas, BorderLayout.CENTER);
         stage.add(timeline, BorderLayout.SOUTH);
         stage.setMinimumSize(new Dimension(0, MIN_STAGE_HEIGHT));
-        dockSplit = new PositionedSplitPane(JSplitPane.VERTICAL_SPLIT, stage, instruments, 1);
+        dockSplit = new PositionedSplitPane("divider.instruments", JSplitPane.VERTICAL_SPLIT, stage, instruments, 1);
         setDockHeight(dockHeight);
-        panelSplit = new PositionedSplitPane(JSplitPane.HORIZONTAL_SPLIT, dockSplit, controlPanel, 1);
+        panelSplit = new PositionedSplitPane(
+                "divider.controlPanel", JSplitPane.HORIZONTAL_SPLIT, dockSplit, controlPanel, 1);
         setPanelWidth(controlPanel.defaultWidth());
         add(new ToolBar(actions, speed), BorderLayout.NORTH);
         add(new ObstaclePalette(actions), BorderLayout.LINE_START);

@@ -4,6 +4,8 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.gui.EdtChecker;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import java.awt.Dimension;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.BeforeEach;
@@ -25,7 +27,7 @@ class PositionedSplitPaneTest {
             JPanel left = new JPanel();
             left.setMinimumSize(new Dimension());
             right.setMinimumSize(new Dimension());
-            split = new PositionedSplitPane(PositionedSplitPane.HORIZONTAL_SPLIT, left, right, 1);
+            split = new PositionedSplitPane("divider.chart", PositionedSplitPane.HORIZONTAL_SPLIT, left, right, 1);
             split.place(size -> size - RIGHT);
         });
     }
@@ -33,6 +35,18 @@ class PositionedSplitPaneTest {
     private void lay(int width) {
         split.setSize(width, 100);
         split.doLayout();
+    }
+
+    @Test
+    void theDividerHasANameForScreenReadersInTheLanguageOfTheWindow() {
+        runOnEdt(() -> {
+            assertEquals(
+                    Messages.get("divider.chart"), split.getAccessibleContext().getAccessibleName());
+            split.getAccessibleContext().setAccessibleName("");
+            RefreshSteps.run(split);
+            assertEquals(
+                    Messages.get("divider.chart"), split.getAccessibleContext().getAccessibleName());
+        });
     }
 
     @Test
