@@ -9,11 +9,12 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import javax.swing.Timer;
 
-/** Writes unsaved edits to a recovery file twice a minute, and deletes the file when there are none. */
+/** Writes unsaved edits to a recovery file twice a minute, and deletes the file as soon as there are none. */
 public final class Autosave implements AutoCloseable {
 
     private static final Logger LOG = Logger.getLogger(Autosave.class.getName());
-    private static final int PERIOD_MILLIS = 30_000;
+    /** The time between two writes. */
+    static final int PERIOD_MILLIS = 30_000;
 
     private final Workspace workspace;
     private final RecoveryStore recovery;
@@ -30,6 +31,15 @@ public final class Autosave implements AutoCloseable {
         this.workspace = workspace;
         this.recovery = recovery;
         timer.start();
+        workspace.addListener(new WorkspaceListener() {
+            @Override
+            public void titleChanged() {
+                // Older edits must not be offered in place of those that have been saved.
+                if (lastWritten != null && !workspace.isChanged() && !closed) {
+                    saveUnsavedEdits();
+                }
+            }
+        });
     }
 
     /**

@@ -33,9 +33,12 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private final JComboBox<K> kind;
     private final Function<K, String> names;
-    private final NumberSpinner value = new NumberSpinner("0.00##", 0, 1, 0.05, ignored -> {});
-    private final NumberSpinner length =
-            new NumberSpinner("0.00##", FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, 0.1, ignored -> {});
+    /** The key of the unit of a share. */
+    private final String shareKey;
+
+    private final NumberSpinner value = new NumberSpinner(MotorFaultText.NUMBER_PATTERN, 0, 1, 0.05, ignored -> {});
+    private final NumberSpinner length = new NumberSpinner(
+            MotorFaultText.NUMBER_PATTERN, FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, 0.1, ignored -> {});
     private final JLabel lengthLabel = FormConstraints.label("faults.length", length);
     private final MutedLabel unit = new MutedLabel("m");
     private final MutedLabel lengthUnit = new MutedLabel("s");
@@ -44,9 +47,10 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private double range = Double.POSITIVE_INFINITY;
 
-    private FaultFields(K[] kinds, K initial, Function<K, String> names) {
+    private FaultFields(K[] kinds, K initial, Function<K, String> names, String shareKey) {
         this.kind = new JComboBox<>(kinds);
         this.names = names;
+        this.shareKey = shareKey;
         configureKind(kinds.length);
         configure(value, "faults.value");
         configure(length, "faults.length");
@@ -57,12 +61,13 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     /** Creates the fields of a sensor that is stuck. */
     public static FaultFields<FaultKind, Fault> forSensors() {
-        return new FaultFields<>(FaultKind.values(), FaultKind.STUCK, ReadingText::nameOf);
+        return new FaultFields<>(FaultKind.values(), FaultKind.STUCK, ReadingText::nameOf, "faults.share");
     }
 
     /** Creates the fields of motors that are weak. */
     public static FaultFields<MotorFaultKind, MotorFault> forMotors() {
-        return new FaultFields<>(MotorFaultKind.values(), MotorFaultKind.WEAK, MotorFaultText::nameOf);
+        return new FaultFields<>(
+                MotorFaultKind.values(), MotorFaultKind.WEAK, MotorFaultText::nameOf, "motorFault.share");
     }
 
     @SuppressWarnings("unchecked")
@@ -122,7 +127,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private void updateTexts() {
         boolean share = selected().unit().isEmpty() && selected().maxValue() == 1;
-        unit.setText(share ? Messages.get("faults.share") : MotorFaultText.unitOf(selected()));
+        unit.setText(share ? Messages.get(shareKey) : MotorFaultText.unitOf(selected()));
         updateProblem();
     }
 

@@ -4,10 +4,17 @@ import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
 import faultline.sensor.FaultDescriptor;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
 import java.util.Locale;
 
 /** The faults of motors in the user's language. */
 public final class MotorFaultText {
+
+    /** The pattern of the numbers of faults, in texts and in fields. */
+    public static final String NUMBER_PATTERN = "0.00##";
+
+    private static final String DEGREES = "°";
 
     private MotorFaultText() {}
 
@@ -28,11 +35,16 @@ public final class MotorFaultText {
 
     /** Formats a fault with a name and a number, which kinds without one ignore. */
     public static String format(String name, FaultDescriptor<?> kind, double value) {
-        return kind.takesValue() ? (name + String.format(Locale.ROOT, " %.2f ", value) + unitOf(kind)).strip() : name;
+        if (!kind.takesValue()) {
+            return name;
+        }
+        String number = new DecimalFormat(NUMBER_PATTERN, DecimalFormatSymbols.getInstance(Locale.ROOT)).format(value);
+        boolean sign = unitOf(kind).equals(DEGREES);
+        return (name + " " + number + (sign ? "" : " ") + unitOf(kind)).strip();
     }
 
     /** Returns the unit of the number of a kind of fault, with a sign for degrees. */
     public static String unitOf(FaultDescriptor<?> kind) {
-        return kind.unit().equals("deg") ? "°" : kind.unit();
+        return kind.unit().equals("deg") ? DEGREES : kind.unit();
     }
 }

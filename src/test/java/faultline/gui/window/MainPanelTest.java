@@ -117,14 +117,7 @@ class MainPanelTest {
             FileController files = new FileController(canvas, workspace, () -> false);
             files.addTo(actions, () -> {});
             new EditActions(edits).addTo(actions);
-            new ObstacleActions(
-                            canvas.tools(),
-                            edits,
-                            sentence -> {},
-                            sentence -> {},
-                            now -> OptionalDouble.empty(),
-                            WindowPreferences.nonPersistent())
-                    .addTo(actions);
+            obstacleActions(edits).addTo(actions);
             new SensorActions(workspace, edits).addTo(actions);
             new ExportController(canvas, workspace, canvas, files::chooseExportFile, file -> {})
                     .actions()
@@ -144,6 +137,16 @@ class MainPanelTest {
             menus = Menus.createMenuBar(actions);
             mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED);
         });
+    }
+
+    private ObstacleActions obstacleActions(UndoController edits) {
+        return new ObstacleActions(
+                canvas.tools(),
+                edits,
+                sentence -> {},
+                sentence -> {},
+                now -> OptionalDouble.empty(),
+                WindowPreferences.nonPersistent());
     }
 
     private MainPanel createMainPanel(
