@@ -84,7 +84,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
     }
 
     private static String collisionText(Collision collision) {
-        return Messages.get("verdict.collided", collision.obstacle(), time(collision.time())) + "; "
+        return Messages.get("verdict.collided", collision.obstacle(), time(collision.time())) + ". "
                 + faultText(collision);
     }
 

@@ -10,7 +10,10 @@ import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.FlowLayout;
+import java.awt.Font;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.MouseAdapter;
 import java.util.function.LongConsumer;
@@ -24,7 +27,10 @@ import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 
-/** Shows over the canvas how a run ended, so that no other component moves when it appears. */
+/**
+ * Shows over the canvas how a run ended, so that no other component moves when it appears. Where the button that goes
+ * back would leave less room for the texts than it takes itself, it is below them.
+ */
 public final class VerdictBanner extends JPanel {
 
     private static final int GAP = 8;
@@ -36,6 +42,7 @@ public final class VerdictBanner extends JPanel {
     private final JTextArea title = UiText.wrappedText();
     private final JTextArea detail = UiText.wrappedText();
     private final JPanel buttons = new JPanel();
+    private final JPanel below = new JPanel(new FlowLayout(FlowLayout.LEADING, 0, 0));
     private final JButton back = UiText.button("verdict.back");
     /** Null while there is none. */
     private transient RunVerdict verdict;
@@ -43,6 +50,11 @@ public final class VerdictBanner extends JPanel {
     private double dt;
     /** The language of the verdict. */
     private transient Language language = Messages.language();
+
+    /** The width and the font for which the texts have been wrapped. */
+    private int wrappedWidth;
+
+    private transient Font wrappedFont;
 
     /** Creates a banner that is not visible; {@code seek} receives the tick to go back to. */
     public VerdictBanner(LongConsumer seek) {
@@ -63,6 +75,9 @@ public final class VerdictBanner extends JPanel {
         texts.setOpaque(false);
         texts.add(title, BorderLayout.NORTH);
         texts.add(detail, BorderLayout.CENTER);
+        below.setOpaque(false);
+        below.setBorder(BorderFactory.createEmptyBorder(GAP, 0, 0, 0));
+        texts.add(below, BorderLayout.SOUTH);
         icon.setVerticalAlignment(SwingConstants.TOP);
         add(icon, BorderLayout.LINE_START);
         add(texts, BorderLayout.CENTER);
@@ -117,13 +132,37 @@ public final class VerdictBanner extends JPanel {
         }
     }
 
-    /** Gives the texts the width that they will have, because their height depends on it. */
+    @Override
+    public Dimension getPreferredSize() {
+        if (verdict != null && (roomWidth() != wrappedWidth || !title.getFont().equals(wrappedFont))) {
+            wrapTexts();
+        }
+        return super.getPreferredSize();
+    }
+
+    /**
+     * Chooses the place of the button, and gives the texts the width that they will have: their height depends on it.
+     */
     private void wrapTexts() {
-        int room = getParent() == null ? 0 : getParent().getWidth();
-        int others = icon.getPreferredSize().width + buttons.getPreferredSize().width;
-        int width = Math.max(MIN_WIDTH, room - others - 5 * GAP);
+        wrappedWidth = roomWidth();
+        wrappedFont = title.getFont();
+        buttons.add(back, 0);
+        if (back.isVisible() && widthBesideButtons() < back.getPreferredSize().width) {
+            below.add(back);
+        }
+        below.setVisible(back.getParent() == below);
+        int width = Math.max(MIN_WIDTH, widthBesideButtons());
         title.setSize(width, Short.MAX_VALUE);
         detail.setSize(width, Short.MAX_VALUE);
+    }
+
+    private int widthBesideButtons() {
+        int others = icon.getPreferredSize().width + buttons.getPreferredSize().width;
+        return roomWidth() - others - 5 * GAP;
+    }
+
+    private int roomWidth() {
+        return getParent() == null ? 0 : getParent().getWidth();
     }
 
     private void updateBorder() {
