@@ -82,11 +82,14 @@ final class ItemDialog {
         Optional<TimelineItem> result;
         boolean accepted;
         do {
-            accepted = FormDialog.showDialog(parent, TimelineText.title(item), form, from.textField());
+            accepted = FormDialog.showDialog(parent, TimelineText.dialogTitle(item), form, from.textField());
             result = accepted ? read() : Optional.empty();
             if (accepted && endsBeforeItStarts()) {
                 JOptionPane.showMessageDialog(
-                        parent, Messages.get("timeline.order"), TimelineText.title(item), JOptionPane.WARNING_MESSAGE);
+                        parent,
+                        Messages.get("timeline.order"),
+                        TimelineText.dialogTitle(item),
+                        JOptionPane.WARNING_MESSAGE);
             }
         } while (accepted && result.isEmpty());
         return result;

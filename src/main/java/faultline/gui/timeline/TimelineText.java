@@ -47,6 +47,13 @@ final class TimelineText {
         return item.command() instanceof Command.ConfigureController ? Messages.get("timeline.controller") : name(item);
     }
 
+    /** Returns the title of a dialog in which an item can be changed; a fault may become another one there. */
+    static String dialogTitle(TimelineItem item) {
+        boolean fault =
+                item.command() instanceof Command.InjectFault || item.command() instanceof Command.InjectMotorFault;
+        return fault ? Messages.get("faults.kind") : title(item);
+    }
+
     /** Returns the name and the times. */
     static String description(TimelineItem item) {
         return name(item) + ", " + times(item);

@@ -104,7 +104,7 @@ class SensorMenuRobotTest {
             driver.choose("timeline");
         }
         choose("Add a fault of left…");
-        driver.clickButton("left: stuck 0.40 m", "OK");
+        driver.clickButton("Fault", "OK");
         driver.robot().waitFor("the lanes show", lanes::isShowing);
         driver.waitForTitle("office.xml*");
         runOnEdt(() -> driver.canvas().requestFocusInWindow());

@@ -36,7 +36,7 @@ import org.junit.jupiter.api.io.TempDir;
         disabledReason = "drives a real window, which needs a display")
 class TimelineRobotTest {
 
-    private static final String NEW_FAULT = "left: stuck 0.40 m";
+    private static final String NEW_FAULT = "Fault";
     private static final Command INJECT = new Command.InjectFault("left", new Fault.Stuck(0.4));
     private static final Command CLEAR = new Command.ClearFault("left", new Fault.Stuck(0.4));
 
