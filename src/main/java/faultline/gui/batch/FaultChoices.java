@@ -65,9 +65,8 @@ final class FaultChoices extends JPanel {
         int row = rows.size();
         grid.add(box, FormConstraints.cell(0, row));
         if (kind.takesValue()) {
-            boolean share = kind.unit().isEmpty() && kind.maxValue() == 1;
             grid.add(value, FormConstraints.cell(1, row));
-            JLabel unit = share ? UiText.label("faults.share") : new JLabel(MotorFaultText.unitOf(kind));
+            JLabel unit = RefreshSteps.add(new JLabel(), label -> label.setText(MotorFaultText.fieldUnitOf(kind)));
             grid.add(unit, FormConstraints.fillCell(2, row));
         }
         return new FaultChoiceRow(kind, box, value);

@@ -131,11 +131,7 @@ public final class SimulationCanvas extends AccessibleComponent {
     /** Shows or hides a layer. */
     public void setLayer(Layer layer, boolean on) {
         assert EventQueue.isDispatchThread();
-        if (on) {
-            model.layers().add(layer);
-        } else {
-            model.layers().remove(layer);
-        }
+        model.setLayer(layer, on);
         repaint();
     }
 

@@ -33,8 +33,6 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private final JComboBox<K> kind;
     private final Function<K, String> names;
-    /** The key of the unit of a share. */
-    private final String shareKey;
 
     private final NumberSpinner value = new NumberSpinner(MotorFaultText.NUMBER_PATTERN, 0, 1, 0.05, ignored -> {});
     private final NumberSpinner length = new NumberSpinner(
@@ -47,10 +45,9 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private double range = Double.POSITIVE_INFINITY;
 
-    private FaultFields(K[] kinds, K initial, Function<K, String> names, String shareKey) {
+    private FaultFields(K[] kinds, K initial, Function<K, String> names) {
         this.kind = new JComboBox<>(kinds);
         this.names = names;
-        this.shareKey = shareKey;
         configureKind(kinds.length);
         configure(value, "faults.value");
         configure(length, "faults.length");
@@ -61,13 +58,12 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     /** Creates the fields of a sensor that is stuck. */
     public static FaultFields<FaultKind, Fault> forSensors() {
-        return new FaultFields<>(FaultKind.values(), FaultKind.STUCK, ReadingText::nameOf, "faults.share");
+        return new FaultFields<>(FaultKind.values(), FaultKind.STUCK, ReadingText::nameOf);
     }
 
     /** Creates the fields of motors that are weak. */
     public static FaultFields<MotorFaultKind, MotorFault> forMotors() {
-        return new FaultFields<>(
-                MotorFaultKind.values(), MotorFaultKind.WEAK, MotorFaultText::nameOf, "motorFault.share");
+        return new FaultFields<>(MotorFaultKind.values(), MotorFaultKind.WEAK, MotorFaultText::nameOf);
     }
 
     @SuppressWarnings("unchecked")
@@ -126,8 +122,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     }
 
     private void updateTexts() {
-        boolean share = selected().unit().isEmpty() && selected().maxValue() == 1;
-        unit.setText(share ? Messages.get(shareKey) : MotorFaultText.unitOf(selected()));
+        unit.setText(MotorFaultText.fieldUnitOf(selected()));
         updateProblem();
     }
 

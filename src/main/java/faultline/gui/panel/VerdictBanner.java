@@ -146,19 +146,21 @@ public final class VerdictBanner extends JPanel {
     private void wrapTexts() {
         wrappedWidth = roomWidth();
         wrappedFont = title.getFont();
-        buttons.add(back, 0);
-        if (back.isVisible() && widthBesideButtons() < back.getPreferredSize().width) {
-            below.add(back);
+        int backWidth = back.isVisible() ? back.getPreferredSize().width : 0;
+        int rowWidth = buttons.getPreferredSize().width + (back.getParent() == below ? backWidth : 0);
+        boolean narrow = widthBeside(rowWidth) < backWidth;
+        JPanel place = narrow ? below : buttons;
+        if (back.getParent() != place) {
+            place.add(back, 0);
         }
-        below.setVisible(back.getParent() == below);
-        int width = Math.max(MIN_WIDTH, widthBesideButtons());
+        below.setVisible(narrow);
+        int width = Math.max(MIN_WIDTH, widthBeside(narrow ? rowWidth - backWidth : rowWidth));
         title.setSize(width, Short.MAX_VALUE);
         detail.setSize(width, Short.MAX_VALUE);
     }
 
-    private int widthBesideButtons() {
-        int others = icon.getPreferredSize().width + buttons.getPreferredSize().width;
-        return roomWidth() - others - 5 * GAP;
+    private int widthBeside(int buttonsWidth) {
+        return roomWidth() - icon.getPreferredSize().width - buttonsWidth - 5 * GAP;
     }
 
     private int roomWidth() {

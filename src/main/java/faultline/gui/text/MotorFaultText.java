@@ -43,6 +43,16 @@ public final class MotorFaultText {
         return (name + " " + number + (sign ? "" : " ") + unitOf(kind)).strip();
     }
 
+    /**
+     * Returns the unit beside a field for the number of a kind of fault, or what a number from 0 to 1 is a share of.
+     */
+    public static String fieldUnitOf(FaultDescriptor<?> kind) {
+        boolean share = kind.unit().isEmpty() && kind.maxValue() == 1;
+        return share
+                ? Messages.get(kind instanceof MotorFaultKind ? "motorFault.share" : "faults.share")
+                : unitOf(kind);
+    }
+
     /** Returns the unit of the number of a kind of fault, with a sign for degrees. */
     public static String unitOf(FaultDescriptor<?> kind) {
         return kind.unit().equals("deg") ? DEGREES : kind.unit();

@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
-import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -19,8 +18,6 @@ import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JDialog;
@@ -53,12 +50,7 @@ class OpenRobotTest {
     void open() throws IOException {
         office = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
         square = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("square.xml"));
-        Map<String, String> texts = new HashMap<>();
-        driver = WindowDriver.open(
-                Theme.LIGHT,
-                office,
-                new WindowPreferences(
-                        new WindowPreferences.PreferenceStore(key -> texts.getOrDefault(key, ""), texts::put)));
+        driver = WindowDriver.open(Theme.LIGHT, office);
     }
 
     @AfterEach

@@ -41,9 +41,18 @@ public final class CanvasModel {
         return Optional.ofNullable(frame);
     }
 
-    /** Returns the layers that are shown, as a live set. */
+    /** Returns an unmodifiable view of the layers that are shown. */
     public Set<Layer> layers() {
-        return layers;
+        return Collections.unmodifiableSet(layers);
+    }
+
+    /** Shows or hides a layer. */
+    public void setLayer(Layer layer, boolean on) {
+        if (on) {
+            layers.add(layer);
+        } else {
+            layers.remove(layer);
+        }
     }
 
     public ObservableValue<Set<String>> selection() {

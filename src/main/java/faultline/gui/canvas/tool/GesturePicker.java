@@ -56,11 +56,14 @@ public final class GesturePicker {
         if (left && shift) {
             return new RubberBandGesture(model, viewport, at);
         }
+        Runnable otherwise = left ? () -> selectSensorAt(at) : () -> {};
         Optional<Obstacle> travelling = ObstacleFinder.ofWaypointAt(model, camera(), at);
-        return travelling.isPresent()
-                ? new PanGesture(
-                        viewport, at, () -> model.select(Set.of(travelling.get().id())))
-                : new PanGesture(viewport, at, left ? () -> selectSensorAt(at) : () -> {});
+        return new PanGesture(
+                viewport,
+                at,
+                travelling
+                        .<Runnable>map(found -> () -> model.select(Set.of(found.id())))
+                        .orElse(otherwise));
     }
 
     private Optional<DragOperation> handleDrag(Vector2 at) {
