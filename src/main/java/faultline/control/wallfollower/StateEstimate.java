@@ -21,6 +21,12 @@ final class StateEstimate {
     /** Two sensors see the same wall if the distances that they give differ by at most this, metres. */
     private static final double SAME_WALL_TOLERANCE = 0.02;
 
+    /** A robot that turns must pass an object on the wall's side at this distance, metres. */
+    private static final double NEAR_SIDE_CLEARANCE = 0.03;
+
+    /** An object beside the path is nearer than the followed wall by at least this, metres. */
+    private static final double NEARER_THAN_WALL = 0.03;
+
     /** The number of standard deviations by which the nearest of many readings is nearer than their mean. */
     private static final double MINIMUM_BIAS_FACTOR = 3;
 
@@ -32,6 +38,8 @@ final class StateEstimate {
     private final SensorViews views;
     private final Odometer odometer;
     private final FrontRangeMemory frontMemory = new FrontRangeMemory();
+    private final BlindSpotMemory frontLeftMemory = new BlindSpotMemory();
+    private final BlindSpotMemory leftMemory = new BlindSpotMemory();
     private final LastSeenPoint[] lastSeen = {new LastSeenPoint(), new LastSeenPoint(), new LastSeenPoint()};
     private final NoiseEstimator leftNoise = new NoiseEstimator();
     private final NoiseEstimator frontNoise = new NoiseEstimator();
@@ -79,6 +87,8 @@ final class StateEstimate {
         frontNoise.update(currentFront.reading());
         frontMemory.update(currentFront, odometer.deltaDistance(), odometer.deltaHeading(), robot().width() / 2);
         front = frontMemory.withRememberedRange(currentFront);
+        frontLeftMemory.update(frontLeft, odometer.deltaDistance(), odometer.deltaHeading());
+        leftMemory.update(left, odometer.deltaDistance(), odometer.deltaHeading());
     }
 
     /**
@@ -87,6 +97,29 @@ final class StateEstimate {
      */
     boolean isFrontTargetWithinTurningCircle() {
         return frontMemory.nearest() + front.mountPosition().x() - stoppingDistance() <= guardedRadius();
+    }
+
+    /**
+     * Returns whether the front left sensor sees an object, or has seen one that is now between two cones, so near that
+     * the robot could run into it. What is not much nearer than the followed wall does not count.
+     */
+    boolean isNearSideObjectWithinTurningCircle() {
+        return frontLeft.detectsWithin(nearSideRadius()) || isWithinTurningCircle(frontLeftMemory);
+    }
+
+    /** Returns whether the followed wall has left the left sensor's cone so near that the robot could run into it. */
+    boolean isLostWallWithinTurningCircle() {
+        return isWithinTurningCircle(leftMemory);
+    }
+
+    /** An object that is nearer than the robot's corners does not count: a turn would swing one of them into it. */
+    private boolean isWithinTurningCircle(BlindSpotMemory memory) {
+        double distance = memory.distanceAfter(stoppingDistance());
+        return distance <= nearSideRadius() && distance > robot().boundingRadius();
+    }
+
+    private double nearSideRadius() {
+        return Math.min(robot().boundingRadius() + NEAR_SIDE_CLEARANCE, wantedCentreDistance() - NEARER_THAN_WALL);
     }
 
     /** Returns the radius about the robot's centre in which nothing may be when it turns, metres. */
@@ -117,6 +150,8 @@ final class StateEstimate {
     /** Forgets what was seen ahead. */
     void clearFrontMemory() {
         frontMemory.clear();
+        frontLeftMemory.clear();
+        leftMemory.clear();
         for (LastSeenPoint point : lastSeen) {
             point.clear();
         }

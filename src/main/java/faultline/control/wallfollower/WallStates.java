@@ -179,7 +179,9 @@ final class WallStates {
         boolean atWantedDistance = tracker.distance() <= wantedDistance + DISTANCE_TOLERANCE;
         return remainingSteerThrough <= 0 && estimate.isWallAheadWhileFollowing(atWantedDistance)
                 || estimate.isFrontTargetWithinTurningCircle()
-                || estimate.frontRight().detectsWithin(estimate.guardedRadius());
+                || estimate.frontRight().detectsWithin(estimate.guardedRadius())
+                || estimate.isNearSideObjectWithinTurningCircle()
+                || !isWallInSight() && estimate.isLostWallWithinTurningCircle();
     }
 
     boolean isWallInSight() {

@@ -1,0 +1,99 @@
+package faultline.control.wallfollower;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.geometry.Vector2;
+import faultline.sensor.Reading;
+import org.junit.jupiter.api.Test;
+
+/**
+ * A sensor in the robot's middle that looks to the left, with a cone of twice the angle whose sine is 0.6: an object at
+ * its edge is 3 parts ahead or behind and 4 aside.
+ */
+class BlindSpotMemoryTest {
+
+    private static final double QUARTER_TURN = Math.PI / 2;
+
+    private final BlindSpotMemory memory = new BlindSpotMemory();
+
+    private static SensorView view(double reading) {
+        return new SensorView(Vector2.ZERO, QUARTER_TURN, Math.asin(0.6), 0.8, reading, true);
+    }
+
+    private void detect(double reading, double rolled, double turn) {
+        memory.update(view(reading), rolled, turn);
+    }
+
+    private void loseTarget(double rolled, double turn) {
+        detect(Reading.NOTHING, rolled, turn);
+    }
+
+    /** Turns by small steps, as dead reckoning does. */
+    private void turn(double angle) {
+        for (int i = 0; i < 10_000; i++) {
+            loseTarget(0, angle / 10_000);
+        }
+    }
+
+    @Test
+    void atFirstThereIsNothing() {
+        loseTarget(0.1, 0);
+        assertEquals(Reading.NOTHING, memory.distanceAfter(0));
+    }
+
+    @Test
+    void aRobotThatTurnsLeftLosesWhatIsOnTheLeftToTheFront() {
+        detect(0.5, 0, 0.001);
+        loseTarget(0.1, 0);
+        assertEquals(Math.hypot(0.2, 0.4), memory.distanceAfter(0), 1e-12, "0.3 m ahead when it was lost");
+    }
+
+    @Test
+    void aRobotThatDrivesOnLosesItToTheRear() {
+        detect(0.5, 0.001, 0);
+        loseTarget(0.001, 0);
+        assertEquals(Reading.NOTHING, memory.distanceAfter(0), "0.3 m behind when it was lost");
+    }
+
+    @Test
+    void aTurnToTheLeftBringsItAhead() {
+        detect(0.5, 0, 0.001);
+        turn(Math.asin(0.8));
+        assertEquals(0.4, memory.distanceAfter(0.1), 1e-3, "straight ahead");
+    }
+
+    @Test
+    void theDistanceThatIsStillToBeRolledCounts() {
+        detect(0.5, 0, 0.001);
+        assertEquals(Math.hypot(0.1, 0.4), memory.distanceAfter(0.2), 1e-12);
+    }
+
+    @Test
+    void aNearerObjectReplacesIt() {
+        detect(0.5, 0, 0.001);
+        detect(0.4, 0, 1e-9);
+        assertEquals(0.4, memory.distanceAfter(0), 1e-6);
+    }
+
+    @Test
+    void whatIsSeenFartherAwayDoesNot() {
+        detect(0.4, 0, 0.001);
+        detect(0.5, 0, 1e-9);
+        assertEquals(0.4, memory.distanceAfter(0), 1e-6);
+    }
+
+    @Test
+    void aTurnOfMoreThanAQuarterMakesItsPlaceUncertain() {
+        detect(0.5, 0, 0.001);
+        turn(0.9 * QUARTER_TURN);
+        turn(-0.2 * QUARTER_TURN);
+        assertEquals(Reading.NOTHING, memory.distanceAfter(0));
+    }
+
+    @Test
+    void whatIsForgottenIsGone() {
+        detect(0.5, 0, 0.001);
+        memory.clear();
+        assertEquals(Reading.NOTHING, memory.distanceAfter(0));
+    }
+}
