@@ -20,6 +20,7 @@ import faultline.io.AtomicFile;
 import faultline.io.LinkResolver;
 import faultline.io.ProgramCommand;
 import faultline.scenario.JournalScenario;
+import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -171,10 +172,14 @@ final class CompareCommand {
     private RunResult runOnce(
             String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver end) {
         try (ProcessControllerSource source =
-                new ProcessControllerSource(choice, options.childSettings(scenario, output::printError))) {
+                new ProcessControllerSource(choice, options.childSettings(scenario, output::printError)).keepOpen()) {
             SimulationSetup chosen = ControllerChoice.apply(choice, setup, source);
-            List<TickObserver> observers = ControllerChoice.isCommand(choice) ? List.of(end, source) : List.of(end);
-            return HeadlessRun.run(chosen, ControllerMode.DIRECT, observers);
+            if (!ControllerChoice.isCommand(choice)) {
+                return HeadlessRun.run(chosen, ControllerMode.DIRECT, List.of(end));
+            }
+            RunResult result = HeadlessRun.run(chosen, ControllerMode.DIRECT, List.of(end, source));
+            source.finish(RunSummary.formatHash(result), RunCommand.summary(result));
+            return result;
         }
     }
 
