@@ -8,6 +8,7 @@ import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.io.JsonWriter;
+import faultline.io.MessageText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -109,7 +110,8 @@ public final class SimulationServer {
                     case "drive" -> drive(episode, request);
                     default ->
                         throw new ProtocolException(
-                                "wrote a message", " of type \"" + type + "\"; expected reset, drive or close");
+                                "wrote a message",
+                                " of type " + MessageText.quoted(type) + "; expected reset, drive or close");
                 }
                 send(answer(episode));
             }
