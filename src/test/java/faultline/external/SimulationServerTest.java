@@ -13,6 +13,9 @@ import faultline.engine.metrics.HeadlessRun;
 import faultline.scenario.Scenario;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -117,6 +120,20 @@ class SimulationServerTest {
         assertEquals(
                 "the client wrote a line at tick 0 that is not UTF-8: \"{\"type\":\"reset\",\"who\":\"Ren\uFFFD\"}\"",
                 e.getMessage());
+    }
+
+    @Test
+    void nothingIsReadAfterAClientThatHasClosedItsInput() throws Exception {
+        PrintStream closed = new PrintStream(new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                throw new IOException("broken pipe");
+            }
+        });
+        ByteArrayInputStream in = new ByteArrayInputStream("garbage\n".getBytes(StandardCharsets.UTF_8));
+        new SimulationServer("faultline test", "Office", false, in, closed).run(office());
+        assertTrue(closed.checkError());
+        assertEquals(8, in.available());
     }
 
     @Test
