@@ -115,6 +115,10 @@ def drive_with(decide, name="python", begin=None):
         kind = message["type"]
         if kind == "observe":
             answer = decide(robot.sight(message))
+            if not isinstance(answer, dict):
+                raise TypeError(
+                    "decide returned %r; it must return faultline.velocities(...) or faultline.volts(...)" % (answer,)
+                )
             answer["tick"] = message["tick"]
             _write(answer, answers)
         elif kind == "hello":

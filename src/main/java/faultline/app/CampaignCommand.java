@@ -29,9 +29,8 @@ final class CampaignCommand {
     }
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        List<String> valued = new ArrayList<>(arguments);
-        boolean resume = valued.removeIf("--resume"::equals);
-        Arguments sorted = new Arguments(valued, List.of("--out", "--jobs", "--shard"));
+        Arguments sorted = new Arguments(arguments, List.of("--out", "--jobs", "--shard"), List.of("--resume"));
+        boolean resume = sorted.has("--resume");
         Path file = sorted.singleFile("campaign", "plan");
         Path folder = folder(sorted);
         int jobs = sorted.positive("--jobs", CampaignRunner.MAX_JOBS)

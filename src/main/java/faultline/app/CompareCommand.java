@@ -16,10 +16,9 @@ import faultline.external.ControllerStartException;
 import faultline.external.ProcessControllerSource;
 import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
-import faultline.io.AtomicFile;
-import faultline.io.LinkResolver;
 import faultline.io.ProgramCommand;
 import faultline.scenario.JournalScenario;
+import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -34,7 +33,8 @@ import java.util.stream.Collectors;
 /** {@code compare}: runs several controllers in the same scenario with the same seeds. */
 final class CompareCommand {
 
-    private static final List<String> OPTION_NAMES = List.of("--seeds", "--out", "--until", "--jar", "--patience");
+    private static final List<String> OPTION_NAMES =
+            List.of("--controller", "--seeds", "--out", "--until", "--jar", "--patience");
     private static final List<String> FLAG_NAMES = List.of("--truth", "--open");
     private static final int MAX_SEEDS = 10_000;
 
@@ -71,10 +71,10 @@ final class CompareCommand {
         if (choices.size() < 2 || choices.stream().distinct().count() < choices.size()) {
             throw new UsageException("compare needs --controller at least twice, each time with another one");
         }
-        if (LinkResolver.findConflict(List.of(file), outputs(page, choices.size()))
-                .isPresent()) {
-            throw new UsageException("an output is the scenario itself; expected another file");
-        }
+        List<Path> inputs = new ArrayList<>(options.files(choices));
+        inputs.add(file);
+        ComparisonFiles files = new ComparisonFiles(page, choices.size());
+        files.requireDistinct(inputs);
         boolean open = arguments.has("--open");
         if (open) {
             WindowCommand.requireDisplay("--open");
@@ -82,18 +82,30 @@ final class CompareCommand {
         int seeds = arguments.positive("--seeds", MAX_SEEDS).orElse(1);
         Scenario loaded = Scenario.load(file);
         Scenario scenario = loaded.withSetup(RunOptions.duration(arguments).apply(loaded.setup()));
-        List<ControllerRuns> compared = new ArrayList<>();
-        Map<Path, Scenario> replays = new LinkedHashMap<>();
-        for (String choice : choices) {
-            compared.add(runAll(choice, scenario, seeds, options, replay(page, compared.size() + 1), replays));
-        }
-        ControllerComparison comparison =
-                new ControllerComparison(scenario, compared, windowCommands(file, choices, options));
-        int code = write(comparison, compared, page, replays);
+        int code = compare(scenario, choices, seeds, options, files, windowCommands(file, choices, options));
         if (open && code == ExitCode.SUCCESS) {
             openWindow(file, loaded, choices, options);
         }
         return code;
+    }
+
+    private int compare(
+            Scenario scenario,
+            List<String> choices,
+            int seeds,
+            ControllerOptions options,
+            ComparisonFiles files,
+            List<String> windowCommands)
+            throws IOException {
+        try (files) {
+            files.open();
+            List<ControllerRuns> compared = new ArrayList<>();
+            Map<Path, Scenario> replays = new LinkedHashMap<>();
+            for (String choice : choices) {
+                compared.add(runAll(choice, scenario, seeds, options, files.replay(compared.size()), replays));
+            }
+            return write(new ControllerComparison(scenario, compared, windowCommands), compared, files, replays);
+        }
     }
 
     /** Shows the first two controllers, the second as the ghost. */
@@ -120,26 +132,6 @@ final class CompareCommand {
                         + ShellText.quoted(choices.get(0)) + " " + WindowCommand.GHOST_OPTION + " "
                         + ShellText.quoted(ghost) + jar)
                 .toList();
-    }
-
-    private static String baseName(Path page) {
-        return page.getFileName().toString().replaceFirst("\\.html?$", "");
-    }
-
-    private static Path table(Path page) {
-        return page.resolveSibling(baseName(page) + ".csv");
-    }
-
-    private static Path replay(Path page, int number) {
-        return page.resolveSibling(baseName(page) + "-" + number + ".xml");
-    }
-
-    private static List<Path> outputs(Path page, int controllers) {
-        List<Path> all = new ArrayList<>(List.of(page, table(page)));
-        for (int i = 1; i <= controllers; i++) {
-            all.add(replay(page, i));
-        }
-        return all;
     }
 
     private ControllerRuns runAll(
@@ -171,24 +163,32 @@ final class CompareCommand {
     private RunResult runOnce(
             String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver end) {
         try (ProcessControllerSource source =
-                new ProcessControllerSource(choice, options.childSettings(scenario, output::printError))) {
+                new ProcessControllerSource(choice, options.childSettings(scenario, output::printError)).keepOpen()) {
             SimulationSetup chosen = ControllerChoice.apply(choice, setup, source);
-            List<TickObserver> observers = ControllerChoice.isCommand(choice) ? List.of(end, source) : List.of(end);
-            return HeadlessRun.run(chosen, ControllerMode.DIRECT, observers);
+            if (!ControllerChoice.isCommand(choice)) {
+                return HeadlessRun.run(chosen, ControllerMode.DIRECT, List.of(end));
+            }
+            RunResult result = HeadlessRun.run(chosen, ControllerMode.DIRECT, List.of(end, source));
+            source.finish(RunSummary.formatHash(result), RunCommand.summary(result));
+            return result;
         }
     }
 
     private int write(
-            ControllerComparison comparison, List<ControllerRuns> compared, Path page, Map<Path, Scenario> replays)
+            ControllerComparison comparison,
+            List<ControllerRuns> compared,
+            ComparisonFiles files,
+            Map<Path, Scenario> replays)
             throws IOException {
-        AtomicFile.write(page, comparison.html().getBytes(StandardCharsets.UTF_8));
-        AtomicFile.write(table(page), comparison.csv().getBytes(StandardCharsets.UTF_8));
+        files.write(files.page(), comparison.html().getBytes(StandardCharsets.UTF_8));
+        files.write(files.table(), comparison.csv().getBytes(StandardCharsets.UTF_8));
         for (Map.Entry<Path, Scenario> replay : replays.entrySet()) {
-            replay.getValue().save(replay.getKey());
+            files.write(replay.getKey(), replay.getValue().toBytes());
         }
+        files.commit();
         output.println(comparison.lines());
-        output.println("page: " + page);
-        output.println("table: " + table(page));
+        output.println("page: " + files.page());
+        output.println("table: " + files.table());
         comparison.windowCommands().forEach(command -> output.println("window: " + command));
         replays.keySet().forEach(replay -> output.println("replay: " + replay));
         return compared.stream().allMatch(runs -> runs.broken().isEmpty()) ? ExitCode.SUCCESS : ExitCode.RUN_FAILED;

@@ -1,5 +1,6 @@
 package faultline.app;
 
+import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
 import faultline.io.MessageText;
@@ -7,6 +8,7 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -40,6 +42,13 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
         }
         return new ControllerOptions(
                 patience(given), given.has("--truth"), jar.stream().toList());
+    }
+
+    /** Returns the files that a run with some controllers reads, which no output may replace. */
+    List<Path> files(List<String> choices) {
+        List<Path> files = new ArrayList<>(jars);
+        choices.forEach(choice -> files.addAll(ControllerChoice.files(choice)));
+        return files;
     }
 
     private static boolean isJar(Path file) {

@@ -75,12 +75,13 @@ final class ImportCommand {
         }
         String cells = parsed.value("--min-cells").orElse("1");
         if (!cells.matches("\\d{1,9}")) {
-            throw UsageException.ofValue("--min-cells", cells, "a whole number of cells");
+            throw UsageException.ofValue("--min-cells", cells, "a whole number from 0 to 999999999");
         }
         String smoothing = parsed.value("--smooth").orElse("0");
-        BigDecimal bound = number("--smooth", smoothing, "a number of cells, 0 or more");
+        String allowed = "a number of cells from 0 to " + MAX_COORDINATE;
+        BigDecimal bound = number("--smooth", smoothing, allowed);
         if (bound.signum() < 0) {
-            throw UsageException.ofValue("--smooth", smoothing, "a number of cells, 0 or more");
+            throw UsageException.ofValue("--smooth", smoothing, allowed);
         }
         return new FloorPlan.Options(unknown.equals("wall"), Integer.parseInt(cells), bound.doubleValue());
     }

@@ -91,7 +91,8 @@ final class RunCommand {
         }
     }
 
-    private static Map<String, String> summary(RunResult result) {
+    /** Returns the lines of the summary of a run, by their keys. */
+    static Map<String, String> summary(RunResult result) {
         Map<String, String> summary = new LinkedHashMap<>();
         RunSummary.lines(result).forEach(line -> summary.put(line.split(": ", 2)[0], line.split(": ", 2)[1]));
         return summary;

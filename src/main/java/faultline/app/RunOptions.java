@@ -10,6 +10,7 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioLimits;
 import java.math.BigDecimal;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
@@ -164,8 +165,9 @@ record RunOptions(
     }
 
     private void checkFilesDiffer() throws UsageException {
-        if (LinkResolver.findConflict(List.of(file), List.copyOf(outputs.values()))
-                .isPresent()) {
+        List<Path> inputs = new ArrayList<>(child.files(controller().stream().toList()));
+        inputs.add(file);
+        if (LinkResolver.findConflict(inputs, List.copyOf(outputs.values())).isPresent()) {
             throw new UsageException("two of the files are the same one; expected a file of its own for each output");
         }
     }

@@ -23,7 +23,7 @@ public final class RecordedController implements Controller {
     @Override
     public Decision decide(Observation observation) {
         if (observation.tick() >= record.ticks()) {
-            throw new IllegalStateException("the record of decisions ends after tick " + record.ticks());
+            throw new RecordEndedException(record.ticks());
         }
         while (next < record.decisions().size() && record.decisions().get(next).tick() <= observation.tick()) {
             repeat(record.decisions().get(next++));

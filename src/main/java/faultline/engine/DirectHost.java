@@ -40,10 +40,8 @@ final class DirectHost implements ControllerHost {
         }
         try {
             return controller.decide(new Observation(tick, dt, robot, readings));
-        } catch (RunFailedException broken) {
-            throw broken;
         } catch (RuntimeException | Error broken) {
-            throw new RunFailedException("the controller broke at tick " + tick + ": " + broken, broken);
+            throw RunFailedException.ofController(tick, broken);
         }
     }
 

@@ -60,11 +60,7 @@ final class ThreadedHost implements ControllerHost {
         try {
             return firstAnswer();
         } catch (ExecutionException broken) {
-            if (broken.getCause() instanceof RunFailedException failed) {
-                throw failed;
-            }
-            throw new RunFailedException(
-                    "the controller broke at tick " + tick + ": " + broken.getCause(), broken.getCause());
+            throw RunFailedException.ofController(tick, broken.getCause());
         } catch (TimeoutException silent) {
             throw new RunFailedException(
                     "the controller has not answered for " + timeout + " s at tick " + tick

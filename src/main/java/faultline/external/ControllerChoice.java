@@ -9,6 +9,8 @@ import faultline.io.DidYouMean;
 import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -69,6 +71,34 @@ public final class ControllerChoice {
                 : Map.of();
         return setup.withController(
                 new ControllerSpec.Chosen(original, new JavaControllerSource(provider.get(), settings)));
+    }
+
+    /**
+     * {@return the files that the words of a command name, such as the program and its script}
+     *
+     * @param choice a name or a command
+     */
+    public static List<Path> files(String choice) {
+        List<Path> files = new ArrayList<>();
+        try {
+            for (String word : ShellWords.split(choice)) {
+                addFile(word, files);
+            }
+        } catch (IllegalArgumentException unfinished) {
+            return List.of();
+        }
+        return files;
+    }
+
+    private static void addFile(String word, List<Path> files) {
+        try {
+            Path file = Path.of(word);
+            if (Files.isRegularFile(file)) {
+                files.add(file);
+            }
+        } catch (InvalidPathException noPath) {
+            // A word that is no path names no file.
+        }
     }
 
     /**

@@ -7,6 +7,7 @@ import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.io.JsonWriter;
+import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 import java.io.IOException;
 import java.util.List;
@@ -101,7 +102,8 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         MessageReader message = MessageReader.of(child.receive(seconds));
         String given = message.string("type");
         if (!given.equals(type)) {
-            throw new ProtocolException("wrote a message", " of type \"" + given + "\"; expected \"" + type + "\"");
+            throw new ProtocolException(
+                    "wrote a message", " of type " + MessageText.quoted(given) + "; expected \"" + type + "\"");
         }
         return message;
     }

@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.io.MessageText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -45,7 +46,7 @@ final class LineBuffer {
     /**
      * Returns the next complete line without its line break, or null if it has not arrived yet.
      *
-     * @throws ProtocolException if the line is too long
+     * @throws ProtocolException if the line is too long or not UTF-8
      */
     String next() throws ProtocolException {
         while (searched < end && bytes[searched] != '\n') {
@@ -62,7 +63,7 @@ final class LineBuffer {
         if (length > 0 && bytes[searched - 1] == '\r') {
             length--;
         }
-        String line = new String(bytes, begin, length, StandardCharsets.UTF_8);
+        String line = text(begin, length);
         begin = ++searched;
         if (begin == end) {
             begin = 0;
@@ -72,9 +73,20 @@ final class LineBuffer {
         return line;
     }
 
+    private String text(int from, int length) throws ProtocolException {
+        String line = new String(bytes, from, length, StandardCharsets.UTF_8);
+        // The replacement character stands for bytes that are not UTF-8, or for itself.
+        if (line.indexOf('\uFFFD') >= 0
+                && !Arrays.equals(
+                        line.getBytes(StandardCharsets.UTF_8), Arrays.copyOfRange(bytes, from, from + length))) {
+            throw new ProtocolException("wrote a line", " that is not UTF-8: " + MessageText.quoted(line));
+        }
+        return line;
+    }
+
     /** Returns the last line at the end of a stream, if it has no line break; null if there is none. */
-    String rest() {
-        String line = hasPart() ? new String(bytes, begin, end - begin, StandardCharsets.UTF_8) : null;
+    String rest() throws ProtocolException {
+        String line = hasPart() ? text(begin, end - begin) : null;
         begin = end;
         return line;
     }

@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.io.DecimalText;
 import faultline.io.JsonException;
 import faultline.io.JsonParser;
 import faultline.io.MessageText;
@@ -10,7 +11,8 @@ import java.util.Map;
 /** The members of a received message, checked when they are read. Unknown members are ignored. */
 final class MessageReader {
 
-    private static final double MAX_WHOLE = 1L << 53;
+    /** From here on a double cannot hold every whole number. */
+    private static final double FIRST_ROUNDED = 1L << 53;
 
     private final Map<?, ?> members;
 
@@ -59,17 +61,20 @@ final class MessageReader {
 
     /** Returns a finite number. */
     double number(String name) throws ProtocolException {
-        if (members.get(name) instanceof Double number && Double.isFinite(number)) {
-            return number;
+        if (members.get(name) instanceof Number number && Double.isFinite(number.doubleValue())) {
+            return number.doubleValue();
         }
         throw wrong(name, "a finite number");
     }
 
-    /** Returns a whole number. */
+    /** Returns a whole number, exactly as it was written. */
     long whole(String name) throws ProtocolException {
+        if (members.get(name) instanceof Long number) {
+            return number;
+        }
         if (members.get(name) instanceof Double number
                 && number == Math.rint(number)
-                && Math.abs(number) <= MAX_WHOLE) {
+                && Math.abs(number) < FIRST_ROUNDED) {
             return number.longValue();
         }
         throw wrong(name, "a whole number");
@@ -117,10 +122,10 @@ final class MessageReader {
         double[] numbers = new double[list.size()];
         for (int i = 0; i < numbers.length; i++) {
             Object value = list.get(i);
-            if (value != JsonParser.NULL && !(value instanceof Double)) {
+            if (value != JsonParser.NULL && !(value instanceof Number)) {
                 throw wrong(name, "an array of numbers");
             }
-            numbers[i] = value instanceof Double number ? number : nullValue;
+            numbers[i] = value instanceof Number number ? number.doubleValue() : nullValue;
         }
         return numbers;
     }
@@ -137,8 +142,14 @@ final class MessageReader {
         return flags;
     }
 
+    private static String textOf(Object value) {
+        return value instanceof Double number && Double.isFinite(number)
+                ? DecimalText.format(number)
+                : String.valueOf(value);
+    }
+
     private ProtocolException wrong(String name, String allowed) {
-        String given = has(name) ? MessageText.quoted(String.valueOf(members.get(name))) : "missing";
+        String given = has(name) ? MessageText.quoted(textOf(members.get(name))) : "missing";
         return new ProtocolException(
                 "wrote a message", " whose " + MessageText.quoted(name) + " is " + given + "; expected " + allowed);
     }

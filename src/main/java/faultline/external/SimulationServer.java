@@ -8,9 +8,11 @@ import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.io.JsonWriter;
+import faultline.io.MessageText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Map;
@@ -85,14 +87,16 @@ public final class SimulationServer {
     }
 
     /**
-     * Answers requests until {@code close} or the end of the input.
+     * Answers requests until {@code close}, the end of the input, or the failure of a print stream for the answers.
      *
      * @param setup the run that each reset begins
      * @throws IOException if the streams cannot be read or written
      * @throws RunFailedException if a request violates the protocol
      */
     public void run(SimulationSetup setup) throws IOException {
-        send(ProtocolMessages.hello(RunDescription.of(program, scenario, setup, 1)));
+        if (!send(ProtocolMessages.hello(RunDescription.of(program, scenario, setup, 1)))) {
+            return;
+        }
         Episode episode = new Episode(setup);
         try {
             for (String line = readLine(); line != null; line = readLine()) {
@@ -109,9 +113,12 @@ public final class SimulationServer {
                     case "drive" -> drive(episode, request);
                     default ->
                         throw new ProtocolException(
-                                "wrote a message", " of type \"" + type + "\"; expected reset, drive or close");
+                                "wrote a message",
+                                " of type " + MessageText.quoted(type) + "; expected reset, drive or close");
                 }
-                send(answer(episode));
+                if (!send(answer(episode))) {
+                    return;
+                }
             }
         } catch (ProtocolException e) {
             throw new RunFailedException(e.sentence("the client", "at tick " + episode.simulation.ticks()), e);
@@ -161,8 +168,10 @@ public final class SimulationServer {
         return json.finish();
     }
 
-    private void send(String line) throws IOException {
+    /** Writes a line. Returns whether it was written, because a print stream only notes that it was not. */
+    private boolean send(String line) throws IOException {
         out.write((line + "\n").getBytes(StandardCharsets.UTF_8));
         out.flush();
+        return !(out instanceof PrintStream noting) || !noting.checkError();
     }
 }

@@ -31,6 +31,9 @@ public record MapDescription(
     /** The greatest width and height of a world, metres. */
     private static final BigDecimal MAX_SIZE = new BigDecimal(100_000);
 
+    /** The brightness of white in map files. */
+    private static final double WHITE = 255;
+
     private static final double DEFAULT_OCCUPIED = 0.65;
     private static final double DEFAULT_FREE = 0.196;
 
@@ -95,28 +98,29 @@ public record MapDescription(
             for (int column = 0; column < pixels.width(); column++) {
                 CellState state = pixels.isTransparent(column, rowFromTop)
                         ? CellState.UNKNOWN
-                        : classify(pixels.value(column, rowFromTop));
+                        : classify(pixels.sample(column, rowFromTop), pixels.white());
                 cells[row * pixels.width() + column] = (byte) state.ordinal();
             }
         }
         return new OccupancyGrid(pixels.width(), pixels.height(), cells);
     }
 
-    private CellState classify(double value) {
-        if (mode == MapMode.RAW && Math.rint(value) > 100) {
+    private CellState classify(int sample, int white) {
+        double occupancy = occupancy(sample, white);
+        if (mode == MapMode.RAW && occupancy > 1) {
             return CellState.UNKNOWN;
         }
-        double occupancy = occupancy(value);
         if (occupancy >= occupiedThreshold) {
             return CellState.OCCUPIED;
         }
         return occupancy <= freeThreshold ? CellState.FREE : CellState.UNKNOWN;
     }
 
-    private double occupancy(double value) {
+    /** Returns the nearest double to the occupancy, so that it equals a threshold that it is equal to. */
+    private double occupancy(int sample, int white) {
         if (mode == MapMode.RAW) {
-            return Math.rint(value) / 100;
+            return Math.rint(sample * WHITE / white) / 100;
         }
-        return (negate ? value : 255 - value) / 255;
+        return (double) (negate ? sample : white - sample) / white;
     }
 }

@@ -11,9 +11,6 @@ final class MapImage {
      */
     static final long MAX_PIXELS = 64_000_000;
 
-    /** The brightness of white in map files. */
-    private static final float WHITE = 255;
-
     private final int width;
     private final int height;
     private final int max;
@@ -46,9 +43,14 @@ final class MapImage {
         }
     }
 
-    /** Returns the brightness of a pixel, 0 for black to 255 for white. */
-    double value(int column, int rowFromTop) {
-        return Short.toUnsignedInt(samples[rowFromTop * width + column]) * WHITE / max;
+    /** Returns the sample of a pixel, from 0 for black to that of white. */
+    int sample(int column, int rowFromTop) {
+        return Short.toUnsignedInt(samples[rowFromTop * width + column]);
+    }
+
+    /** Returns the sample of white. */
+    int white() {
+        return max;
     }
 
     /** Returns whether a pixel is not fully opaque. */

@@ -7,6 +7,7 @@ import java.awt.image.ColorModel;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.io.BufferedInputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -55,7 +56,7 @@ final class MapImageReader {
         } catch (FloorPlanException e) {
             throw e;
         } catch (IOException | RuntimeException e) {
-            throw new FloorPlanException(file + ": the image cannot be read: " + firstLine(e));
+            throw new FloorPlanException(file + ": the image cannot be read: " + reason(e));
         }
     }
 
@@ -65,9 +66,16 @@ final class MapImageReader {
         }
     }
 
-    private static String firstLine(Exception e) {
-        String message = e.getMessage();
-        return message == null ? e.getClass().getSimpleName() : MessageText.oneLine(message);
+    /**
+     * Returns the reason in words; the exceptions at run time of the JDK's readers describe the reader, not the file.
+     */
+    private static String reason(Exception e) {
+        if (e instanceof EOFException) {
+            return "the file ends too early";
+        }
+        return e instanceof RuntimeException || e.getMessage() == null
+                ? "the file is damaged"
+                : MessageText.oneLine(e.getMessage());
     }
 
     private static MapImage readWithImageIo(Path file) throws IOException {

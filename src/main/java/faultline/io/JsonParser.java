@@ -7,8 +7,8 @@ import java.util.Map;
 
 /**
  * Reads JSON (RFC 8259) in time linear in the text. Objects become {@link Map}s in the order of the text, arrays
- * {@link List}s, strings {@link String}s, numbers {@link Double}s, truth values {@link Boolean}s, and {@code null} the
- * constant {@link #NULL}.
+ * {@link List}s, strings {@link String}s, numbers {@link Double}s (or {@link Long}s, if they are whole and a double
+ * would round them), truth values {@link Boolean}s, and {@code null} the constant {@link #NULL}.
  */
 public final class JsonParser {
 
@@ -24,6 +24,9 @@ public final class JsonParser {
     private static final List<String> NOT_FINITE = List.of("NaN", "Infinity");
 
     private static final int MAX_DEPTH = 64;
+
+    /** From here on a double cannot hold every whole number. */
+    private static final double FIRST_ROUNDED = 1L << 53;
 
     private final String text;
     private int next;
@@ -84,6 +87,9 @@ public final class JsonParser {
             if (text.startsWith(word, next)) {
                 throw problem(word + " is no number in JSON");
             }
+        }
+        if (text.startsWith("\uFEFF", next)) {
+            throw problem("there is a byte order mark");
         }
         throw problem(next == text.length() ? "the text ends before a value" : "there is no value");
     }
@@ -199,10 +205,13 @@ public final class JsonParser {
         return (char) unit;
     }
 
-    private Double parseNumber() throws JsonException {
+    private Number parseNumber() throws JsonException {
         int begin = next;
         if (peek() == '-') {
             next++;
+            if (text.startsWith("Infinity", next)) {
+                throw problem("-Infinity is no number in JSON");
+            }
         }
         int integer = next;
         skipDigits();
@@ -221,7 +230,19 @@ public final class JsonParser {
         if (leadingZero) {
             throw problem("a number begins with a zero");
         }
-        return Double.valueOf(text.substring(begin, next));
+        return valueOf(text.substring(begin, next));
+    }
+
+    private static Number valueOf(String digits) {
+        Double value = Double.valueOf(digits);
+        if (Math.abs(value) >= FIRST_ROUNDED && digits.matches("-?\\d{16,19}")) {
+            try {
+                return Long.valueOf(digits);
+            } catch (NumberFormatException tooLarge) {
+                return value;
+            }
+        }
+        return value;
     }
 
     private void skipDigits() throws JsonException {

@@ -67,6 +67,18 @@ public final class MessageText {
     }
 
     /**
+     * {@return a text as a cell of a file of comma-separated values (RFC 4180)} It is put in quotes if it needs them,
+     * its control characters become blanks, and a spreadsheet does not take it for a formula.
+     *
+     * @param text the text
+     */
+    public static String csvCell(String text) {
+        String cell = cell(text);
+        boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c < ' ');
+        return plain ? cell : '"' + cell.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + '"';
+    }
+
+    /**
      * {@return the name of an enum constant in camel case, such as {@code tooDeep} for {@code TOO_DEEP}}
      *
      * @param constant the name of the constant

@@ -6,6 +6,7 @@ import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -30,12 +31,27 @@ final class TemporaryFile {
     private static final class UnfinishedFiles {
 
         private static final Set<Path> FILES = ConcurrentHashMap.newKeySet();
+        /** Whether the process is ending, so that a new file would remain. */
+        private static boolean ended;
 
         static {
-            Runtime.getRuntime().addShutdownHook(new Thread(UnfinishedFiles::deleteAll, "delete temporary files"));
+            try {
+                Runtime.getRuntime().addShutdownHook(new Thread(UnfinishedFiles::deleteAll, "delete temporary files"));
+            } catch (IllegalStateException e) {
+                ended = true;
+            }
         }
 
-        private static void deleteAll() {
+        /** Creates a file, unless the process is ending. No file is created while all are deleted. */
+        private static synchronized TemporaryFile create(Path target) throws IOException {
+            if (ended) {
+                throw new FileSystemException(target.toString(), null, "the program is ending");
+            }
+            return TemporaryFile.createRegistered(target);
+        }
+
+        private static synchronized void deleteAll() {
+            ended = true;
             for (Path file : FILES) {
                 try {
                     Files.deleteIfExists(file);
@@ -64,6 +80,10 @@ final class TemporaryFile {
      * that exists.
      */
     static TemporaryFile create(Path target) throws IOException {
+        return UnfinishedFiles.create(target);
+    }
+
+    private static TemporaryFile createRegistered(Path target) throws IOException {
         Path folder = target.getParent();
         if (!target.getFileSystem().supportedFileAttributeViews().contains("posix")) {
             return register(new TemporaryFile(Files.createTempFile(folder, PREFIX, SUFFIX), Set.of()));

@@ -217,6 +217,11 @@ class CommandLineTest {
             run a.xml --trace b --image ./b | two of the files are the same one; expected a file of its own for each output
             run a.xml --journal a.xml       | two of the files are the same one; expected a file of its own for each output
             run a.xml --trace=              | "" is no name for a file
+            campaign a.xml --resum          | there is no option "--resum" here; expected --out, --jobs, --shard, --resume; did you mean "--resume"?
+            campaign a.xml --resume=yes     | --resume takes no value
+            compare a.xml --controler none  | there is no option "--controler" here; expected --controller, --seeds, --out, --until, --jar, --patience, --truth, --open; did you mean "--controller"?
+            import a.png --out b --smooth 1e9 | --smooth is "1e9"; expected a number of cells from 0 to 100000
+            import a.png --out b --min-cells -1 | --min-cells is "-1"; expected a whole number from 0 to 999999999
             """)
     void badUsageIsExitCodeTwoAndOneLine(String arguments, String problem) {
         assertEquals(

@@ -177,6 +177,18 @@ class CompareCommandTest {
         assertTrue(Files.readString(page()).contains("Broken runs"));
     }
 
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void everyChildIsInformedOfTheEndOfItsRun() {
+        String child = STRAIGHT.replace(";; esac", ";; *) echo \"$l\" >&2;; esac");
+        CommandResult result = compare("--controller", "none", "--controller", child, "--until", "1", "--seeds", "2");
+        assertEquals(0, result.code, result.err);
+        List<String> ends = result.err.lines().toList();
+        assertEquals(2, ends.size(), result.err);
+        assertTrue(
+                ends.get(1).startsWith("{\"type\":\"end\",\"reason\":\"duration\",\"trajectory_hash\":\""), result.err);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

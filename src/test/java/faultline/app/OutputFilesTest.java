@@ -72,6 +72,48 @@ class OutputFilesTest {
         assertTrue(message.contains("two of the files are the same one"), message);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"--trace", "--image", "--journal", "--film"})
+    void anOutputThatIsTheScriptOfTheControllerIsRefused(String option) throws IOException {
+        Path script = Files.writeString(folder.resolve("my.sh"), "exit 5\n");
+        Path link = Files.createSymbolicLink(folder.resolve("link"), script);
+        String message = refusal("run", SCENARIO, "--controller", "sh " + script, option, link);
+        assertTrue(message.contains("two of the files are the same one"), message);
+        assertEquals("exit 5\n", Files.readString(script));
+    }
+
+    @Test
+    void aComparisonThatWouldReplaceAScriptOrItsScenarioIsRefused() throws IOException {
+        Path script = Files.writeString(folder.resolve("my.sh"), "exit 5\n");
+        Path out = Files.createSymbolicLink(folder.resolve("page-2.xml"), script);
+        String[] controllers = {"--controller", "none", "--controller", "sh " + script};
+        Path page = folder.resolve("page.html");
+        String message = refusal(
+                "compare", SCENARIO, "--out", page, controllers[0], controllers[1], controllers[2], controllers[3]);
+        assertTrue(message.contains(out + "\" is an input or another output"), message);
+        assertEquals("exit 5\n", Files.readString(script));
+        assertTrue(Files.notExists(page));
+    }
+
+    @Test
+    void aTableOfAComparisonThatCannotBeWrittenIsReportedBeforeTheRuns() throws IOException {
+        Path ran = folder.resolve("ran");
+        Files.createDirectory(folder.resolve("page.csv"));
+        Path page = folder.resolve("page.html");
+        String child = "sh -c 'touch " + ran + "; exit 5'";
+        String message = refusal("compare", SCENARIO, "--out", page, "--controller", "none", "--controller", child);
+        assertTrue(message.contains("page.csv: this is a folder"), message);
+        assertTrue(Files.notExists(ran));
+        assertTrue(Files.notExists(page));
+    }
+
+    @Test
+    void theRootIsNoPage() {
+        String message =
+                refusal("compare", SCENARIO, "--out", "/", "--controller", "none", "--controller", "wall-follower");
+        assertTrue(message.contains("\"/\" is a folder; expected a file"), message);
+    }
+
     @Test
     void anImportThatWouldReplaceItsMapIsRefused() throws IOException {
         Path map = folder.resolve("map.png");

@@ -94,6 +94,9 @@ class ExternalControllerTest {
             read l; echo R; read l; echo hello                             | wrote no JSON at tick 0: "hello" (there is no value at character 1); write messages for people to standard error
             read l; echo R; read l; echo 7                                 | wrote no JSON object at tick 0: "7"
             read l; echo R; read l; echo '{"type":"dance"}'                | wrote a message at tick 0 of type "dance"; expected "drive"
+            read l; echo R; read l; echo '{"type":"dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"}' | wrote a message at tick 0 of type "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd..."; expected "drive"
+            read l; echo R; read l; printf '{"state":"\\377"}\\n'            | wrote a line at tick 0 that is not UTF-8: "{"state":"\uFFFD"}"
+            read l; printf '\\357\\273\\277{}\\n'                             | wrote no JSON before the first tick: "\uFEFF{}" (there is a byte order mark at character 1); write messages for people to standard error
             read l; echo R; read l; echo '{"type":"drive","tick":5,"left_v":1,"right_v":1}' | answered tick 5 at tick 0; expected the tick of the observation
             read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1}' | wrote a message at tick 0 whose "right_v" is missing; expected a finite number
             read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":"1","right_v":1}' | wrote a message at tick 0 whose "left_v" is "1"; expected a finite number

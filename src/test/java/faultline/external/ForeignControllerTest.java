@@ -125,7 +125,7 @@ class ForeignControllerTest {
         SimulationSetup longer = record(yard(), setup).replay().setup().withDuration(30.02);
         RunFailedException e =
                 assertThrows(RunFailedException.class, () -> HeadlessRun.run(longer, ControllerMode.DIRECT, List.of()));
-        assertTrue(e.getMessage().contains("the record of decisions ends after tick 3000"), e.getMessage());
+        assertEquals("the record of decisions ends after tick 3000", e.getMessage());
     }
 
     @Test

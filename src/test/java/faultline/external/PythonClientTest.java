@@ -1,10 +1,12 @@
 package faultline.external;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import faultline.engine.ControllerMode;
+import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
@@ -84,6 +86,22 @@ class PythonClientTest {
         run(Scenario.load(Path.of("scenarios/yard.xml")).setup(), program, errors);
         double secondsPerTick = Double.parseDouble(errors.get(0));
         assertTrue(secondsPerTick < 1 / 15_000.0, () -> secondsPerTick + " s of processor time a tick");
+    }
+
+    @Test
+    void aFollowerThatForgetsToReturnItsDecisionIsToldSo(@TempDir Path folder) throws Exception {
+        Files.copy(EXAMPLES.resolve("faultline.py"), folder.resolve("faultline.py"));
+        Path program = Files.writeString(
+                folder.resolve("forgets.py"),
+                "import faultline\nfaultline.drive_with(lambda sight: print(sight['left']))\n");
+        SimulationSetup setup = Scenario.load(Path.of("scenarios/yard.xml")).setup();
+        RunFailedException e =
+                assertThrows(RunFailedException.class, () -> run(setup, program, new CopyOnWriteArrayList<>()));
+        assertTrue(
+                e.getMessage()
+                        .endsWith("TypeError: decide returned None; it must return faultline.velocities(...)"
+                                + " or faultline.volts(...)"),
+                e.getMessage());
     }
 
     @Test

@@ -1,6 +1,7 @@
 package faultline.external;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -12,8 +13,12 @@ import faultline.engine.metrics.HeadlessRun;
 import faultline.scenario.Scenario;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
@@ -79,6 +84,63 @@ class SimulationServerTest {
         assertEquals(answers.get(1), answers.get(3));
     }
 
+    @Test
+    void aSeedThatADoubleWouldRoundIsUsedAsItIs() throws Exception {
+        long seed = (1L << 53) + 1;
+        SimulationSetup noisy =
+                Scenario.load(Path.of("scenarios/noisy-sensors.xml")).setup().withDuration(8);
+        List<String> hashes = new ArrayList<>();
+        for (long each : List.of(seed, seed - 1)) {
+            ByteArrayOutputStream out = new ByteArrayOutputStream();
+            String requests = "{\"type\":\"reset\",\"seed\":" + each
+                    + "}\n{\"type\":\"drive\",\"left_v\":3,\"right_v\":3,\"ticks\":1000}\n";
+            new SimulationServer(
+                            "faultline test",
+                            "Noisy",
+                            false,
+                            new ByteArrayInputStream(requests.getBytes(StandardCharsets.UTF_8)),
+                            out)
+                    .run(noisy);
+            String end = out.toString(StandardCharsets.UTF_8);
+            hashes.add(end.substring(end.lastIndexOf("readings_m")));
+        }
+        assertNotEquals(hashes.get(0), hashes.get(1));
+    }
+
+    @Test
+    void aLineThatIsNotUtf8EndsTheServerInOneSentence() {
+        byte[] latin1 = "{\"type\":\"reset\",\"who\":\"Ren\u00e9\"}\n".getBytes(StandardCharsets.ISO_8859_1);
+        RunFailedException e = assertThrows(RunFailedException.class, () -> new SimulationServer(
+                        "faultline test",
+                        "Office",
+                        false,
+                        new ByteArrayInputStream(latin1),
+                        new ByteArrayOutputStream())
+                .run(office()));
+        assertEquals(
+                "the client wrote a line at tick 0 that is not UTF-8: \"{\"type\":\"reset\",\"who\":\"Ren\uFFFD\"}\"",
+                e.getMessage());
+    }
+
+    @Test
+    void nothingIsReadAfterAClientThatHasClosedItsInput() throws Exception {
+        PrintStream closed = new PrintStream(new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                throw new IOException("broken pipe");
+            }
+        });
+        ByteArrayInputStream in = new ByteArrayInputStream("garbage\n".getBytes(StandardCharsets.UTF_8));
+        new SimulationServer("faultline test", "Office", false, in, closed).run(office());
+        assertTrue(closed.checkError());
+        assertEquals(8, in.available());
+    }
+
+    @Test
+    void aReplacementCharacterInALineIsAllowed() throws Exception {
+        assertEquals(2, serve("{\"type\":\"reset\",\"who\":\"\uFFFD\"}").size());
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -88,6 +150,9 @@ class SimulationServerTest {
             {"type":"jump"}                                    | the client wrote a message at tick 0 of type "jump"; expected reset, drive or close
             {"type":"drive","left_v":1,"right_v":1,"ticks":0}  | the client wrote a drive message at tick 0 for 0 ticks; expected 1 to 1000000000
             {"type":"drive","left_v":1}                        | the client wrote a message at tick 0 whose "right_v" is missing; expected a finite number
+            {"type":"reset","seed":1.5}                        | the client wrote a message at tick 0 whose "seed" is "1.5"; expected a whole number
+            {"type":"reset","seed":9223372036854775808}        | the client wrote a message at tick 0 whose "seed" is "9.223372036854776E+18"; expected a whole number
+            {"type":"reset","seed":1e16}                       | the client wrote a message at tick 0 whose "seed" is "1E+16"; expected a whole number
             hello                                              | the client wrote no JSON at tick 0: "hello" (there is no value at character 1); write messages for people to standard error
             """)
     void aBadRequestEndsTheServerInOneSentence(String request, String sentence) {

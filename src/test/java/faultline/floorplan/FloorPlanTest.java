@@ -23,7 +23,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -59,6 +63,44 @@ class FloorPlanTest {
         assertEquals(
                 expected,
                 read(write("s.pgm", "P2 3 2 100 0 100 80 100 0 99"), "").grid());
+    }
+
+    @Test
+    void anOccupancyThatEqualsAThresholdMeetsItAtEveryDepth() throws IOException {
+        for (int percent = 1; percent < 100; percent++) {
+            String share = String.format(Locale.ROOT, "0.%02d", percent);
+            Path image = write("e.pgm", "P2 2 1 100 " + (100 - percent) + " 0\n");
+            String thresholds = "occupied_thresh: " + share + "\nfree_thresh: 0\n";
+            assertEquals(OCCUPIED, read(image, thresholds).grid().state(0, 0), share);
+            thresholds = "occupied_thresh: 1\nfree_thresh: " + share + "\n";
+            assertEquals(FREE, read(image, thresholds).grid().state(0, 0), share);
+        }
+    }
+
+    @Test
+    void anImageThatEndsTooEarlyOrIsDamagedIsReportedInWords() throws IOException {
+        Path bmp = folder.resolve("m.bmp");
+        ImageIO.write(new BufferedImage(40, 30, BufferedImage.TYPE_INT_RGB), "bmp", bmp.toFile());
+        Files.write(bmp, Arrays.copyOf(Files.readAllBytes(bmp), 200));
+        assertEquals(
+                bmp + ": the image cannot be read: the file ends too early",
+                assertThrows(FloorPlanException.class, () -> read(bmp, "")).getMessage());
+        Path tiff = folder.resolve("m.tif");
+        ImageIO.write(new BufferedImage(40, 30, BufferedImage.TYPE_BYTE_GRAY), "tiff", tiff.toFile());
+        byte[] bytes = Files.readAllBytes(tiff);
+        Set<String> messages = new TreeSet<>();
+        for (int at = 0; at < bytes.length; at++) {
+            byte[] damaged = bytes.clone();
+            damaged[at] ^= 0x11;
+            Files.write(tiff, damaged);
+            try {
+                read(tiff, "");
+            } catch (FloorPlanException e) {
+                messages.add(e.getMessage());
+            }
+        }
+        assertTrue(messages.contains(tiff + ": the image cannot be read: the file is damaged"), messages::toString);
+        assertTrue(messages.stream().noneMatch(message -> message.contains("because \"")), messages::toString);
     }
 
     @ParameterizedTest

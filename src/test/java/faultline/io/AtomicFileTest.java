@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import faultline.JavaProcess;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
@@ -21,6 +22,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -259,6 +261,48 @@ class AtomicFileTest {
         Files.createLink(folder.resolve("hard.txt"), file);
         Files.createSymbolicLink(folder.resolve("linked"), folder);
         Files.createSymbolicLink(folder.resolve("dangling.txt"), Path.of("new.txt"));
+    }
+
+    /** Ends while a file is written, and begins another after the temporary one of the first was deleted. */
+    static final class EndingWriter {
+
+        private EndingWriter() {}
+
+        public static void main(String[] arguments) throws Exception {
+            Path folder = Path.of(arguments[0]);
+            AtomicFile first = AtomicFile.create(folder.resolve("first.txt"));
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> {
+                while (hasFiles(folder)) {
+                    Thread.onSpinWait();
+                }
+                try {
+                    AtomicFile.create(folder.resolve("second.txt"));
+                } catch (IOException refused) {
+                    System.out.println(refused.getMessage());
+                }
+            }));
+            first.stream().write('x');
+            System.exit(0);
+        }
+
+        private static boolean hasFiles(Path folder) {
+            try (Stream<Path> files = Files.list(folder)) {
+                return files.findAny().isPresent();
+            } catch (IOException e) {
+                throw new java.io.UncheckedIOException(e);
+            }
+        }
+    }
+
+    @Test
+    @Timeout(60)
+    void noTemporaryFileIsCreatedWhileTheProcessEnds() throws Exception {
+        Process process = JavaProcess.builder(EndingWriter.class.getName(), List.of(folder.toString()))
+                .start();
+        String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, process.waitFor());
+        assertEquals(folder.resolve("second.txt") + ": the file cannot be written there", output.strip());
+        assertEquals(List.of(), files());
     }
 
     @Test

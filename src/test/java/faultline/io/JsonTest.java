@@ -48,12 +48,23 @@ class JsonTest {
             1 2              | there is text after the value at character 3
             NaN              | NaN is no number in JSON at character 1
             [1,Infinity]     | Infinity is no number in JSON at character 4
+            -Infinity        | -Infinity is no number in JSON at character 2
+            \uFEFF{}         | there is a byte order mark at character 1
             """)
     void aTextThatIsNoJsonIsReportedWithItsPlace(String text, String message) {
         String given = text.replace("\\\\", "\\");
         assertEquals(
                 message,
                 assertThrows(JsonException.class, () -> JsonParser.parse(given)).getMessage());
+    }
+
+    @Test
+    void aWholeNumberThatADoubleWouldRoundIsExact() throws JsonException {
+        assertEquals(9007199254740993L, JsonParser.parse("9007199254740993"));
+        assertEquals(Long.MIN_VALUE, JsonParser.parse("-9223372036854775808"));
+        assertEquals(0x1p63, JsonParser.parse("9223372036854775808"));
+        assertEquals(9007199254740991.0, JsonParser.parse("9007199254740991"));
+        assertEquals(0x1p53, JsonParser.parse("9007199254740992.0"));
     }
 
     @Test

@@ -19,15 +19,10 @@ public final class Csv {
     public static String row(List<String> cells) {
         StringBuilder row = new StringBuilder();
         for (String cell : cells) {
-            row.append(quoted(MessageText.cell(cell))).append(',');
+            row.append(MessageText.csvCell(cell)).append(',');
         }
         row.setCharAt(row.length() - 1, '\n');
         return row.toString();
-    }
-
-    private static String quoted(String cell) {
-        boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c < ' ');
-        return plain ? cell : '"' + cell.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + '"';
     }
 
     /**

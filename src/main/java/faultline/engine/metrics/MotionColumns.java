@@ -3,6 +3,7 @@ package faultline.engine.metrics;
 import faultline.engine.Simulation;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
+import faultline.io.MessageText;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
 import java.util.List;
@@ -26,6 +27,10 @@ final class MotionColumns implements ColumnGroup {
     private final boolean exactTimes;
     /** Null before the first row. */
     private TickTimes times;
+    /** The state of the last row, and its cell. */
+    private String state = "";
+
+    private String stateCell = "";
 
     /**
      * Creates the cells of one trace.
@@ -55,8 +60,17 @@ final class MotionColumns implements ColumnGroup {
         WheelSpeeds wheels = simulation.wheelSpeeds();
         rows.append(wheels.left());
         rows.append(wheels.right());
-        rows.append(simulation.telemetry().state().name());
+        rows.append(stateCell(simulation.telemetry().state().name()));
         rows.append(simulation.collision().isPresent() ? "true" : "false");
+    }
+
+    /** Returns the cell of a state, whose name may come from a controller outside; the same object while it lasts. */
+    private String stateCell(String name) {
+        if (!name.equals(state)) {
+            state = name;
+            stateCell = MessageText.csvCell(name);
+        }
+        return stateCell;
     }
 
     private double exactTime(Simulation simulation) {

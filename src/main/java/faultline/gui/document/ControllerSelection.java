@@ -4,9 +4,6 @@ import faultline.engine.SimulationSetup;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
-import faultline.external.ShellWords;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -52,23 +49,7 @@ public record ControllerSelection(String text, List<Path> jars) {
 
     /** Returns the files of the controller that the selection names. */
     public List<Path> files() {
-        return Stream.concat(jars.stream(), words().flatMap(ControllerSelection::file))
+        return Stream.concat(jars.stream(), ControllerChoice.files(text).stream())
                 .toList();
-    }
-
-    private Stream<String> words() {
-        try {
-            return ShellWords.split(text).stream();
-        } catch (IllegalArgumentException unfinished) {
-            return Stream.empty();
-        }
-    }
-
-    private static Stream<Path> file(String word) {
-        try {
-            return Stream.of(Path.of(word)).filter(Files::isRegularFile);
-        } catch (InvalidPathException noPath) {
-            return Stream.empty();
-        }
     }
 }

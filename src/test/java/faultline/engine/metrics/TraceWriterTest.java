@@ -5,6 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
+import faultline.control.ControllerState;
+import faultline.control.Decision;
+import faultline.control.Telemetry;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.geometry.Angles;
@@ -82,6 +86,30 @@ class TraceWriterTest {
         assertPlain("noisy-sensors.xml", 50);
         assertPlain("front-sensor-dies.xml", 100);
         assertPlain("collision-on-purpose.xml", 20);
+    }
+
+    @Test
+    void stateNamesOfAControllerOutsideAreQuotedCells() throws Exception {
+        List<String> states = List.of("a,b", "say \"x\"", "=1+1", "two\nlines", "PLAIN");
+        Controller controller = observation -> new Decision(
+                1, 1, Telemetry.ofState(ControllerState.of(states.get((int) observation.tick() / 10 % states.size()))));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        try (TraceWriter trace = new TraceWriter(out, TraceFormat.ONE)) {
+            HeadlessRun.run(
+                    Scenario.load(Path.of("scenarios/office.xml")).setup().withDuration(0.5),
+                    controller,
+                    ControllerMode.DIRECT,
+                    List.of(trace));
+            trace.flush();
+        }
+        List<String> rows = rows(out);
+        assertEquals(52, rows.size());
+        List<String> cells = new ArrayList<>();
+        for (int tick = 5; tick < 50; tick += 10) {
+            String row = rows.get(tick + 1);
+            cells.add(row.replaceFirst("^([^,]*,){9}", "").replaceFirst(",false,.*", ""));
+        }
+        assertEquals(List.of("\"a,b\"", "\"say \"\"x\"\"\"", "'=1+1", "\"two lines\"", "PLAIN"), cells);
     }
 
     /** A stream that stops the writer until the run waits for it, and notes how far the run has come then. */

@@ -1,0 +1,16 @@
+package faultline.control;
+
+/** Thrown if a run is longer than the record of the decisions that it repeats. The message is one sentence. */
+public final class RecordEndedException extends IllegalStateException {
+
+    private static final long serialVersionUID = 1L;
+
+    /**
+     * Creates an exception.
+     *
+     * @param ticks the number of ticks that the record covers
+     */
+    public RecordEndedException(long ticks) {
+        super("the record of decisions ends after tick " + ticks);
+    }
+}
