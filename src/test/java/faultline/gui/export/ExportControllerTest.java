@@ -357,7 +357,7 @@ class ExportControllerTest {
         copyTo(clipboard);
         Await.until("the picture", () -> clipboard.isDataFlavorAvailable(DataFlavor.imageFlavor));
         assertEquals(600, ((BufferedImage) clipboard.getData(DataFlavor.imageFlavor)).getWidth());
-        Await.until("the note", () -> callOnEdt(() -> notes.equals(List.of("copied"))));
+        Await.until("the note", () -> notes.equals(List.of("copied")));
         assertThrows(UnsupportedFlavorException.class, () -> clipboard.getData(DataFlavor.stringFlavor));
     }
 
