@@ -59,7 +59,8 @@ public final class AtomicFile implements AutoCloseable {
             OutputStream stream = new BufferedOutputStream(new ForcingOutputStream(channel), BUFFER);
             return new AtomicFile(target, temporary, new FailureReportingStream(file, stream));
         } catch (FileSystemException e) {
-            throw new MessageException(MessageText.oneLine(file.toString()), reason(file).with(), e);
+            throw new MessageException(
+                    MessageText.oneLine(file.toString()), reason(file).with(), e);
         }
     }
 
