@@ -182,7 +182,7 @@ final class MapYamlReader {
         double free = share("free_thresh", "0.196");
         MapDescription description = new MapDescription(image, resolution, yaw(), mode(), isNegated(), occupied, free);
         if (!Files.isRegularFile(image)) {
-            throw wrong("image", "the name of an image file, and " + image + " is none");
+            throw wrong("image", "the name of an image file, but there is no file " + image);
         }
         return description;
     }

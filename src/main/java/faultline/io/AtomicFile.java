@@ -59,8 +59,14 @@ public final class AtomicFile implements AutoCloseable {
             OutputStream stream = new BufferedOutputStream(new ForcingOutputStream(channel), BUFFER);
             return new AtomicFile(target, temporary, new FailureReportingStream(file, stream));
         } catch (FileSystemException e) {
-            throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.CANNOT_WRITE.with(), e);
+            throw new MessageException(
+                    MessageText.oneLine(file.toString()), reason(file).with(), e);
         }
+    }
+
+    private static WriteProblem reason(Path file) {
+        Path folder = file.toAbsolutePath().getParent();
+        return folder == null || Files.isDirectory(folder) ? WriteProblem.CANNOT_WRITE : WriteProblem.NO_FOLDER;
     }
 
     /**

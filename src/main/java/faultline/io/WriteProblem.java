@@ -4,6 +4,8 @@ package faultline.io;
 public enum WriteProblem implements Message.Template {
     /** The path is a folder. */
     IS_FOLDER("this is a folder; expected a file"),
+    /** The folder of the file does not exist. */
+    NO_FOLDER("its folder does not exist"),
     /** The file cannot be created in that place. */
     CANNOT_WRITE("the file cannot be written there"),
     /** The file is protected against writing. */

@@ -159,7 +159,7 @@ class CommandLineTest {
         Path trace = folder.resolve("trace.csv");
         String image = folder.resolve("none").resolve("image.png").toString();
         assertEquals(
-                new CommandResult(2, "", "faultline: " + image + ": the file cannot be written there\n"),
+                new CommandResult(2, "", "faultline: " + image + ": its folder does not exist\n"),
                 command("run", COLLIDING_SCENARIO, "--trace", trace.toString(), "--image", image));
         assertEquals(List.of(), filesInFolder());
     }

@@ -286,8 +286,8 @@ class FloorPlanTest {
         IOException e =
                 assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
         assertEquals(
-                yaml + ":1:8: image is \"none.png\"; expected the name of an image file, and "
-                        + folder.resolve("none.png") + " is none",
+                yaml + ":1:8: image is \"none.png\"; expected the name of an image file, but there is no file "
+                        + folder.resolve("none.png"),
                 e.getMessage());
         Path none = folder.resolve("none.png");
         IOException alone = assertThrows(

@@ -94,7 +94,7 @@ class ScenarioWriterTest {
         Scenario scenario = SampleScenario.read(SampleScenario.PLAIN);
         Path file = folder.resolve("none").resolve("room.xml");
         IOException refusal = assertThrows(IOException.class, () -> scenario.save(file));
-        assertEquals(file + ": the file cannot be written there", refusal.getMessage());
+        assertEquals(file + ": its folder does not exist", refusal.getMessage());
         assertFalse(Files.exists(file));
     }
 

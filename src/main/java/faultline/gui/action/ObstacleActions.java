@@ -96,8 +96,7 @@ public final class ObstacleActions {
         actions.add(UiAction.of("cut", this::cut).withAccelerator(menuShortcut(KeyEvent.VK_X)));
         actions.add(UiAction.of("copy", this::copySelection).withAccelerator(menuShortcut(KeyEvent.VK_C)));
         actions.add(UiAction.of("paste", this::paste).withAccelerator(menuShortcut(KeyEvent.VK_V)));
-        actions.add(UiAction.of("duplicate", () -> addCopies(tools.selected()))
-                .withAccelerator(menuShortcut(KeyEvent.VK_D)));
+        actions.add(UiAction.of("duplicate", () -> addCopies(selected())).withAccelerator(menuShortcut(KeyEvent.VK_D)));
         actions.add(UiAction.of("delete", this::delete).withAccelerator(unmodified(KeyEvent.VK_DELETE)));
         actions.add(UiAction.of("selectAll", tools::selectAll).withAccelerator(menuShortcut(KeyEvent.VK_A)));
         actions.add(UiAction.of("selectNext", () -> tools.selectNext(1)).withAccelerator(unmodified(KeyEvent.VK_N)));
@@ -153,6 +152,14 @@ public final class ObstacleActions {
         }
     }
 
+    /** Returns the selected obstacles; if there are none, asks for them in a note. */
+    private List<Obstacle> selected() {
+        if (tools.selected().isEmpty()) {
+            notifier.accept(Messages.get("note.selectObstacle"));
+        }
+        return tools.selected();
+    }
+
     /** Returns the selected obstacles that move; if there are none, asks for them in a note. */
     private List<Obstacle> selectedMoving() {
         List<Obstacle> moving =
@@ -188,18 +195,19 @@ public final class ObstacleActions {
     }
 
     private void delete() {
-        editor.send(tools.selected().stream()
+        editor.send(selected().stream()
                 .<Command>map(obstacle -> new Command.RemoveObstacle(obstacle.id()))
                 .toList());
     }
 
     /** Copies the selection to the clipboard; returns whether it is there. */
     private boolean copySelection() {
-        if (tools.selected().isEmpty()) {
+        List<Obstacle> selected = selected();
+        if (selected.isEmpty()) {
             return false;
         }
         try {
-            clipboard().setContents(new StringSelection(ObstacleXml.format(tools.selected())), null);
+            clipboard().setContents(new StringSelection(ObstacleXml.format(selected)), null);
             return true;
         } catch (IllegalStateException busy) {
             notifier.accept(Messages.get("note.clipboardBusy"));

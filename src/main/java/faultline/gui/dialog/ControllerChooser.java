@@ -38,7 +38,15 @@ public final class ControllerChooser implements WorkspaceListener {
     private final ErrorLines errorLines;
 
     private final Timer watch = new Timer(WATCH_MILLIS, event -> checkFiles());
+    /** What the dialog shows. */
     private ControllerSelection choice = ControllerSelection.SCENARIO;
+    /** The controller of the next session. */
+    private ControllerSelection next = ControllerSelection.SCENARIO;
+    /** The controller of the session. */
+    private ControllerSelection started = ControllerSelection.SCENARIO;
+    /** Whether no session has started yet since the user chose a controller. */
+    private boolean untried;
+
     private ControllerSelection ghostChoice = ControllerSelection.SCENARIO;
     /** Whether the ghost starts with the next session. */
     private boolean ghostPending;
@@ -77,8 +85,7 @@ public final class ControllerChooser implements WorkspaceListener {
     public void addTo(ActionRegistry actions) {
         actions.add(UiAction.of(
                 "chooseController", () -> ask("chooseController", choice).ifPresent(chosen -> {
-                    select(chosen);
-                    runController.restart();
+                    tryOut(chosen);
                 })));
         actions.add(UiAction.of(
                 "compareController", () -> ask("compareController", ghostChoice).ifPresent(chosen -> {
@@ -91,9 +98,22 @@ public final class ControllerChooser implements WorkspaceListener {
         return new ControllerDialog(Messages.get(key + ".title"), now).showDialog(owner);
     }
 
+    /** Restarts the run with a controller, which is also that of later runs if it can be started. */
+    void tryOut(ControllerSelection chosen) {
+        select(chosen);
+        untried = true;
+        runController.restart();
+    }
+
     /** Selects the controller of the next session and all later ones. */
     public void select(ControllerSelection chosen) {
         choice = chosen;
+        untried = false;
+        use(chosen);
+    }
+
+    private void use(ControllerSelection chosen) {
+        next = chosen;
         workspace.setControllerChoice(setup -> chosen.applyTo(setup, scenarioName, errorLines.forNewController()));
     }
 
@@ -116,15 +136,26 @@ public final class ControllerChooser implements WorkspaceListener {
         ghostPending &= what != TaskKind.OPEN;
     }
 
+    /** With a controller that cannot be started, no scenario could be opened; the dialog still shows it. */
+    @Override
+    public void taskFinished() {
+        if (untried) {
+            untried = false;
+            use(started);
+        }
+    }
+
     @Override
     public void sessionStarted() {
         errorLines.controllerStarted();
+        untried = false;
+        started = next;
         if (ghostPending) {
             ghostPending = false;
             comparison.compareWith(ghostChoice, errorLines.forGhost());
         }
         watch.stop();
-        ControllerSelection chosen = choice;
+        ControllerSelection chosen = started;
         if (!chosen.isScenarios()) {
             BackgroundTasks.run(
                     () -> times(chosen.files()),
@@ -138,7 +169,7 @@ public final class ControllerChooser implements WorkspaceListener {
 
     private void checkFiles() {
         if (owner.isDisplayable()) {
-            ControllerSelection chosen = choice;
+            ControllerSelection chosen = started;
             BackgroundTasks.run(() -> times(chosen.files()), this::compare, failure -> {});
         } else {
             watch.stop();

@@ -25,8 +25,11 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
+import javax.swing.JFrame;
 import javax.swing.JPanel;
+import javax.swing.JRootPane;
 
 /** All remembered settings in one modal dialog. A change takes effect at once. */
 public final class PreferencesDialog extends JDialog {
@@ -77,16 +80,21 @@ public final class PreferencesDialog extends JDialog {
         setLocationRelativeTo(owner);
     }
 
-    /** Adds the action that shows the dialog. */
+    /** Adds the action that shows the dialog. The menu shows the comma by its sign, so its key is bound here. */
     public static void addTo(
             ActionRegistry actions,
-            Window owner,
+            JFrame owner,
             WindowPreferences preferences,
             PreferenceActions choices,
             ThemeAction theme) {
-        actions.add(UiAction.of("preferences", () -> new PreferencesDialog(owner, actions, preferences, choices, theme)
-                        .setVisible(true))
-                .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_COMMA)));
+        UiAction show = UiAction.of(
+                        "preferences",
+                        () -> new PreferencesDialog(owner, actions, preferences, choices, theme).setVisible(true))
+                .withAccelerator(Keystrokes.menuCharacter(','));
+        actions.add(show);
+        JRootPane root = owner.getRootPane();
+        root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(Keystrokes.menuShortcut(KeyEvent.VK_COMMA), show.key());
+        root.getActionMap().put(show.key(), show);
     }
 
     private <E> void addChoice(String key, E[] options, E current, Function<E, String> name, Consumer<E> onChange) {

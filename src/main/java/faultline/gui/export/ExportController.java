@@ -31,6 +31,7 @@ import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import javax.print.PrintService;
 import javax.swing.JOptionPane;
 
 /**
@@ -47,35 +48,44 @@ public final class ExportController implements WorkspaceListener {
     private final SimulationCanvas canvas;
     private final BiFunction<String, String, Optional<Path>> fileSelector;
     private final Consumer<Path> onWritten;
+    private final Consumer<String> note;
     private final UiAction recordGif = UiAction.toggle("record", false, this::recordGif)
             .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_M))
             .withIcon(Glyph.RECORD);
     private Theme theme = Theme.LIGHT;
     private Supplier<Optional<StripContent>> chart = Optional::empty;
+    private Supplier<PrintService[]> printers = PrinterJob::lookupPrintServices;
     private long recordingStart;
 
     /**
      * Creates a controller. {@code fileSelector} asks for a file, given the key of the dialog's title and the extension
      * with its dot, and returns empty if cancelled; {@code onWritten} is called with each file that has been written,
-     * on the event dispatch thread.
+     * on the event dispatch thread; {@code note} shows a sentence to the user.
      */
     public ExportController(
             Component parent,
             Workspace workspace,
             SimulationCanvas canvas,
             BiFunction<String, String, Optional<Path>> fileSelector,
-            Consumer<Path> onWritten) {
+            Consumer<Path> onWritten,
+            Consumer<String> note) {
         this.parent = parent;
         this.workspace = workspace;
         this.canvas = canvas;
         this.fileSelector = fileSelector;
         this.onWritten = onWritten;
+        this.note = note;
         workspace.addListener(this);
     }
 
     /** Sets what returns the content of the strip chart; empty if it has none. */
     public void setChart(Supplier<Optional<StripContent>> newChart) {
         chart = newChart;
+    }
+
+    /** Sets what finds the printers of this machine. */
+    void setPrinters(Supplier<PrintService[]> newPrinters) {
+        printers = newPrinters;
     }
 
     /** Returns the actions of the controller. */
@@ -161,10 +171,19 @@ public final class ExportController implements WorkspaceListener {
 
     private void copyImage(RenderRequest request) {
         TransferableImage.copy(
-                request, RESOLUTION_SCALE, Toolkit.getDefaultToolkit().getSystemClipboard(), this::showError);
+                request,
+                RESOLUTION_SCALE,
+                Toolkit.getDefaultToolkit().getSystemClipboard(),
+                () -> note.accept(Messages.get("note.imageCopied")),
+                this::showError);
     }
 
     private void print(RenderRequest request) {
+        // The JDK reports this in its own dialog, in English.
+        if (printers.get().length == 0) {
+            note.accept(Messages.get("note.noPrinter"));
+            return;
+        }
         PrinterJob job = PrinterJob.getPrinterJob();
         job.setJobName(workspace.scenario().map(Scenario::name).orElse(""));
         job.setPrintable(new PrintablePage(request));

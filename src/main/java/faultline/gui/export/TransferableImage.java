@@ -17,13 +17,22 @@ import java.util.function.Consumer;
  */
 record TransferableImage(Image image) implements Transferable {
 
-    /** Renders an image in the background, because that takes as long as several frames, and copies it. */
-    static void copy(RenderRequest request, double resolutionScale, Clipboard clipboard, Consumer<Throwable> onFailed) {
+    /**
+     * Renders an image in the background, because that takes as long as several frames, and copies it. Calls one of the
+     * callbacks on the event dispatch thread.
+     */
+    static void copy(
+            RenderRequest request,
+            double resolutionScale,
+            Clipboard clipboard,
+            Runnable onCopied,
+            Consumer<Throwable> onFailed) {
         BackgroundTasks.run(
                 () -> request.toImage(resolutionScale),
                 image -> {
                     try {
                         clipboard.setContents(new TransferableImage(image), null);
+                        onCopied.run();
                     } catch (IllegalStateException busy) {
                         onFailed.accept(new IllegalStateException(Messages.get("note.clipboardBusy"), busy));
                     }

@@ -113,9 +113,14 @@ public final class Gallery extends JDialog {
         return heading;
     }
 
+    /** Selects the first example; says so if there is none. */
     private void selectFirst() {
-        list.setSelectedIndex(filter.shown().isEmpty() ? -1 : 0);
+        boolean empty = filter.shown().isEmpty();
+        list.setSelectedIndex(empty ? -1 : 0);
         list.ensureIndexIsVisible(0);
+        if (empty) {
+            description.setText(Messages.get("gallery.noMatch"));
+        }
     }
 
     /** Moves a letter or digit that is typed in the list, and the focus, to the search field. */

@@ -13,6 +13,9 @@ import faultline.robot.MotorFaultKind;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultDescriptor;
 import faultline.sensor.FaultKind;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.util.Optional;
 import java.util.function.Function;
@@ -20,6 +23,8 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import javax.swing.SwingConstants;
 
 /**
  * The fields of a fault: its kind, its number and, if the kind has one, its mean length.
@@ -30,6 +35,7 @@ import javax.swing.JPanel;
 public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private static final int COLUMNS = 5;
+    private static final int MIN_TEXT_COLUMNS = 6;
 
     private final JComboBox<K> kind;
     private final Function<K, String> names;
@@ -40,8 +46,8 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     private final JLabel lengthLabel = FormConstraints.label("faults.length", length);
     private final MutedLabel unit = new MutedLabel("m");
     private final MutedLabel lengthUnit = new MutedLabel("s");
-    private final JLabel problem =
-            new JLabel(" ", new GlyphIcon(Glyph.WARNING, 14, colours -> colours.warning()), JLabel.LEADING);
+    private final JTextArea problem = new NarrowText();
+    private final JPanel problemRow = new JPanel(new BorderLayout(4, 0));
 
     private double range = Double.POSITIVE_INFINITY;
 
@@ -52,7 +58,11 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         configure(value, "faults.value");
         configure(length, "faults.length");
         kind.setSelectedItem(initial);
-        problem.setVisible(false);
+        JLabel icon = new JLabel("", new GlyphIcon(Glyph.WARNING, 14, colours -> colours.warning()), JLabel.LEADING);
+        icon.setVerticalAlignment(SwingConstants.TOP);
+        problemRow.add(icon, BorderLayout.LINE_START);
+        problemRow.add(problem, BorderLayout.CENTER);
+        problemRow.setVisible(false);
         RefreshSteps.add(unit, label -> updateTexts());
     }
 
@@ -104,7 +114,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         form.add(lengthLabel, FormConstraints.cell(0, row + 2));
         form.add(length, FormConstraints.cell(1, row + 2));
         form.add(lengthUnit, FormConstraints.cell(2, row + 2));
-        form.add(problem, FormConstraints.fillRow(1, row + 3));
+        form.add(problemRow, FormConstraints.fillRow(1, row + 3));
     }
 
     private void updateKind() {
@@ -160,10 +170,10 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         } else if (isBeyondRange()) {
             problem.setText(Messages.get("faults.beyondRange", DecimalText.format(range)));
         }
-        problem.setVisible(wrongValue || wrongLength || isBeyondRange());
+        problemRow.setVisible(wrongValue || wrongLength || isBeyondRange());
         value.textField()
                 .getAccessibleContext()
-                .setAccessibleDescription(problem.isVisible() ? problem.getText() : null);
+                .setAccessibleDescription(problemRow.isVisible() ? problem.getText() : null);
     }
 
     /** Returns whether the reported distance or the new range of the sensor exceeds its range. */
@@ -176,6 +186,38 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         if (metres != range) {
             range = metres;
             updateProblem();
+        }
+    }
+
+    /** A text that wraps at the width of its cell and does not widen the cell. */
+    private static final class NarrowText extends JTextArea {
+
+        NarrowText() {
+            setEditable(false);
+            setFocusable(false);
+            setOpaque(false);
+            setLineWrap(true);
+            setWrapStyleWord(true);
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            return new Dimension(MIN_TEXT_COLUMNS * getColumnWidth(), super.getPreferredSize().height);
+        }
+
+        @Override
+        public Dimension getMinimumSize() {
+            return getPreferredSize();
+        }
+
+        /** The height depends on the width. */
+        @Override
+        public void setBounds(int x, int y, int width, int height) {
+            boolean resized = width != getWidth();
+            super.setBounds(x, y, width, height);
+            if (resized) {
+                EventQueue.invokeLater(this::revalidate);
+            }
         }
     }
 }

@@ -122,7 +122,8 @@ public final class NumberSpinner extends JSpinner {
         if (note != null && isRefused()) {
             String sentence = Messages.get(
                     "number.refused", textField().getText().strip(), limitsText(), formatter.format(doubleValue()));
-            EventQueue.invokeLater(() -> note.showBriefly(sentence));
+            EventQueue.invokeLater(
+                    () -> note.showBriefly(textField().isShowing() ? sentence : name() + ": " + sentence));
         }
     }
 

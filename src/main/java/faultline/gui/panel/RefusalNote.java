@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -13,7 +14,10 @@ import javax.swing.Timer;
 import javax.swing.event.AncestorEvent;
 import javax.swing.event.AncestorListener;
 
-/** A note below a field that says why its text is refused. Screen readers get it as the description of the field. */
+/**
+ * A note below a field, or below what hides it, that says why its text is refused. Screen readers get it as the
+ * description of the field.
+ */
 public final class RefusalNote {
 
     private static final int MIN_MILLIS = 4000;
@@ -66,25 +70,37 @@ public final class RefusalNote {
     }
 
     private void open(String sentence) {
-        if (!field.isShowing()) {
+        Component place = place();
+        if (place == null) {
             return;
         }
         text = sentence;
         field.getAccessibleContext().setAccessibleDescription(sentence);
         JToolTip tip = field.createToolTip();
         tip.setTipText(sentence);
-        Point at = location(tip.getPreferredSize());
-        popup = PopupFactory.getSharedInstance().getPopup(field, tip, at.x, at.y);
+        Point at = location(place, tip.getPreferredSize());
+        popup = PopupFactory.getSharedInstance().getPopup(place, tip, at.x, at.y);
         popup.show();
     }
 
-    /** Returns the place below the field, or above it at the bottom of the window, within the width of the window. */
-    private Point location(Dimension size) {
-        Window window = SwingUtilities.getWindowAncestor(field);
+    /** Returns the field, or the nearest container that is shown, such as the tabs around it; null if none is. */
+    private Component place() {
+        Component place = field;
+        while (place != null && !place.isShowing()) {
+            place = place.getParent();
+        }
+        return place;
+    }
+
+    /**
+     * Returns the location below a component, or above it at the bottom of the window, within the width of the window.
+     */
+    private static Point location(Component place, Dimension size) {
+        Window window = SwingUtilities.getWindowAncestor(place);
         Rectangle bounds = window.getBounds();
-        Point origin = field.getLocationOnScreen();
+        Point origin = place.getLocationOnScreen();
         int x = Math.max(bounds.x, Math.min(origin.x, bounds.x + bounds.width - window.getInsets().right - size.width));
-        int below = origin.y + field.getHeight() + GAP;
+        int below = origin.y + place.getHeight() + GAP;
         boolean room = below + size.height <= bounds.y + bounds.height - window.getInsets().bottom;
         return new Point(x, room ? below : origin.y - size.height - GAP);
     }

@@ -10,6 +10,7 @@ import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
+import faultline.gui.theme.UiText;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.RenderRequest;
 import faultline.paint.scene.Layer;
@@ -27,9 +28,11 @@ import java.util.EnumSet;
 import java.util.Optional;
 import javax.swing.ImageIcon;
 import javax.swing.JCheckBox;
+import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
 
 /**
@@ -40,6 +43,11 @@ public final class ImportForm extends JPanel {
 
     private static final Dimension PREVIEW_SIZE = new Dimension(520, 380);
     private static final int GAP = 12;
+    private static final int STATUS_ROWS = 3;
+    /** Fewer than fit below the preview, which determines the width. */
+    private static final int STATUS_COLUMNS = 20;
+
+    private static final int MAX_LINE_LENGTH = 80;
     private static final double USUAL_RESOLUTION = 0.05;
     private static final double MAX_RESOLUTION = 10;
     private static final int MAX_CELLS = 100_000;
@@ -55,7 +63,7 @@ public final class ImportForm extends JPanel {
     private final NumberSpinner minCells = new NumberSpinner("0", 1, MAX_CELLS, 1, value -> startReading());
     private final NumberSpinner smoothing = new NumberSpinner("0.0#", 0, MAX_SMOOTHING, 0.5, value -> startReading());
     private final JLabel picture = new JLabel("", SwingConstants.CENTER);
-    private final JLabel status = new JLabel(" ");
+    private final JTextArea status = UiText.wrappedText();
     /** Null while the plan is read, or if it cannot be read. */
     private transient Scenario scenario;
     /** Of readings; only the newest counts. */
@@ -69,9 +77,21 @@ public final class ImportForm extends JPanel {
             if (form.scenario().isPresent()) {
                 return form.scenario();
             }
-            JOptionPane.showMessageDialog(parent, form.status(), title, JOptionPane.WARNING_MESSAGE);
+            showProblem(parent, title, form.status());
         }
         return Optional.empty();
+    }
+
+    private static void showProblem(Component parent, String title, String sentence) {
+        JOptionPane pane = new JOptionPane(sentence, JOptionPane.WARNING_MESSAGE) {
+            @Override
+            public int getMaxCharactersPerLineCount() {
+                return MAX_LINE_LENGTH;
+            }
+        };
+        JDialog dialog = pane.createDialog(parent, title);
+        dialog.setVisible(true);
+        dialog.dispose();
     }
 
     ImportForm(Path file) {
@@ -89,6 +109,9 @@ public final class ImportForm extends JPanel {
         minCells.setWorldValue(1);
         picture.setPreferredSize(PREVIEW_SIZE);
         picture.getAccessibleContext().setAccessibleName(Messages.get("import.preview"));
+        status.setRows(STATUS_ROWS);
+        status.setColumns(STATUS_COLUMNS);
+        status.getAccessibleContext().setAccessibleName(Messages.get("import.status"));
         add(fields, BorderLayout.NORTH);
         add(picture, BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
@@ -151,7 +174,7 @@ public final class ImportForm extends JPanel {
         return Optional.ofNullable(scenario);
     }
 
-    /** Returns the line below the preview. */
+    /** Returns the text below the preview. */
     String status() {
         return status.getText();
     }

@@ -79,8 +79,8 @@ public final class MainWindow extends JFrame {
     private final transient BatchActions batchActions =
             new BatchActions(this, fileController, controllerChooser, this::showNote);
     private final SimulationCanvas canvas = new SimulationCanvas(undoController);
-    private final transient ExportController exportController =
-            new ExportController(this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote);
+    private final transient ExportController exportController = new ExportController(
+            this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote, this::showNote);
     private final transient RunActions runActions;
     private final transient WindowPreferences preferences;
     private final transient ThemeAction themeAction;

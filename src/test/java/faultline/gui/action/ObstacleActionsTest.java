@@ -32,6 +32,17 @@ class ObstacleActionsTest {
         });
     }
 
+    @Test
+    void anActionOnTheSelectionAsksForOneIfNothingIsSelected() {
+        runOnEdt(() -> {
+            addActions();
+            for (String action : List.of("cut", "copy", "duplicate", "delete")) {
+                assertNotesAfter(action, "Select an obstacle first");
+                notes.clear();
+            }
+        });
+    }
+
     private void addActions() {
         Theme.LIGHT.install();
         UndoController edits = new UndoController(new RunController(new Workspace())::send, () -> {});

@@ -54,6 +54,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
+import javax.print.PrintService;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -78,6 +79,7 @@ class ExportControllerTest {
     private List<UiAction> actions;
     private final List<Path> written = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
+    private final List<String> notes = new ArrayList<>();
 
     @BeforeEach
     void runAFewTicks() {
@@ -93,7 +95,8 @@ class ExportControllerTest {
                     workspace,
                     canvas,
                     (action, extension) -> Optional.of(folder.resolve("out" + extension)),
-                    written::add);
+                    written::add,
+                    notes::add);
             actions = controller.actions();
             documentStore = new DocumentStore(workspace);
             documentStore.open(Path.of("scenarios/office.xml"));
@@ -136,6 +139,15 @@ class ExportControllerTest {
         assertTrue(Files.mismatch(run, chart) >= 0);
         assertTrue(Files.size(exportToFile("exportChartSvg", "-chart.svg")) > 0);
         assertTrue(Files.size(exportToFile("exportChartCsv", "-chart.csv")) > 0);
+    }
+
+    @Test
+    void withoutAPrinterANoteSaysSo() {
+        runOnEdt(() -> {
+            controller.setPrinters(() -> new PrintService[0]);
+            perform("print");
+        });
+        assertEquals(List.of("No printer is installed"), notes);
     }
 
     @Test
@@ -345,6 +357,7 @@ class ExportControllerTest {
         copyTo(clipboard);
         Await.until("the picture", () -> clipboard.isDataFlavorAvailable(DataFlavor.imageFlavor));
         assertEquals(600, ((BufferedImage) clipboard.getData(DataFlavor.imageFlavor)).getWidth());
+        Await.until("the note", () -> notes.equals(List.of("copied")));
         assertThrows(UnsupportedFlavorException.class, () -> clipboard.getData(DataFlavor.stringFlavor));
     }
 
@@ -361,8 +374,12 @@ class ExportControllerTest {
     }
 
     private void copyTo(Clipboard clipboard) {
-        runOnEdt(() ->
-                TransferableImage.copy(canvas.renderRequest(Palette.LIGHT).orElseThrow(), 2, clipboard, failures::add));
+        runOnEdt(() -> TransferableImage.copy(
+                canvas.renderRequest(Palette.LIGHT).orElseThrow(),
+                2,
+                clipboard,
+                () -> notes.add("copied"),
+                failures::add));
     }
 
     private Path exportToFile(String action, String extension) {

@@ -39,6 +39,7 @@ import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SpinnerNumberModel;
@@ -113,8 +114,7 @@ class ControlPanelTest {
             injectButton().doClick(0);
         });
         assertEquals(List.of(), commands);
-        assertTrue(callOnEdt(() -> ComponentFinder.findAll(panel, JLabel.class)
-                .anyMatch(label -> label.isVisible() && label.getText().startsWith("Invalid value. Allowed: "))));
+        assertTrue(callOnEdt(() -> isProblemShown("Invalid value. Allowed: ")));
         runOnEdt(() -> {
             ComponentFinder.find(panel, JTextField.class, "Value").setText("0.3");
             injectButton().doClick(0);
@@ -399,8 +399,11 @@ class ControlPanelTest {
     }
 
     private boolean isRangeWarned() {
-        return ComponentFinder.findAll(panel, JLabel.class)
-                .anyMatch(label ->
-                        label.isVisible() && label.getText().startsWith("More than the range of the sensor, "));
+        return isProblemShown("More than the range of the sensor, ");
+    }
+
+    private boolean isProblemShown(String start) {
+        return ComponentFinder.findAll(panel, JTextArea.class)
+                .anyMatch(text -> text.getParent().isVisible() && text.getText().startsWith(start));
     }
 }

@@ -96,6 +96,17 @@ class ImportFormTest {
     }
 
     @Test
+    void aLongSentenceDoesNotWidenTheForm() throws IOException {
+        Path map = Files.writeString(
+                folder.resolve("m".repeat(150) + ".yaml"), "image: " + "i".repeat(150) + ".png\nresolution: 0.1\n");
+        ImportForm form = callOnEdt(() -> new ImportForm(map));
+        int width = callOnEdt(() -> form.getPreferredSize().width);
+        Await.until("a sentence", () -> !form.status().startsWith("Reading"));
+        assertTrue(form.status().length() > 300, form.status());
+        assertEquals(width, callOnEdt(() -> form.getPreferredSize().width));
+    }
+
+    @Test
     void plansAreKnownByTheirEndings() {
         assertTrue(FloorPlanFiles.isFloorPlan(Path.of("Willow.YAML")));
         assertTrue(FloorPlanFiles.isFloorPlan(Path.of("a.b/floor.png")));

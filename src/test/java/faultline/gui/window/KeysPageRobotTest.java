@@ -18,6 +18,7 @@ import faultline.gui.timeline.TimeBar;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.FocusTraversalPolicy;
+import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -87,6 +88,19 @@ class KeysPageRobotTest {
             Files.writeString(EXPECTED_PAGE, expected);
         }
         assertEquals(expected, page);
+    }
+
+    @Test
+    void theMenuNamesTheKeysAsThePageDoes() {
+        runOnEdt(() -> menuItems().values().forEach(item -> {
+            KeyStroke stroke = item.getAccelerator();
+            if (stroke != null) {
+                String shown = stroke.getKeyCode() == KeyEvent.VK_UNDEFINED
+                        ? String.valueOf(stroke.getKeyChar())
+                        : KeyEvent.getKeyText(stroke.getKeyCode());
+                assertTrue(Keystrokes.toText(stroke).endsWith(shown), item.getText() + ": " + shown);
+            }
+        }));
     }
 
     private String menuTable() {

@@ -24,6 +24,7 @@ import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -195,6 +196,23 @@ class OpenRobotTest {
                         () -> list.getModel().getSize() >= 1 && list.getModel().getSize() < 10);
         driver.robot().pressKeys(KeyEvent.VK_DOWN);
         driver.robot().waitFor("the list has the focus again", list::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+    }
+
+    @Test
+    void aSearchWithoutResultsSaysSo() {
+        driver.chooseLater("examples");
+        JDialog gallery = driver.dialog("Examples");
+        JList<?> list =
+                ComponentFinder.findAll(gallery, JList.class).findFirst().orElseThrow();
+        driver.robot().waitFor("an example is there", () -> list.getModel().getSize() > 0);
+        JTextArea description =
+                ComponentFinder.findAll(gallery, JTextArea.class).findFirst().orElseThrow();
+        JTextField search = ComponentFinder.find(gallery, JTextField.class, "Search");
+        runOnEdt(() -> search.setText("nowhere"));
+        assertEquals("No example matches. Change the search or the group.", callOnEdt(description::getText));
+        runOnEdt(() -> search.setText(""));
+        driver.robot().waitFor("its description", () -> description.getText().startsWith("An office"));
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
     }
 

@@ -13,6 +13,7 @@ import java.awt.Color;
 import java.awt.Component;
 import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -56,6 +57,25 @@ class RefusalNoteRobotTest {
         driver.typeInto("Linear velocity", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_2, KeyEvent.VK_TAB);
         driver.robot().waitFor("the note is gone", () -> notes().findAny().isEmpty());
         driver.waitForFrame("the speed", frame -> frame.snapshot().robot().speed() == 0.2);
+    }
+
+    @Test
+    void aFieldThatIsHiddenWithItsTabNamesItselfInItsNote() {
+        JTextField speed = ComponentFinder.find(driver.window(), JTextField.class, "Linear velocity");
+        String before = callOnEdt(speed::getText);
+        driver.typeInto("Linear velocity", KeyEvent.VK_5, KeyEvent.VK_0);
+        JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
+        Rectangle controllerTab = callOnEdt(() -> tabs.getBoundsAt(1));
+        driver.robot()
+                .click(
+                        tabs,
+                        (int) controllerTab.getCenterX(),
+                        (int) controllerTab.getCenterY(),
+                        InputEvent.BUTTON1_DOWN_MASK);
+        driver.robot().waitFor("the other tab", () -> tabs.getSelectedIndex() == 1);
+        driver.robot().waitFor("the note", () -> notes().anyMatch(note ->
+                note.getTipText().startsWith("Linear velocity: 50 is not allowed. Allowed: 0.01 to 0.60")));
+        assertEquals(before, callOnEdt(speed::getText));
     }
 
     private void waitForNote(JTextField field, String start) {

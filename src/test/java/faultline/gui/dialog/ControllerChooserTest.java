@@ -1,0 +1,73 @@
+package faultline.gui.dialog;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.ComparisonController;
+import faultline.gui.document.ControllerSelection;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
+import faultline.gui.document.TaskKind;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+@ExtendWith(EdtChecker.class)
+class ControllerChooserTest {
+
+    private static final Path OFFICE = Path.of("scenarios/office.xml");
+    private static final Path CABLE = Path.of("scenarios/cable.xml");
+    private static final ControllerSelection MISSING = new ControllerSelection("no-such-controller", List.of());
+
+    private final List<TaskKind> failures = new ArrayList<>();
+    private Workspace workspace;
+    private DocumentStore store;
+    private RunController run;
+    private ControllerChooser chooser;
+
+    @BeforeEach
+    void open() {
+        runOnEdt(() -> {
+            workspace = new Workspace();
+            store = new DocumentStore(workspace);
+            run = new RunController(workspace);
+            workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void taskFailed(TaskKind task, Path file, Throwable failure) {
+                    failures.add(task);
+                }
+            });
+            chooser = new ControllerChooser(
+                    null, workspace, run, new ComparisonController(workspace, run.navigator()), text -> {}, text -> {});
+            store.open(OFFICE);
+        });
+        SessionFrames.awaitScenario(workspace);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    @Test
+    void afterAControllerThatCannotBeStartedOtherScenariosCanBeOpened() {
+        runOnEdt(() -> chooser.tryOut(MISSING));
+        Await.until("the failure", () -> failures.equals(List.of(TaskKind.RESTART)));
+        runOnEdt(() -> store.open(CABLE));
+        Await.until(
+                "the other scenario or a failure",
+                () -> failures.size() > 1
+                        || workspace.scenario().orElseThrow().name().equals("Cable"));
+        assertEquals(List.of(TaskKind.RESTART), callOnEdt(() -> List.copyOf(failures)));
+    }
+}
