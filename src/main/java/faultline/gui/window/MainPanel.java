@@ -213,8 +213,7 @@ final class MainPanel extends JPanel {
     /** Sets the width of the control panel in pixels; the canvas keeps at least half of the window. */
     void setPanelWidth(int width) {
         panelWidth = width;
-        panelSplit.place(size ->
-                size - Math.min(width, size - Math.max(TextSize.scaled(MIN_STAGE_WIDTH), (getWidth() + 1) / 2)));
+        panelSplit.place(size -> size - Math.min(width, size - Math.max(MIN_STAGE_WIDTH, (getWidth() + 1) / 2)));
     }
 
     /** Shows or hides the control panel. */

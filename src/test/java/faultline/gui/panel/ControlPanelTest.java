@@ -355,8 +355,10 @@ class ControlPanelTest {
 
     @Test
     void activeFaultsAreListedAndEachCanBeCleared() {
-        assertTrue(callOnEdt(() -> ComponentFinder.findAll(panel, JLabel.class)
-                .anyMatch(label -> label.getText().equals("left: stuck 0.40 m"))));
+        List<String> texts = callOnEdt(() -> ComponentFinder.findAll(panel, JLabel.class)
+                .map(JLabel::getText)
+                .toList());
+        assertTrue(texts.containsAll(List.of("left:", "stuck 0.40 m")), texts.toString());
         runOnEdt(() -> ComponentFinder.find(panel, JButton.class, "Repair left: stuck 0.40 m")
                 .doClick(0));
         assertEquals(List.of(new Command.ClearFault("left", new Fault.Stuck(0.4))), commands);
