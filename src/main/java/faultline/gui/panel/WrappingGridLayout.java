@@ -126,7 +126,7 @@ public final class WrappingGridLayout extends GridBagLayout {
             return part instanceof JLabel label && label.getLabelFor() != null;
         }
 
-        /** Returns whether this may be a unit, which follows its field. */
+        /** Returns whether this may be a unit, which follows its field; a heading follows another one. */
         boolean isUnit() {
             return part instanceof MutedLabel;
         }
@@ -274,7 +274,7 @@ public final class WrappingGridLayout extends GridBagLayout {
                         && lineOfColumn.get(cell.column()).equals(lineOfColumn.get(before.column()))
                         && fits(cell, column)) {
                     current.add(place(cell, column));
-                } else if (sameRow && cell.isUnit() && fits(cell, endOf(current))) {
+                } else if (sameRow && cell.isUnit() && !before.isUnit() && fits(cell, endOf(current))) {
                     current.add(place(cell, endOf(current)));
                 } else {
                     column = leftOfColumn.get(cell.column());
