@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -24,6 +25,7 @@ import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -196,6 +198,25 @@ class OpenRobotTest {
         driver.robot().pressKeys(KeyEvent.VK_DOWN);
         driver.robot().waitFor("the list has the focus again", list::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+    }
+
+    @Test
+    void theHeadingOfANarrowGalleryIsNotCut() {
+        driver.chooseLater("examples");
+        JDialog gallery = driver.dialog("Examples");
+        runOnEdt(() -> {
+            gallery.setMinimumSize(null);
+            gallery.setSize(420, 500);
+        });
+        JTextArea heading = ComponentFinder.findAll(gallery, JTextArea.class)
+                .filter(text -> text.getText().equals(Messages.get("gallery.heading")))
+                .findFirst()
+                .orElseThrow();
+        int line = callOnEdt(() -> heading.getFontMetrics(heading.getFont()).getHeight());
+        driver.robot()
+                .waitFor("a heading of two lines", () -> heading.getWidth() < 420 && heading.getHeight() >= 2 * line);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the gallery is gone", () -> !gallery.isShowing());
     }
 
     @Test
