@@ -41,8 +41,10 @@ final class MainPanel extends JPanel {
 
     /** Minimum width of the canvas, pixels. */
     private static final int MIN_STAGE_WIDTH = 300;
-    /** Minimum width of the instruments, whose tabs then are in one row, at the normal text size, pixels. */
-    private static final int MIN_DOCK_WIDTH = 256;
+    /**
+     * Minimum width of the instruments, in which their tabs and controls have room, at the normal text size, pixels.
+     */
+    private static final int MIN_DOCK_WIDTH = 300;
     /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
     /** Minimum height of a chart in which the lines can be told apart, pixels. */

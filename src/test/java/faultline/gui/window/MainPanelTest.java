@@ -207,6 +207,8 @@ class MainPanelTest {
     void onASmallScreenWithLargeTextEveryTabOfTheControlPanelWrapsInsteadOfScrollingSideways(Language language) {
         try {
             build(TextSize.LARGEST, language);
+            // The default on a screen of this height.
+            runOnEdt(() -> mainPanel.setDockShown(false));
             ControlPanel panel = mainPanel.controlPanel();
             JTabbedPane tabs = callOnEdt(() -> ComponentFinder.findAll(panel, JTabbedPane.class)
                     .findFirst()
