@@ -9,8 +9,6 @@ import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Window;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import javax.swing.BorderFactory;
@@ -66,15 +64,7 @@ final class TableDialog extends JDialog {
     }
 
     private static JPanel createHeading(String heading, Icon icon) {
-        JTextArea text = UiText.wrappedText();
-        text.setText(heading);
-        text.addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                // The height depends on the width.
-                text.revalidate();
-            }
-        });
+        JTextArea text = UiText.wrappedText(heading);
         JLabel label = new JLabel(icon);
         label.setVerticalAlignment(JLabel.TOP);
         JPanel row = new JPanel(new BorderLayout(12, 0));

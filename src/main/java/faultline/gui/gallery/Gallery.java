@@ -108,7 +108,7 @@ public final class Gallery extends JDialog {
         controls.add(search);
         controls.add(group);
         JPanel heading = new JPanel(new BorderLayout(0, 8));
-        heading.add(new JLabel(Messages.get("gallery.heading")), BorderLayout.NORTH);
+        heading.add(UiText.wrappedText(Messages.get("gallery.heading")), BorderLayout.NORTH);
         heading.add(controls, BorderLayout.LINE_START);
         return heading;
     }

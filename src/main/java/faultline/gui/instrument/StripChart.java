@@ -130,6 +130,7 @@ public final class StripChart extends JPanel {
 
     private void updateSignal() {
         if (choice.getSelectedItem() instanceof SignalGroup signal) {
+            add.setEnabled(!SignalGroup.additions(signal, groups).isEmpty());
             SignalGroup shown = signal.with(additions);
             view.setSignal(shown);
             legend.setSignal(shown);

@@ -28,6 +28,8 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
 
     static final int FONT_SIZE = 11;
     private static final int BOTTOM_MARGIN = 20;
+    /** The space beside the labels of the vertical axis, pixels. */
+    private static final int LABEL_GAP = 12;
     /** The minimum height of a plot below several rows of a legend, pixels. */
     private static final int MIN_PLOT_HEIGHT = 45;
     /** The minimum height of a plot below a row of a legend, pixels. */
@@ -38,22 +40,35 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
     /** Returns the scale of a chart, with a legend beside the data or without; width and height in pixels. */
     static StripScale of(StripContent content, boolean legend, int width, int height) {
         LegendPlace names = legend ? legend(content, width, height) : LegendPlace.NONE;
-        PixelRectangle area = new PixelRectangle(
-                LEFT_MARGIN,
-                TOP_MARGIN + names.above(),
-                Math.max(1, width - LEFT_MARGIN - RIGHT_MARGIN - names.beside()),
-                Math.max(1, height - TOP_MARGIN - names.above() - BOTTOM_MARGIN));
+        int room = Math.max(1, width - LEFT_MARGIN - RIGHT_MARGIN - names.beside());
         SignalGroup signal = content.signal();
-        StripData data = StripData.of(content.frame(), content.span(), (int) area.width());
+        StripData data = StripData.of(content.frame(), content.span(), room);
         Axis time = Axis.linear("s", content.span().start(), content.span().end());
         List<String> ids = content.frame().snapshot().sensors().stream()
                 .map(sensor -> sensor.spec().id())
                 .toList();
-        double[] all = Stream.concat(Stream.of(data), content.referenceData((int) area.width()).stream())
+        double[] all = Stream.concat(Stream.of(data), content.referenceData(room).stream())
                 .flatMapToDouble(run -> values(signal, run))
                 .toArray();
         Axis values = content.range().axis(signal.unit(), all);
+        int left = leftMargin(values);
+        PixelRectangle area = new PixelRectangle(
+                left,
+                TOP_MARGIN + names.above(),
+                Math.max(1, room + LEFT_MARGIN - left),
+                Math.max(1, height - TOP_MARGIN - names.above() - BOTTOM_MARGIN));
         return new StripScale(signal, data, new Plot(area, time, values), ids, names);
+    }
+
+    /** Returns the margin in which the labels of an axis fit, pixels. */
+    private static int leftMargin(Axis values) {
+        TextStyle style = TextStyle.plain(FONT_SIZE, Color.BLACK);
+        double widest = values.ticks().stream()
+                .map(Axis::formatTick)
+                .mapToDouble(style::estimateWidth)
+                .max()
+                .orElse(0);
+        return Math.max(LEFT_MARGIN, (int) Math.ceil(widest) + LABEL_GAP);
     }
 
     /**

@@ -18,6 +18,8 @@ record ValueRange(RangeKind kind, double low, double high) {
     static final ValueRange FITTED = new ValueRange(RangeKind.FITTED, 0, 1);
 
     private static final double MIN_SIZE = 1e-5;
+    /** The minimum size of a fitted range as a share of its greatest value, so that a constant has a readable scale. */
+    private static final double MIN_FITTED_SHARE = 0.01;
 
     /** The ways to choose a range. */
     enum RangeKind {
@@ -38,11 +40,17 @@ record ValueRange(RangeKind kind, double low, double high) {
         if (DoubleStream.of(values).allMatch(value -> value == 0)) {
             return Axis.linear(unit, 0, 1);
         }
+        double greatest = DoubleStream.of(values)
+                .map(Math::abs)
+                .filter(Double::isFinite)
+                .max()
+                .orElse(0);
         return Axis.covering(
                 unit,
                 DoubleStream.concat(
                         kind == RangeKind.FROM_ZERO ? DoubleStream.of(0) : DoubleStream.empty(),
-                        DoubleStream.of(values)));
+                        DoubleStream.of(values)),
+                MIN_FITTED_SHARE * greatest);
     }
 
     /** Returns the range of an axis scaled by a factor, with the value at a share of it kept in place. */

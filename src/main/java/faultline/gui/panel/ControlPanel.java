@@ -168,11 +168,34 @@ public final class ControlPanel extends JPanel {
         UiText.addTab(tabs, key, scroll);
     }
 
-    /** Sections that are laid out to the width they have, and scroll sideways only below their minimum width. */
-    private static final class NarrowingColumn extends JPanel implements Scrollable {
+    /**
+     * Sections that are laid out to the width of their viewport, and scroll sideways only below their minimum width.
+     */
+    static final class NarrowingColumn extends JPanel implements Scrollable {
+
+        /** The width of the viewport for which the sections have computed their heights, pixels. */
+        private int viewportWidth;
 
         NarrowingColumn() {
             super(new BorderLayout());
+        }
+
+        /** Returns the size for the present width of the viewport, on which the heights of the sections depend. */
+        @Override
+        public Dimension getPreferredSize() {
+            int width = getParent() == null ? 0 : getParent().getWidth();
+            if (width != viewportWidth) {
+                viewportWidth = width;
+                invalidateAll(this);
+            }
+            return super.getPreferredSize();
+        }
+
+        private static void invalidateAll(Container container) {
+            container.invalidate();
+            Stream.of(container.getComponents())
+                    .filter(JPanel.class::isInstance)
+                    .forEach(panel -> invalidateAll((JPanel) panel));
         }
 
         @Override

@@ -9,7 +9,6 @@ import faultline.control.WallSide;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.UiText;
 import faultline.robot.RobotSpec;
-import java.awt.GridBagLayout;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -99,7 +98,7 @@ public final class ControllerForm {
     }
 
     private JPanel createFollowerForm() {
-        JPanel form = new JPanel(new GridBagLayout());
+        JPanel form = new JPanel(new WrappingGridLayout());
         addRow(form, 0, "controller.kind", kind);
         addRow(form, 1, "controller.distance", distance.withColumns(6));
         addRow(form, 2, "controller.wallSide", side);
@@ -110,7 +109,7 @@ public final class ControllerForm {
     }
 
     private JPanel createThresholdForm() {
-        JPanel form = new JPanel(new GridBagLayout());
+        JPanel form = new JPanel(new WrappingGridLayout());
         for (Threshold threshold : Threshold.values()) {
             NumberSpinner field =
                     spinner(threshold.quantity(), value -> change(old -> old.withThreshold(threshold, value)));
@@ -133,7 +132,7 @@ public final class ControllerForm {
     }
 
     private JPanel createVoltageForm() {
-        JPanel form = new JPanel(new GridBagLayout());
+        JPanel form = new JPanel(new WrappingGridLayout());
         addRow(form, 0, "controller.left", left.withColumns(6));
         addRow(form, 1, "controller.right", right.withColumns(6));
         return form;

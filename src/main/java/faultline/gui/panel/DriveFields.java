@@ -4,7 +4,6 @@ import faultline.geometry.Degrees;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
-import java.awt.GridBagLayout;
 import java.util.function.UnaryOperator;
 import javax.swing.JPanel;
 
@@ -38,7 +37,7 @@ final class DriveFields extends JPanel {
     private transient RobotSpec robot = RobotSpec.DEFAULT;
 
     DriveFields(ScenarioEditor editor) {
-        super(new GridBagLayout());
+        super(new WrappingGridLayout());
         this.editor = editor;
         ControllerForm.addRow(this, 0, "drive.turnRate", turnRate.withColumns(7));
         ControllerForm.addRow(this, 1, "drive.timeConstant", timeConstant.withColumns(7));

@@ -2,11 +2,11 @@ package faultline.gui.panel;
 
 import faultline.engine.metrics.Expectation;
 import faultline.engine.metrics.RunOutcome;
+import faultline.gui.text.ExpectationText;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import faultline.gui.theme.RefreshSteps;
-import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.Icon;
@@ -27,7 +27,7 @@ final class ExpectationRows extends JPanel {
     private transient List<Expectation.Condition> items;
 
     ExpectationRows() {
-        super(new GridBagLayout());
+        super(new WrappingGridLayout());
     }
 
     /** Shows how a run stands beside what is expected. Once it has ended, what does not hold has failed. */

@@ -11,7 +11,6 @@ import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import java.awt.GridBagConstraints;
-import java.awt.GridBagLayout;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -31,7 +30,7 @@ final class FaultList extends JPanel {
     private record ListedFault(String sensor, Fault fault) {}
 
     FaultList(UndoController editor) {
-        super(new GridBagLayout());
+        super(new WrappingGridLayout());
         this.editor = editor;
         rebuild();
     }
@@ -64,8 +63,10 @@ final class FaultList extends JPanel {
     }
 
     private void addRow(int row, ListedFault active) {
-        JLabel label = new JLabel(WARNING_ICON, JLabel.LEADING);
-        add(RefreshSteps.add(label, self -> self.setText(text(active))), FormConstraints.fillCell(0, row));
+        // Two labels, so that a narrow panel can show the fault below its sensor.
+        add(new JLabel(active.sensor() + ":", WARNING_ICON, JLabel.LEADING), FormConstraints.cell(0, row));
+        JLabel fault = RefreshSteps.add(new JLabel(), self -> self.setText(ReadingText.format(active.fault())));
+        add(fault, FormConstraints.fillCell(1, row));
         JButton mend = new JButton(REMOVE_ICON);
         mend.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
         RefreshSteps.add(mend, button -> {
@@ -73,7 +74,7 @@ final class FaultList extends JPanel {
             button.getAccessibleContext().setAccessibleName(button.getToolTipText());
         });
         mend.addActionListener(event -> editor.send(new Command.ClearFault(active.sensor(), active.fault())));
-        add(mend, FormConstraints.cell(1, row));
+        add(mend, FormConstraints.cell(2, row));
     }
 
     private static String text(ListedFault active) {

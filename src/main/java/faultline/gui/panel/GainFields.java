@@ -6,7 +6,6 @@ import faultline.control.PdGains;
 import faultline.control.PeriodicController;
 import faultline.gui.text.Messages;
 import faultline.robot.RobotSpec;
-import java.awt.GridBagLayout;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -57,7 +56,7 @@ final class GainFields extends JPanel {
     private transient GainRule shown = GainRule.AUTOMATIC;
 
     GainFields(Consumer<GainRule> onChange) {
-        super(new GridBagLayout());
+        super(new WrappingGridLayout());
         this.onChange = onChange;
         ControllerForm.addRow(this, 0, "controller.gains.choice", choice);
         ControllerForm.addRow(this, 1, "controller.gains.length", length.withColumns(8));

@@ -3,7 +3,6 @@ package faultline.gui.panel;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.gui.text.Messages;
-import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -29,7 +28,7 @@ final class HealthRows extends JPanel {
     private List<String> sensors;
 
     HealthRows() {
-        super(new GridBagLayout());
+        super(new WrappingGridLayout());
     }
 
     /**

@@ -7,7 +7,6 @@ import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
-import java.awt.GridBagLayout;
 import javax.swing.Action;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
@@ -36,7 +35,7 @@ public final class RobotPanel extends JPanel {
 
     /** Creates the robot's controls, given the action that shows or hides the path. */
     public RobotPanel(UndoController editor, Action path) {
-        super(new GridBagLayout());
+        super(new WrappingGridLayout());
         this.editor = editor;
         addField(0, 0, "robot.speed", speed, "m/s");
         addField(0, 1, "robot.length", length, "m");

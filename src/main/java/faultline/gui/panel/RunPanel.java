@@ -7,6 +7,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.RunMeasures;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
+import faultline.gui.text.ExpectationText;
 import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
@@ -17,7 +18,6 @@ import faultline.scenario.Scenario;
 import faultline.sensor.SensorSpec;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
-import java.awt.GridBagLayout;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
@@ -37,7 +37,7 @@ public final class RunPanel extends JPanel {
     private static final double PERCENT = 100;
     private static final double MILLIMETRES = 1000;
 
-    private final JPanel numbers = new JPanel(new GridBagLayout());
+    private final JPanel numbers = new JPanel(new WrappingGridLayout());
     private final ValueLabel state = addValue("run.state", 0, 0, () -> Stream.of(FollowerState.values())
             .map(StateText::name)
             .toList());

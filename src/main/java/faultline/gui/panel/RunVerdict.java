@@ -4,6 +4,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
+import faultline.gui.text.ExpectationText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.ReadingText;
 import faultline.scenario.Scenario;

@@ -9,7 +9,6 @@ import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
-import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -56,7 +55,7 @@ public final class SensorDetailsPanel extends JPanel {
     }
 
     private JComponent createForm() {
-        JPanel form = new JPanel(new GridBagLayout());
+        JPanel form = new JPanel(new WrappingGridLayout());
         form.add(FormConstraints.label("faults.sensor", sensorChoice), FormConstraints.cell(0, 0));
         form.add(sensorChoice, FormConstraints.fillRow(1, 0));
         mountFields.addTo(form, 1);

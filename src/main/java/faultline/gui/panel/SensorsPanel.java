@@ -7,7 +7,6 @@ import faultline.world.SensorSnapshot;
 import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.Graphics;
-import java.awt.GridBagLayout;
 import java.awt.Shape;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,7 +30,7 @@ public final class SensorsPanel extends JPanel {
 
     /** Creates a panel without sensors. */
     SensorsPanel(UndoController editor) {
-        super(new GridBagLayout());
+        super(new WrappingGridLayout());
         this.editor = editor;
     }
 

@@ -8,12 +8,12 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.panel.CachedDegrees;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
+import faultline.gui.panel.WrappingGridLayout;
 import faultline.gui.theme.UiText;
 import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WaypointPath;
-import java.awt.GridBagLayout;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
@@ -57,7 +57,7 @@ final class ObstacleForm extends JPanel {
     private transient Obstacle obstacle;
 
     ObstacleForm(UndoController editor) {
-        super(new GridBagLayout());
+        super(new WrappingGridLayout());
         this.editor = editor;
         FormConstraints.addRow(this, 0, "obstacle.x", x.withColumns(8));
         FormConstraints.addRow(this, 1, "obstacle.y", y.withColumns(8));

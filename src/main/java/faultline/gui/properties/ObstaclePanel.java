@@ -2,15 +2,15 @@ package faultline.gui.properties;
 
 import faultline.gui.canvas.tool.CanvasTools;
 import faultline.gui.edit.UndoController;
+import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.TitledSection;
+import faultline.gui.panel.WrappingGridLayout;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
 import faultline.world.Obstacle;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.FlowLayout;
-import java.awt.GridLayout;
 import java.util.List;
 import java.util.Set;
 import javax.swing.AbstractListModel;
@@ -36,7 +36,7 @@ public final class ObstaclePanel extends JPanel {
     private final ObstacleListModel ids = new ObstacleListModel();
     private final JList<String> list = new JList<>(ids);
     private final ObstacleForm form;
-    private final JPanel buttons = new JPanel(new GridLayout(0, BUTTON_COLUMNS, 4, 4));
+    private final JPanel buttons = new JPanel(new WrappingGridLayout());
     private boolean updating;
     private int skippedFrames = FRAMES_PER_UPDATE;
 
@@ -70,11 +70,10 @@ public final class ObstaclePanel extends JPanel {
             JButton button = UiText.button("arrange." + arrangement.name());
             UiText.tip(button, "arrange." + arrangement.name() + ".tip");
             button.addActionListener(event -> editor.send(arrangement.commands(tools.selected())));
-            buttons.add(button);
+            int index = arrangement.ordinal();
+            buttons.add(button, FormConstraints.fillCell(index % BUTTON_COLUMNS, index / BUTTON_COLUMNS));
         }
-        JPanel row = new JPanel(new FlowLayout(FlowLayout.LEADING, 0, 0));
-        row.add(buttons);
-        add(new TitledSection("arrange", row));
+        add(new TitledSection("arrange", buttons));
         enableButtons(0);
     }
 

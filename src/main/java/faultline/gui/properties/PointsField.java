@@ -6,6 +6,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
 import faultline.scenario.xml.ScenarioLimits;
+import java.awt.Dimension;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.ArrayList;
@@ -48,6 +49,13 @@ final class PointsField extends JTextField {
                 setText(format(shown));
             }
         });
+    }
+
+    /** Returns half of the usual width, because the text scrolls in the field. */
+    @Override
+    public Dimension getMinimumSize() {
+        Dimension size = super.getMinimumSize();
+        return new Dimension(size.width / 2, size.height);
     }
 
     /** Applies the text; returns false if it is not allowed. */

@@ -44,6 +44,23 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
         return super.getTabLabelShiftY(placement, index, false);
     }
 
+    /** Leaves all rows of tabs where they are when a tab is selected. */
+    @Override
+    protected boolean shouldRotateTabRuns(int placement) {
+        return false;
+    }
+
+    /** Selects the next tab also if it is in another row, so that Left and Right reach every tab. */
+    @Override
+    protected void selectNextTabInRun(int current) {
+        selectNextTab(current);
+    }
+
+    @Override
+    protected void selectPreviousTabInRun(int current) {
+        selectPreviousTab(current);
+    }
+
     @Override
     protected void paintTabBackground(
             Graphics graphics, int placement, int index, int x, int y, int width, int height, boolean selected) {

@@ -3,6 +3,8 @@ package faultline.gui.theme;
 import faultline.gui.text.Messages;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
@@ -34,6 +36,19 @@ public final class UiText {
         area.setLineWrap(true);
         area.setWrapStyleWord(true);
         area.setOpaque(false);
+        return area;
+    }
+
+    /** Creates a text like {@link #wrappedText()} that gets the height of its lines when its width has changed. */
+    public static JTextArea wrappedText(String text) {
+        JTextArea area = wrappedText();
+        area.setText(text);
+        area.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                area.revalidate();
+            }
+        });
         return area;
     }
 

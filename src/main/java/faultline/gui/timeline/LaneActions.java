@@ -166,6 +166,11 @@ final class LaneActions {
 
     /** Shows the context menu of the selected lane and item. */
     void showMenu(Component invoker, int x, int y, double time) {
+        createMenu(time).show(invoker, x, y);
+    }
+
+    /** Returns the context menu of the selected lane and item; new items start at a time. */
+    JPopupMenu createMenu(double time) {
         JPopupMenu menu = new JPopupMenu();
         boolean item = view.selection() != LaneLayout.NONE;
         boolean sensorLane = view.selectedLane() instanceof Lane.SensorLane;
@@ -184,11 +189,13 @@ final class LaneActions {
         add(menu, "timeline.menu.paste", editor.clipboard().isPresent(), () -> paste(time));
         add(menu, "timeline.menu.duplicate", item, this::duplicate);
         add(menu, "timeline.menu.delete", item, this::delete);
-        menu.show(invoker, x, y);
+        return menu;
     }
 
     private static void add(JPopupMenu menu, String key, boolean enabled, Runnable action) {
-        JMenuItem item = new JMenuItem(Messages.get(key));
+        String name = Messages.get(key);
+        JMenuItem item = new JMenuItem(name.replace("&", ""));
+        item.setMnemonic(Character.toUpperCase(name.charAt(name.indexOf('&') + 1)));
         item.setEnabled(enabled);
         item.addActionListener(event -> action.run());
         menu.add(item);

@@ -39,8 +39,12 @@ import javax.swing.JSplitPane;
  */
 final class MainPanel extends JPanel {
 
-    /** Minimum width of canvas and instruments at the normal text size, pixels. */
+    /** Minimum width of the canvas, pixels. */
     private static final int MIN_STAGE_WIDTH = 300;
+    /**
+     * Minimum width of the instruments, in which their tabs and controls have room, at the normal text size, pixels.
+     */
+    private static final int MIN_DOCK_WIDTH = 300;
     /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
     /** Minimum height of a chart in which the lines can be told apart, pixels. */
@@ -213,8 +217,11 @@ final class MainPanel extends JPanel {
     /** Sets the width of the control panel in pixels; the canvas keeps at least half of the window. */
     void setPanelWidth(int width) {
         panelWidth = width;
-        panelSplit.place(size ->
-                size - Math.min(width, size - Math.max(TextSize.scaled(MIN_STAGE_WIDTH), (getWidth() + 1) / 2)));
+        panelSplit.place(size -> size - Math.min(width, size - Math.max(minStageWidth(), (getWidth() + 1) / 2)));
+    }
+
+    private int minStageWidth() {
+        return instruments.isVisible() ? Math.max(MIN_STAGE_WIDTH, TextSize.scaled(MIN_DOCK_WIDTH)) : MIN_STAGE_WIDTH;
     }
 
     /** Shows or hides the control panel. */
@@ -253,6 +260,9 @@ final class MainPanel extends JPanel {
         dockHeight = dockHeight();
         instruments.setVisible(shown);
         setDockHeight(dockHeight);
+        if (!panelSplit.isMoved()) {
+            setPanelWidth(panelWidth);
+        }
     }
 
     /**

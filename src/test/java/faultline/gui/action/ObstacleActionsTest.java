@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
 
 class ObstacleActionsTest {
 
-    private static final String CIRCLE = "Add a circle: click, or drag from corner to corner";
-    private static final String ELLIPSE = "Add an ellipse: click, or drag from corner to corner";
+    private static final String CIRCLE = "Add a circle: click, drag from corner to corner, or arrow keys and Enter";
+    private static final String ELLIPSE = "Add an ellipse: click, drag from corner to corner, or arrow keys and Enter";
 
     private final ActionRegistry actions = new ActionRegistry();
     private final List<String> notes = new ArrayList<>();

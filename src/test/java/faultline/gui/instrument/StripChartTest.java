@@ -16,8 +16,11 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.paint.chart.Axis;
 import faultline.paint.surface.PixelRectangle;
+import faultline.paint.surface.TextStyle;
 import faultline.world.Command;
+import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
@@ -30,6 +33,7 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.BeforeEach;
@@ -386,6 +390,32 @@ class StripChartTest {
         StripScale fitted = content(FRAME, span, ValueRange.FITTED).scale(400, 200, false);
         assertEquals(0, fromZero.plot().vertical().low());
         assertTrue(fitted.plot().vertical().low() > 0.1);
+    }
+
+    @Test
+    void theLabelsOfAConstantAreShortAndThoseOfADeepZoomFitBesideThePlot() {
+        double[] constant = {0.25, 0.25};
+        List<String> labels = ValueRange.FITTED.axis("m", constant).ticks().stream()
+                .map(Axis::formatTick)
+                .toList();
+        assertTrue(labels.stream().allMatch(label -> label.length() <= 6), labels.toString());
+        TimeSpan span = new TimeSpan(10, 10);
+        StripScale scale = content(FRAME, span, ValueRange.fixed(0.25, 0.25001)).scale(400, 200, false);
+        TextStyle style = TextStyle.plain(StripScale.FONT_SIZE, Color.BLACK);
+        scale.plot().vertical().ticks().forEach(tick -> {
+            double width = style.estimateWidth(Axis.formatTick(tick));
+            assertTrue(width < scale.plot().area().x(), Axis.formatTick(tick) + " is " + width + " pixels wide");
+        });
+    }
+
+    @Test
+    void noLineCanBeAddedIfNoneHasTheSameUnit() {
+        JButton add = callOnEdt(() -> ComponentFinder.find(chart, JButton.class, "Add signals"));
+        for (int signal = 0; signal < 4; signal++) {
+            choose(signal);
+            boolean some = callOnEdt(() -> chart.createAdditionsMenu().getComponentCount() > 0);
+            assertEquals(some, callOnEdt(add::isEnabled), "signal " + signal);
+        }
     }
 
     @Test

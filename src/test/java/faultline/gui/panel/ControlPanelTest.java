@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -35,6 +36,7 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
@@ -204,6 +206,36 @@ class ControlPanelTest {
     }
 
     @Test
+    void theHeadingsOfANarrowPanelStandAboveTheirValues() {
+        runOnEdt(TextSize.LARGEST::install);
+        try {
+            show();
+            runOnEdt(() -> {
+                panel.setSize(336, 560);
+                layOut(panel);
+                layOut(panel);
+                int[] fields = {
+                    leftOf(JSpinner.class, "Range of front, metres"),
+                    leftOf(JSpinner.class, "Cone of front, degrees"),
+                    leftOf(ReadingBar.class, "True reading of front"),
+                    leftOf(ReadingBar.class, "Reported reading of front")
+                };
+                int[] headings = Stream.of("Range, m", "Cone, °", "True, m", "Reported, m")
+                        .mapToInt(name -> leftOf(MutedLabel.class, name))
+                        .toArray();
+                assertArrayEquals(fields, headings);
+                assertTrue(fields[2] < fields[1], "one line");
+            });
+        } finally {
+            runOnEdt(TextSize.NORMAL::install);
+        }
+    }
+
+    private int leftOf(Class<? extends JComponent> type, String name) {
+        return ComponentFinder.find(panel, type, name).getX();
+    }
+
+    @Test
     void theKeysThatSwitchTabsWorkFromAField() {
         runOnEdt(() -> {
             JTabbedPane tabs = ComponentFinder.findAll(panel, JTabbedPane.class)
@@ -355,8 +387,10 @@ class ControlPanelTest {
 
     @Test
     void activeFaultsAreListedAndEachCanBeCleared() {
-        assertTrue(callOnEdt(() -> ComponentFinder.findAll(panel, JLabel.class)
-                .anyMatch(label -> label.getText().equals("left: stuck 0.40 m"))));
+        List<String> texts = callOnEdt(() -> ComponentFinder.findAll(panel, JLabel.class)
+                .map(JLabel::getText)
+                .toList());
+        assertTrue(texts.containsAll(List.of("left:", "stuck 0.40 m")), texts.toString());
         runOnEdt(() -> ComponentFinder.find(panel, JButton.class, "Repair left: stuck 0.40 m")
                 .doClick(0));
         assertEquals(List.of(new Command.ClearFault("left", new Fault.Stuck(0.4))), commands);

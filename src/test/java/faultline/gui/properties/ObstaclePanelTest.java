@@ -283,11 +283,11 @@ class ObstaclePanelTest {
     void fieldsThatDoNotApplyShowNothing() {
         select("cat");
         assertEquals(List.of("5.00", "0.20", "0.40"), List.of(text("x, m"), text("Radius x, m"), text("Speed, m/s")));
-        assertTrue(callOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Return to the first waypoint")
+        assertTrue(callOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Return to first waypoint")
                 .isSelected()));
         select("vase");
         assertEquals(List.of("4.10", "0.15", ""), List.of(text("x, m"), text("Radius, m"), text("Speed, m/s")));
-        assertFalse(callOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Return to the first waypoint")
+        assertFalse(callOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Return to first waypoint")
                 .isSelected()));
         select();
         assertEquals(

@@ -125,6 +125,19 @@ class LanguagesTest {
         runOnEdt(SwingMessages::install);
     }
 
+    @Test
+    void theHintOfAToolNamesItsKeys() {
+        List<String> without = keys().filter(key -> key.matches("action\\.(place|draw|measure).*\\.tip"))
+                .filter(key -> Stream.of(ENGLISH, POLISH)
+                        .map(language -> text(language, key))
+                        .anyMatch(hint -> !hint.matches(
+                                key.contains("place")
+                                        ? ".*(arrow keys|strzałek).* Enter"
+                                        : ".*(arrow keys|strzałek).* Insert.* (Enter|Esc) .*")))
+                .toList();
+        assertEquals(List.of(), without);
+    }
+
     private static Stream<String> keys() {
         return new TreeSet<>(ENGLISH.stringPropertyNames()).stream();
     }

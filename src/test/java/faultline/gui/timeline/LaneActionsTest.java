@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.document.DocumentStore;
@@ -14,18 +15,24 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.UndoController;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import javax.swing.JMenuItem;
 import javax.swing.JScrollPane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** The times of items that are copied and moved, in a scenario with ticks of 0.01 s. */
 @ExtendWith(EdtChecker.class)
@@ -195,5 +202,30 @@ class LaneActionsTest {
             actions.move(-1, 0);
         });
         assertEquals(END, times().get(1));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void everyItemOfTheMenuHasAUniqueMnemonic(Language language) {
+        List<JMenuItem> items = callOnEdt(() -> {
+            Messages.setLanguage(language);
+            try {
+                return ComponentFinder.findAll(actions.createMenu(0), JMenuItem.class)
+                        .toList();
+            } finally {
+                Messages.setLanguage(Language.ENGLISH);
+            }
+        });
+        assertEquals(9, items.size());
+        for (JMenuItem item : items) {
+            String letter = String.valueOf((char) item.getMnemonic()).toLowerCase(Locale.ROOT);
+            assertTrue(item.getText().toLowerCase(Locale.ROOT).contains(letter), item.getText() + " " + letter);
+            assertEquals(
+                    1,
+                    items.stream()
+                            .filter(other -> other.getMnemonic() == item.getMnemonic())
+                            .count(),
+                    item.getText());
+        }
     }
 }

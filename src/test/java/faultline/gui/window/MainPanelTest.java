@@ -32,6 +32,7 @@ import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
+import faultline.gui.panel.ControlPanel;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -61,8 +62,10 @@ import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JScrollBar;
+import javax.swing.JScrollPane;
 import javax.swing.JSlider;
 import javax.swing.JSpinner;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.JViewport;
 import javax.swing.MenuElement;
@@ -194,6 +197,38 @@ class MainPanelTest {
                     .map(MainPanelTest::describe)
                     .toList()));
             assertEquals(1, mainPanel.instruments().getTabRunCount(), "rows of tabs");
+        } finally {
+            build(TextSize.NORMAL, Language.ENGLISH);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void onASmallScreenWithLargeTextEveryTabOfTheControlPanelWrapsInsteadOfScrollingSideways(Language language) {
+        try {
+            build(TextSize.LARGEST, language);
+            // The default on a screen of this height.
+            runOnEdt(() -> mainPanel.setDockShown(false));
+            ControlPanel panel = mainPanel.controlPanel();
+            JTabbedPane tabs = callOnEdt(() -> ComponentFinder.findAll(panel, JTabbedPane.class)
+                    .findFirst()
+                    .orElseThrow());
+            for (int tab = 0; tab < tabs.getTabCount(); tab++) {
+                int index = tab;
+                runOnEdt(() -> {
+                    tabs.setSelectedIndex(index);
+                    setSizeAndLayOut(784, 560);
+                    JScrollPane scroll = (JScrollPane) tabs.getComponentAt(index);
+                    assertFalse(scroll.getHorizontalScrollBar().isVisible(), tabs.getTitleAt(index));
+                    assertEquals(
+                            List.of(),
+                            ComponentFinder.tree(scroll.getViewport())
+                                    .filter(MainPanelTest::mustBeWhole)
+                                    .filter(part -> !fits(part))
+                                    .map(MainPanelTest::describe)
+                                    .toList());
+                });
+            }
         } finally {
             build(TextSize.NORMAL, Language.ENGLISH);
         }

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -207,13 +208,32 @@ class OpenRobotTest {
                 ComponentFinder.findAll(gallery, JList.class).findFirst().orElseThrow();
         driver.robot().waitFor("an example is there", () -> list.getModel().getSize() > 0);
         JTextArea description =
-                ComponentFinder.findAll(gallery, JTextArea.class).findFirst().orElseThrow();
+                ComponentFinder.find(gallery, JTextArea.class, Messages.get("gallery.description"));
         JTextField search = ComponentFinder.find(gallery, JTextField.class, "Search");
         runOnEdt(() -> search.setText("nowhere"));
         assertEquals("No example matches. Change the search or the group.", callOnEdt(description::getText));
         runOnEdt(() -> search.setText(""));
         driver.robot().waitFor("its description", () -> description.getText().startsWith("An office"));
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+    }
+
+    @Test
+    void theHeadingOfANarrowGalleryIsNotCut() {
+        driver.chooseLater("examples");
+        JDialog gallery = driver.dialog("Examples");
+        runOnEdt(() -> {
+            gallery.setMinimumSize(null);
+            gallery.setSize(420, 500);
+        });
+        JTextArea heading = ComponentFinder.findAll(gallery, JTextArea.class)
+                .filter(text -> text.getText().equals(Messages.get("gallery.heading")))
+                .findFirst()
+                .orElseThrow();
+        int line = callOnEdt(() -> heading.getFontMetrics(heading.getFont()).getHeight());
+        driver.robot()
+                .waitFor("a heading of two lines", () -> heading.getWidth() < 420 && heading.getHeight() >= 2 * line);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the gallery is gone", () -> !gallery.isShowing());
     }
 
     @Test

@@ -1,26 +1,24 @@
-package faultline.gui.panel;
+package faultline.gui.text;
 
 import faultline.engine.metrics.Expectation;
 import faultline.engine.metrics.RunOutcome;
-import faultline.gui.text.Messages;
-import faultline.gui.text.StateText;
 import faultline.io.DecimalText;
 import java.util.Locale;
 
 /** Describes what is expected of a run, and what the run has come to. */
-final class ExpectationText implements Expectation.ConditionVisitor<String> {
+public final class ExpectationText implements Expectation.ConditionVisitor<String> {
 
     private static final ExpectationText INSTANCE = new ExpectationText();
 
     private ExpectationText() {}
 
     /** Returns what is expected. */
-    static String format(Expectation.Condition condition) {
+    public static String format(Expectation.Condition condition) {
         return condition.accept(INSTANCE);
     }
 
     /** Returns what the run has come to. */
-    static String value(Expectation.Condition condition, RunOutcome outcome) {
+    public static String value(Expectation.Condition condition, RunOutcome outcome) {
         return condition.accept(new OutcomeText(outcome));
     }
 
@@ -49,7 +47,8 @@ final class ExpectationText implements Expectation.ConditionVisitor<String> {
         return Messages.get("expect.finalState", StateText.name(condition.state()));
     }
 
-    static String number(String format, double value) {
+    /** Returns a number in a format, or a dash for NaN. */
+    public static String number(String format, double value) {
         return Double.isNaN(value) ? "–" : String.format(Locale.ROOT, format, value);
     }
 
