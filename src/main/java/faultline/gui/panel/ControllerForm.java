@@ -32,26 +32,11 @@ public final class ControllerForm {
         NONE,
         FOREIGN;
 
-        private static final ControllerSpec.BuiltInVisitor<ControllerKind> FINDER =
-                new ControllerSpec.BuiltInVisitor<>() {
-                    @Override
-                    public ControllerKind visit(ControllerSpec.None spec) {
-                        return NONE;
-                    }
-
-                    @Override
-                    public ControllerKind visit(ControllerSpec.Drive spec) {
-                        return DRIVE;
-                    }
-
-                    @Override
-                    public ControllerKind visit(WallFollowing spec) {
-                        return FOLLOWER;
-                    }
-                };
-
         static ControllerKind of(ControllerSpec spec) {
-            return spec instanceof ControllerSpec.BuiltIn builtIn ? builtIn.acceptBuiltIn(FINDER) : FOREIGN;
+            return spec instanceof ControllerSpec.BuiltIn builtIn
+                    ? builtIn.matchBuiltIn(
+                            new ControllerSpec.BuiltInCases<>(none -> NONE, drive -> DRIVE, follower -> FOLLOWER))
+                    : FOREIGN;
         }
     }
 

@@ -38,7 +38,7 @@ final class ItemDialog {
         if (item.isInterval()) {
             addLaneField();
         }
-        details = item.command().accept(new DetailFields(form, lane, robot, tick));
+        details = new DetailFields(form, lane, robot, tick).add(item.command());
         addTimeFields();
     }
 

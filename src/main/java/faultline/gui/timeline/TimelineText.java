@@ -9,32 +9,19 @@ import java.util.Locale;
 /** Describes the items of the time line in the user's language. */
 final class TimelineText {
 
-    private static final CommandText LABELS = new Labels();
-
     private TimelineText() {}
 
-    /** Describes commands, those that begin an interval without their sensor or motors. */
-    private static final class Labels extends CommandText {
-
-        @Override
-        public String visit(Command.InjectFault command) {
-            return ReadingText.format(command.fault());
-        }
-
-        @Override
-        public String visit(Command.InjectMotorFault command) {
-            return MotorFaultText.format(command.fault());
-        }
-
-        @Override
-        public String visit(Command.SwitchSensor command) {
-            return command.on() ? super.visit(command) : Messages.get("timeline.off");
-        }
-    }
-
-    /** Returns a short name: the fault, or what the command does. */
+    /** Returns a short name without the sensor or motors: the fault, or what the command does. */
     static String label(TimelineItem item) {
-        return item.command().accept(LABELS);
+        if (item.command() instanceof Command.InjectFault injected) {
+            return ReadingText.format(injected.fault());
+        }
+        if (item.command() instanceof Command.InjectMotorFault injected) {
+            return MotorFaultText.format(injected.fault());
+        }
+        return item.command() instanceof Command.SwitchSensor switched && !switched.on()
+                ? Messages.get("timeline.off")
+                : CommandText.format(item.command());
     }
 
     /** Returns the label with its sensor or motors. */

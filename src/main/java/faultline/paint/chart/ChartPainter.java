@@ -96,7 +96,7 @@ public final class ChartPainter {
         SeriesPainter seriesPainter = new SeriesPainter(painter, style);
         chart.series().stream()
                 .filter(series -> series instanceof Series.Cells == maps)
-                .forEach(series -> series.accept(seriesPainter));
+                .forEach(seriesPainter::paint);
     }
 
     private void paintLabels() {
