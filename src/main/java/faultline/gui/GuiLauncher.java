@@ -37,12 +37,8 @@ public final class GuiLauncher {
     }
 
     /**
-     * Opens the window asynchronously with a scenario and controllers. There must be a display.
-     *
-     * @param file the scenario to open
-     * @param reader reads the file on another thread
-     * @param controller drives the robot
-     * @param ghostOrNull drives another robot, which is shown beside it; null for none
+     * Opens the window asynchronously with a scenario, which is read on another thread, and controllers: of the robot,
+     * and of a ghost that is shown beside it, null for none. There must be a display.
      */
     public static void open(
             Path file, Callable<Scenario> reader, ControllerSelection controller, ControllerSelection ghostOrNull) {
@@ -72,11 +68,8 @@ public final class GuiLauncher {
     }
 
     /**
-     * Opens the window with a scenario and closes it after it has painted its first frame.
-     *
-     * @param file the scenario to open
-     * @param reader reads the file on another thread
-     * @param painted called on the event dispatch thread after the first frame
+     * Opens the window with a scenario, which is read on another thread, and closes it after it has painted its first
+     * frame and called {@code painted} on the event dispatch thread.
      */
     public static void openUntilFirstPaint(Path file, Callable<Scenario> reader, Runnable painted) {
         openUntilFirstPaint(window -> window.open(file, reader), painted);

@@ -27,10 +27,8 @@ public final class ComparisonActions {
     private RunComparison shownComparison;
 
     /**
-     * Creates the actions.
-     *
-     * @param controller compares the runs
-     * @param view shows the reference run and where the two runs first differ, each null if there is none
+     * Creates the actions. {@code view} shows the reference run and where the two runs first differ, each null if there
+     * is none.
      */
     public ComparisonActions(ComparisonController controller, BiConsumer<ReferenceOverlay, RunEvent.Diverged> view) {
         this.controller = controller;

@@ -16,11 +16,8 @@ public final class PreferenceActions {
     private final Runnable languageListener;
 
     /**
-     * Adds the actions to a registry.
-     *
-     * @param preferences store the choice
-     * @param actions the registry; their texts follow the language
-     * @param languageListener called when the language has changed, before the windows are refreshed
+     * Adds the actions to a registry; {@code languageListener} is called when the language has changed, before the
+     * windows are refreshed.
      */
     public PreferenceActions(WindowPreferences preferences, ActionRegistry actions, Runnable languageListener) {
         this.preferences = preferences;

@@ -26,14 +26,7 @@ public final class BatchActions {
     private final ControllerChooser controllers;
     private final Consumer<String> note;
 
-    /**
-     * Creates the actions of a window.
-     *
-     * @param owner the window
-     * @param files holds the open scenario, opens runs and asks for files
-     * @param controllers selects the controller of the runs of the window
-     * @param note shows a sentence to the user
-     */
+    /** Creates the actions of a window; {@code note} shows a sentence to the user. */
     public BatchActions(Window owner, FileController files, ControllerChooser controllers, Consumer<String> note) {
         this.owner = owner;
         this.files = files;

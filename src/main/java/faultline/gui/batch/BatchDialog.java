@@ -70,13 +70,7 @@ final class BatchDialog extends JDialog {
 
     private boolean saved = true;
 
-    /**
-     * Creates a dialog that is not yet visible.
-     *
-     * @param owner the window behind it
-     * @param scenario the scenario of all runs
-     * @param actions opens runs and asks for files
-     */
+    /** Creates a dialog for runs of a scenario that is not yet visible. */
     BatchDialog(Window owner, Scenario scenario, BatchActions actions) {
         super(owner, ModalityType.MODELESS);
         assert EventQueue.isDispatchThread();

@@ -22,11 +22,8 @@ final class EditNames {
     }
 
     /**
-     * The name of one command's edit.
-     *
-     * @param key the key of the message for one such command
-     * @param severalKey the key of the message for several such commands
-     * @param subject the id of what is edited
+     * The name of one command's edit: the keys of the messages for one and for several such commands, and the id of
+     * what is edited.
      */
     record EditName(String key, String severalKey, String subject) {
         EditName(String key, String subject) {

@@ -175,11 +175,8 @@ public final class ControllerForm {
     }
 
     /**
-     * Shows a controller.
-     *
-     * @param controller the controller
-     * @param robot the robot, whose speed and motors determine automatic gains
-     * @param dt the length of a tick, seconds
+     * Shows the controller of a robot, whose speed and motors determine automatic gains; {@code dt} is the length of a
+     * tick, seconds.
      */
     public void setController(ControllerSpec controller, RobotSpec robot, double dt) {
         shown = controller;

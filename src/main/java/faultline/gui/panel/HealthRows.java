@@ -33,12 +33,8 @@ final class HealthRows extends JPanel {
     }
 
     /**
-     * Shows the health of the sensors.
-     *
-     * @param diagnosed the ids of the sensors that the controller diagnoses, so that there are rows before its first
-     *     finding
-     * @param health the health, in the robot's order, empty before the first finding
-     * @param dt the length of a tick, seconds
+     * Shows the health of the sensors, which is empty before the first finding; there are rows for the diagnosed ones
+     * even then.
      */
     void setHealth(List<String> diagnosed, List<SensorHealth> health, double dt) {
         List<String> now = health.isEmpty()

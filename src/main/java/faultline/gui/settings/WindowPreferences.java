@@ -43,12 +43,7 @@ public final class WindowPreferences {
 
     private final PreferenceStore store;
 
-    /**
-     * A store of texts by key.
-     *
-     * @param getter returns the text of a key, or an empty text if there is none
-     * @param setter stores a text under a key
-     */
+    /** A store of texts by key; an empty text if there is none. */
     public record PreferenceStore(UnaryOperator<String> getter, BiConsumer<String, String> setter) {
         String get(String key) {
             return getter.apply(key);

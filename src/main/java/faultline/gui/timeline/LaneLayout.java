@@ -42,13 +42,8 @@ final class LaneLayout {
     private final int[] nextInRow;
 
     /**
-     * Creates a layout.
-     *
-     * @param lanes the lanes, from the top
-     * @param items the items
-     * @param axis the times
-     * @param top the y coordinate of the first lane, pixels
-     * @param rowHeight the height of a lane without overlapping items, pixels
+     * Creates a layout, given the y coordinate of the first lane and the height of a lane without overlapping items,
+     * pixels.
      */
     LaneLayout(List<Lane> lanes, List<TimelineItem> items, TimeAxis axis, int top, int rowHeight) {
         this.lanes = List.copyOf(lanes);
@@ -135,12 +130,7 @@ final class LaneLayout {
         END
     }
 
-    /**
-     * An item under the mouse.
-     *
-     * @param index the index of the item
-     * @param part its part
-     */
+    /** An item under the mouse: its index and the part. */
     record ItemHit(int index, ItemPart part) {}
 
     /** Returns whether this is the layout of these very lists. */
@@ -231,12 +221,8 @@ final class LaneLayout {
     }
 
     /**
-     * Returns where the label of an interval is drawn: on its bar, or after it if only there is room for all of it.
-     *
-     * @param index the index of the interval
-     * @param textWidth the width of the label, pixels
-     * @param padding the space on either side of the label, pixels
-     * @param right the x coordinate of the right edge of the lanes, pixels
+     * Returns where the label of an interval is drawn: on its bar, or after it if only there is room for all of it. All
+     * lengths are in pixels; {@code right} is the right edge of the lanes.
      */
     LabelRoom labelRoom(int index, double textWidth, double padding, double right) {
         Rectangle2D bar = bounds(index);
@@ -248,12 +234,7 @@ final class LaneLayout {
         return textWidth > onBar.width() && textWidth <= after.width() ? after : onBar;
     }
 
-    /**
-     * The horizontal room of a label, pixels.
-     *
-     * @param left the x coordinate of its left edge
-     * @param right that of its right edge
-     */
+    /** The x coordinates of the edges of a label, pixels. */
     record LabelRoom(double left, double right) {
 
         double width() {

@@ -26,11 +26,7 @@ public record LegendRows<E>(List<List<E>> rows, Function<E, String> name, ToDoub
     /** The distance from the middle of a line of text down to its baseline, as a share of its size. */
     private static final double BASELINE = 4.0 / 11;
 
-    /**
-     * Paints the sample of an entry.
-     *
-     * @param <E> the type of the entries
-     */
+    /** Paints the sample of an entry. */
     @FunctionalInterface
     public interface SamplePainter<E> {
 

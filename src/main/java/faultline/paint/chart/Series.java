@@ -42,13 +42,7 @@ public sealed interface Series {
         }
     }
 
-    /**
-     * Single points.
-     *
-     * @param name the name in the legend
-     * @param points the points, in any order
-     * @param styleIndex the style index, from 0
-     */
+    /** Single points in any order, with the name in the legend and the style index, from 0. */
     record Points(String name, List<Vector2> points, int styleIndex) implements Series {
         public Points {
             points = List.copyOf(points);
@@ -104,12 +98,7 @@ public sealed interface Series {
         }
     }
 
-    /**
-     * A text at a point.
-     *
-     * @param name the text
-     * @param position the position of its start
-     */
+    /** A text that begins at a point. */
     record Note(String name, Vector2 position) implements Series {
         @Override
         public void match(SeriesCases cases) {

@@ -5,12 +5,7 @@ import faultline.paint.surface.Shapes;
 import faultline.paint.surface.TextStyle;
 import java.util.List;
 
-/**
- * Paints the series of a chart in the colours of a style.
- *
- * @param painter the painter of the plot
- * @param style the style
- */
+/** Paints the series of a chart in the colours of a style. */
 record SeriesPainter(PlotPainter painter, ChartStyle style) {
 
     void paint(Series series) {

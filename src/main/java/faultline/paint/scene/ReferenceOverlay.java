@@ -13,12 +13,7 @@ import java.util.List;
  */
 public record ReferenceOverlay(ReferenceRun run, List<String> caption, List<Mark> marks) {
 
-    /**
-     * A mark on the path.
-     *
-     * @param tick the tick at whose end the position is shown
-     * @param label the text beside it
-     */
+    /** A text on the path, at the position at the end of a tick. */
     public record Mark(long tick, String label) {}
 
     public ReferenceOverlay {

@@ -11,12 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/**
- * The target of figures.
- *
- * @param path an existing folder
- * @param appearance the appearance of the pictures
- */
+/** An existing folder for figures, and the appearance of the pictures. */
 public record FigureFolder(Path path, SvgTheme appearance) {
 
     /** Returns the folder at a path, which is created if necessary. */
