@@ -4,6 +4,7 @@ import faultline.gui.dialog.UncaughtExceptionDialog;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RecoveryStore;
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.text.SwingMessages;
@@ -52,7 +53,7 @@ public final class GuiLauncher {
             MainWindow window = createWindow(preferences, scenario);
             // One question at a time: the gallery does not cover the recovery prompt.
             window.enableRecovery(RecoveryStore.forCurrentUser(), () -> {
-                if (galleryWanted && preferences.isGalleryShownAtStart()) {
+                if (galleryWanted && preferences.get(Preference.GALLERY_SHOWN)) {
                     window.showExamples();
                 }
             });
@@ -96,10 +97,10 @@ public final class GuiLauncher {
     }
 
     private static MainWindow createWindow(WindowPreferences preferences, Consumer<MainWindow> scenario) {
-        Messages.setLanguage(preferences.language());
+        Messages.setLanguage(preferences.get(Preference.LANGUAGE));
         SwingMessages.install();
-        preferences.textSize().install();
-        preferences.themeChoice().theme().install();
+        preferences.get(Preference.TEXT_SIZE).install();
+        preferences.get(Preference.THEME).theme().install();
         MainWindow window = new MainWindow(preferences);
         window.addWindowListener(new WindowAdapter() {
             @Override

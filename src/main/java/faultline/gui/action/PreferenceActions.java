@@ -1,5 +1,6 @@
 package faultline.gui.action;
 
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -23,8 +24,8 @@ public final class PreferenceActions {
         this.preferences = preferences;
         this.actions = actions;
         this.languageListener = languageListener;
-        addToggles("language", Language.values(), preferences.language(), this::setLanguage);
-        addToggles("textSize", TextSize.values(), preferences.textSize(), this::setTextSize);
+        addToggles("language", Language.values(), preferences.get(Preference.LANGUAGE), this::setLanguage);
+        addToggles("textSize", TextSize.values(), preferences.get(Preference.TEXT_SIZE), this::setTextSize);
     }
 
     private <E extends Enum<E>> void addToggles(String group, E[] options, E current, Consumer<E> setter) {
@@ -35,7 +36,7 @@ public final class PreferenceActions {
 
     /** Stores a language and shows it. */
     public void setLanguage(Language language) {
-        preferences.setLanguage(language);
+        preferences.set(Preference.LANGUAGE, language);
         select("language", Language.values(), language);
         if (language != Messages.language()) {
             Messages.setLanguage(language);
@@ -48,7 +49,7 @@ public final class PreferenceActions {
 
     /** Stores a text size and shows it. */
     public void setTextSize(TextSize size) {
-        preferences.setTextSize(size);
+        preferences.set(Preference.TEXT_SIZE, size);
         select("textSize", TextSize.values(), size);
         TextSize before = TextSize.current();
         if (size != before) {

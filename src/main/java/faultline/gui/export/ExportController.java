@@ -78,7 +78,6 @@ public final class ExportController implements WorkspaceListener {
         chart = newChart;
     }
 
-    /** Returns the actions of the controller. */
     public List<UiAction> actions() {
         return List.of(
                 UiAction.of("exportPng", () -> withRenderRequest(this::exportPng))
@@ -169,13 +168,7 @@ public final class ExportController implements WorkspaceListener {
         job.setJobName(workspace.scenario().map(Scenario::name).orElse(""));
         job.setPrintable(new PrintablePage(request));
         if (job.printDialog()) {
-            BackgroundTasks.run(
-                    () -> {
-                        job.print();
-                        return job;
-                    },
-                    done -> {},
-                    this::printFailed);
+            BackgroundTasks.run(job::print, this::printFailed);
         }
     }
 

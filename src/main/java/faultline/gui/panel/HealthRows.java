@@ -3,10 +3,10 @@ package faultline.gui.panel;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -52,17 +52,16 @@ final class HealthRows extends JPanel {
             HealthRow row = rows.get(i);
             row.finding.setValue(name(sensor.finding()));
             row.evidence.setValue(
-                    sensor.evidence() > 0 ? format("%.0f %%", PERCENT * sensor.evidence()) : ValueLabel.NONE);
-            row.since.setValue(sensor.isTrusted() ? ValueLabel.NONE : format("%.2f s", sensor.sinceTick() * dt));
+                    sensor.evidence() > 0
+                            ? NumberText.format("%.0f %%", PERCENT * sensor.evidence())
+                            : ValueLabel.NONE);
+            row.since.setValue(
+                    sensor.isTrusted() ? ValueLabel.NONE : NumberText.format("%.2f s", sensor.sinceTick() * dt));
         }
     }
 
     private static String name(SensorFinding finding) {
         return Messages.get("health.finding." + finding.name());
-    }
-
-    private static String format(String pattern, double value) {
-        return String.format(Locale.ROOT, pattern, value);
     }
 
     private void rebuild() {

@@ -3,11 +3,11 @@ package faultline.gui.timeline;
 import faultline.gui.panel.ControllerText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
+import faultline.gui.text.NumberText;
 import faultline.gui.text.ReadingText;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.world.Command;
-import java.util.Locale;
 
 /** Describes commands in the user's language. */
 public final class CommandText {
@@ -21,8 +21,9 @@ public final class CommandText {
                 configureSensor -> Messages.get(
                         "command.tune",
                         configureSensor.sensor().id(),
-                        number("%.2f", configureSensor.sensor().range()),
-                        number("%.1f", Math.toDegrees(configureSensor.sensor().cone()))),
+                        NumberText.format("%.2f", configureSensor.sensor().range()),
+                        NumberText.format(
+                                "%.1f", Math.toDegrees(configureSensor.sensor().cone()))),
                 injectFault ->
                         Messages.get("command.inject", injectFault.sensor(), ReadingText.format(injectFault.fault())),
                 clearFault ->
@@ -34,26 +35,23 @@ public final class CommandText {
                 moveObstacle -> Messages.get(
                         "command.move",
                         moveObstacle.obstacle(),
-                        number("%.3f", moveObstacle.pose().x()),
-                        number("%.3f", moveObstacle.pose().y()),
-                        number("%.1f", Math.toDegrees(moveObstacle.pose().heading()))),
+                        NumberText.format("%.3f", moveObstacle.pose().x()),
+                        NumberText.format("%.3f", moveObstacle.pose().y()),
+                        NumberText.format(
+                                "%.1f", Math.toDegrees(moveObstacle.pose().heading()))),
                 placeObstacle ->
                         Messages.get("command.put", placeObstacle.obstacle().id()),
                 removeObstacle -> Messages.get("command.remove", removeObstacle.obstacle()),
                 setPlatform -> Messages.get(
                         "command.platform",
-                        number("%.3f", setPlatform.length()),
-                        number("%.3f", setPlatform.width()),
-                        number("%.2f", setPlatform.speed())),
+                        NumberText.format("%.3f", setPlatform.length()),
+                        NumberText.format("%.3f", setPlatform.width()),
+                        NumberText.format("%.2f", setPlatform.speed())),
                 configureController ->
                         Messages.get("command.controller", ControllerText.format(configureController.controller()))));
     }
 
     private static String motorText(String key, MotorSide motor, MotorFault fault) {
         return Messages.get(key, MotorFaultText.motors(motor), MotorFaultText.format(fault));
-    }
-
-    private static String number(String format, double value) {
-        return String.format(Locale.ROOT, format, value);
     }
 }

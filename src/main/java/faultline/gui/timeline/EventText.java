@@ -3,10 +3,10 @@ package faultline.gui.timeline;
 import faultline.engine.recording.RunEvent;
 import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
 import faultline.gui.text.TurnTimes;
-import java.util.Locale;
 
 /** Describes the events of a run in the user's language. */
 public final class EventText {
@@ -15,7 +15,7 @@ public final class EventText {
 
     /** Returns the time of an event, seconds. */
     public static String time(RunEvent event) {
-        return threeDecimals(event.time());
+        return NumberText.format("%.3f", event.time());
     }
 
     /** Describes an event. */
@@ -34,12 +34,8 @@ public final class EventText {
                 collided -> Messages.get(
                         "event.collided",
                         collided.collision().obstacle(),
-                        threeDecimals(collided.collision().point().x()),
-                        threeDecimals(collided.collision().point().y())),
+                        NumberText.format("%.3f", collided.collision().point().x()),
+                        NumberText.format("%.3f", collided.collision().point().y())),
                 diverged -> Messages.get("event.diverged")));
-    }
-
-    private static String threeDecimals(double value) {
-        return String.format(Locale.ROOT, "%.3f", value);
     }
 }

@@ -2,9 +2,9 @@ package faultline.gui.timeline;
 
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
+import faultline.gui.text.NumberText;
 import faultline.gui.text.ReadingText;
 import faultline.world.Command;
-import java.util.Locale;
 
 /** Describes the items of the time line in the user's language. */
 final class TimelineText {
@@ -49,14 +49,10 @@ final class TimelineText {
     /** Returns the times, for example "20.00 – 40.00 s". */
     static String times(TimelineItem item) {
         if (!item.isInterval()) {
-            return seconds(item.start()) + " s";
+            return NumberText.format("%.2f", item.start()) + " s";
         }
         return item.isOpen()
-                ? Messages.get("timeline.from", seconds(item.start()))
-                : seconds(item.start()) + " – " + seconds(item.end()) + " s";
-    }
-
-    private static String seconds(double time) {
-        return String.format(Locale.ROOT, "%.2f", time);
+                ? Messages.get("timeline.from", NumberText.format("%.2f", item.start()))
+                : NumberText.format("%.2f", item.start()) + " – " + NumberText.format("%.2f", item.end()) + " s";
     }
 }
