@@ -96,7 +96,6 @@ final class Arguments {
         }
     }
 
-    /** Returns whether an option is given. */
     boolean has(String option) {
         return options.containsKey(option);
     }

@@ -41,7 +41,6 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         return of(obstacle.shape(), RigidMotion.of(obstacle.pose()));
     }
 
-    /** Returns the geometry of a shape in a frame. */
     static ObstacleGeometry of(ObstacleShape shape, RigidMotion frame) {
         return new ObstacleGeometry(new Placement(frame, Vector2.ZERO, NO_LIMIT).partsOf(shape), shape, frame);
     }

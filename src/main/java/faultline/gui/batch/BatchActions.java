@@ -34,7 +34,6 @@ public final class BatchActions {
         this.note = note;
     }
 
-    /** Adds the actions to a registry. */
     public void addTo(ActionRegistry actions) {
         actions.add(UiAction.of("batch", this::showDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_B)));
     }
@@ -82,7 +81,6 @@ public final class BatchActions {
         return files.chooseNewFolder("batchResults", "-batch");
     }
 
-    /** Shows a sentence. */
     void showProblem(Component parent, String sentence) {
         JOptionPane.showMessageDialog(
                 parent, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.WARNING_MESSAGE);

@@ -17,7 +17,6 @@ record ResultCell(String text, double number) implements Comparable<ResultCell> 
 
     private static final double MILLIMETRES = 1000;
 
-    /** Returns the cell of a text. */
     static ResultCell ofText(String text) {
         return new ResultCell(text, Double.NaN);
     }

@@ -64,7 +64,6 @@ final class ResultTabs {
         UiText.addTab(tabs, key, view);
     }
 
-    /** Removes the tabs. */
     void remove() {
         while (tabs.getTabCount() > firstTab) {
             tabs.removeTabAt(firstTab);

@@ -58,7 +58,6 @@ record EditTarget(String kind, Object subject, boolean repeatable) {
                 .toList();
     }
 
-    /** Returns the target of a command. */
     static EditTarget of(Command command) {
         return command.match(FINDER);
     }

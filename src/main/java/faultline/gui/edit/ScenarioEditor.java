@@ -12,7 +12,6 @@ public final class ScenarioEditor {
     private final RunController run;
     private final UndoController undo;
 
-    /** Creates an editor of the scenario of a run. */
     public ScenarioEditor(RunController run, UndoController undo) {
         this.run = run;
         this.undo = undo;

@@ -216,7 +216,6 @@ public final class UndoController {
         gestureActive = true;
     }
 
-    /** Ends the gesture. */
     public void endGesture() {
         endEdit();
         gestureActive = false;

@@ -223,7 +223,6 @@ public final class ControlPanel extends JPanel {
         return run;
     }
 
-    /** Shows a snapshot of the world. */
     public void setSnapshot(Snapshot world) {
         assert EventQueue.isDispatchThread();
         disabledControls.forEach(control -> control.setEnabled(true));

@@ -71,7 +71,6 @@ final class ExpectationForm extends JPanel {
         add(field, FormConstraints.cell(1, row));
     }
 
-    /** Shows an expectation. */
     void setExpectation(Expectation expectation) {
         contact.setValue(ContactChoice.NOT_CHECKED);
         coverageBox.setSelected(false);

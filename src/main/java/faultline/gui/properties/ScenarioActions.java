@@ -37,7 +37,6 @@ public final class ScenarioActions {
         this.onNew = onNew;
     }
 
-    /** Adds the actions to a registry. */
     public void addTo(ActionRegistry actions) {
         actions.add(UiAction.of("new", this::showNewDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_N)));
         actions.add(UiAction.of("properties", this::showPropertiesDialog)

@@ -28,7 +28,6 @@ public record CommandRole(Lane lane, ChangedProperty effect, List<Command> endin
         OBSTACLE
     }
 
-    /** Returns the role of a command. */
     public static CommandRole of(Command command) {
         return command.match(new Command.CommandCases<>(
                 switchSensor -> ofSensor(

@@ -40,7 +40,6 @@ public enum EventKind {
         this.warning = warning;
     }
 
-    /** Returns the kind of an event. */
     public static EventKind of(RunEvent event) {
         return event.match(new RunEvent.EventCases<>(
                 stateChanged -> TRANSITION,

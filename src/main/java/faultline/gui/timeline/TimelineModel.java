@@ -44,7 +44,6 @@ public final class TimelineModel {
         items = pairs.stream().map(PairedCommands::item).toList();
     }
 
-    /** Returns the model of a timeline. */
     public static TimelineModel of(List<TimedCommand> commands) {
         return new TimelineModel(commands);
     }
@@ -79,7 +78,6 @@ public final class TimelineModel {
         return items;
     }
 
-    /** Returns the commands. */
     public List<TimedCommand> commands() {
         return commands;
     }

@@ -80,7 +80,6 @@ public final class TimelinePanel extends JPanel {
         return editor.model().items();
     }
 
-    /** Returns the lanes. */
     public LaneView lanes() {
         return lanes;
     }

@@ -52,7 +52,6 @@ public final class ObstacleOutlines {
         return path;
     }
 
-    /** Returns the outline of an obstacle in the world. */
     public static Shape worldShape(Obstacle obstacle) {
         return RigidMotion.poseTransform(obstacle.pose()).createTransformedShape(localShape(obstacle.shape()));
     }

@@ -5,11 +5,8 @@ import faultline.geometry.Pose;
 import java.util.List;
 
 /**
- * A reference run, shown beside the run in the frame.
- *
- * @param run its path
- * @param caption its description and the comparison, line by line, for the corner of the picture
- * @param marks the moments to mark on the path
+ * A reference run, shown beside the run in the frame, with moments marked on its path and lines of text for the corner
+ * of the picture.
  */
 public record ReferenceOverlay(ReferenceRun run, List<String> caption, List<Mark> marks) {
 

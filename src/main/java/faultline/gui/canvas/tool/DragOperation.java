@@ -41,13 +41,7 @@ public sealed interface DragOperation {
                 .toList();
     }
 
-    /**
-     * Moves obstacles without rotating them.
-     *
-     * @param grabbed the obstacle under the mouse, which snaps
-     * @param obstacles all obstacles in their state at the start
-     * @param grabPoint the point of the press, metres
-     */
+    /** Moves obstacles, given in their state at the start, without rotating them. The one under the mouse snaps. */
     record Move(Obstacle grabbed, List<Obstacle> obstacles, Vector2 grabPoint) implements DragOperation {
 
         public Move {
