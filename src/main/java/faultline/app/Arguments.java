@@ -21,25 +21,12 @@ final class Arguments {
     private final List<String> files = new ArrayList<>();
     private final Map<String, String> options = new LinkedHashMap<>();
 
-    /**
-     * Parses the arguments of a command.
-     *
-     * @param arguments the arguments, in order
-     * @param known the options that the command accepts
-     * @throws UsageException if an option is unknown, given twice or lacks its value
-     */
+    /** Parses the arguments of a command with options that take a value. */
     Arguments(List<String> arguments, List<String> known) throws UsageException {
         this(arguments, known, List.of());
     }
 
-    /**
-     * Sorts the arguments of a command that also takes options without a value.
-     *
-     * @param arguments the arguments, in their order
-     * @param known the options that take a value
-     * @param knownFlags the options that take none
-     * @throws UsageException if an option is unknown, given twice, or without its value
-     */
+    /** Parses the arguments of a command that also takes flags, which are options without a value. */
     Arguments(List<String> arguments, List<String> known, List<String> knownFlags) throws UsageException {
         List<String> all = new ArrayList<>(known);
         all.addAll(knownFlags);
@@ -109,7 +96,6 @@ final class Arguments {
         }
     }
 
-    /** Returns whether an option is given. */
     boolean has(String option) {
         return options.containsKey(option);
     }

@@ -5,12 +5,7 @@ import faultline.scenario.xml.ScenarioException;
 import java.io.PrintStream;
 import java.util.List;
 
-/**
- * The output of a command.
- *
- * @param out receives results
- * @param err receives error messages
- */
+/** The output of a command: results and error messages. */
 record CommandOutput(PrintStream out, PrintStream err) {
 
     /** Prints a line; control characters in it, which may come from the name of a file, are replaced by blanks. */

@@ -15,11 +15,8 @@ import java.util.function.Consumer;
 import java.util.jar.JarFile;
 
 /**
- * The options that go with {@code --controller}.
- *
- * @param patience the time limit for an answer of a controller in a child process, seconds; infinite for no limit
- * @param truth whether it is given the ground truth
- * @param jars jars with controllers in Java, at most one
+ * The options that go with {@code --controller}; the patience is the time limit for an answer of a controller in a
+ * child process, seconds, infinite for no limit.
  */
 record ControllerOptions(double patience, boolean truth, List<Path> jars) {
 

@@ -14,14 +14,7 @@ final class TraceHeader {
 
     private TraceHeader() {}
 
-    /**
-     * Returns the text of the file.
-     *
-     * @param name the name of the scenario
-     * @param options the options of the run
-     * @param scenarioHash the hash of the scenario file
-     * @param simulation at its end
-     */
+    /** Returns the text of the file, given the name and the hash of the scenario and the simulation at its end. */
     static String text(String name, RunOptions options, String scenarioHash, Simulation simulation) {
         SimulationSetup setup = simulation.setup();
         JsonWriter json = new JsonWriter()

@@ -31,11 +31,8 @@ final class RandomVisitors {
     private final List<Segment> lines = new ArrayList<>();
 
     /**
-     * Creates a generator.
-     *
-     * @param plan the plan of the furnished room
-     * @param start the initial pose of the robot
-     * @param seed the seed of the room; visitors have separate random numbers, so that they change nothing else in it
+     * Creates a generator for a furnished room and the initial position of the robot. Visitors have separate random
+     * numbers of the room's seed, so that they change nothing else in it.
      */
     RandomVisitors(RoomPlan plan, Vector2 start, long seed) {
         this.plan = plan;

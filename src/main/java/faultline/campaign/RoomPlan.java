@@ -17,12 +17,8 @@ final class RoomPlan {
     private final List<Item> items = new ArrayList<>();
 
     /**
-     * An item in a room.
-     *
-     * @param obstacle the obstacle
-     * @param outline the corners of its outline, or its centre
-     * @param radius the radius about these points, metres
-     * @param wall the wall that it touches, -1 if it touches none
+     * An item in a room: the corners of its outline, or its centre; the radius about these points, metres; and the wall
+     * that it touches, -1 if it touches none.
      */
     record Item(Obstacle obstacle, List<Vector2> outline, double radius, int wall) {
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalDouble;
+import java.util.function.Function;
 
 /** Describes which controller drives the robot, and its settings: a scenario's {@code controller} element. */
 public sealed interface ControllerSpec {
@@ -19,98 +20,63 @@ public sealed interface ControllerSpec {
     }
 
     /**
-     * {@return the result of a visitor for this controller}
+     * {@return the result of the function for this kind of controller}
      *
-     * @param <R> the result type
-     * @param visitor the visitor
+     * @param <R> the type of the result
+     * @param cases a function for each kind
      */
-    <R> R accept(ControllerVisitor<R> visitor);
+    <R> R match(ControllerCases<R> cases);
 
     /**
-     * An operation with one method for each kind of controller of the program.
+     * A function for each kind of controller.
      *
-     * @param <R> the result type
+     * @param <R> the type of the results
+     * @param builtIn for a controller of the program
+     * @param extern for one that the user has to choose
+     * @param provided for one in Java
+     * @param chosen for one that the user has chosen
+     * @param recorded for the decisions of an earlier run
      */
-    interface BuiltInVisitor<R> {
-        /**
-         * {@return the result for {@link None}}
-         *
-         * @param spec the controller to visit
-         */
-        R visit(None spec);
-
-        /**
-         * {@return the result for a {@link Drive}}
-         *
-         * @param spec the controller to visit
-         */
-        R visit(Drive spec);
-
-        /**
-         * {@return the result for a {@link WallFollowing} controller}
-         *
-         * @param spec the controller to visit
-         */
-        R visit(WallFollowing spec);
-    }
+    record ControllerCases<R>(
+            Function<BuiltIn, R> builtIn,
+            Function<Extern, R> extern,
+            Function<Provided, R> provided,
+            Function<Chosen, R> chosen,
+            Function<Recorded, R> recorded) {}
 
     /**
-     * An operation with one method for each kind of controller.
+     * A function for each kind of controller of the program.
      *
-     * @param <R> the result type
+     * @param <R> the type of the results
+     * @param none for a robot that stays where it is
+     * @param drive for constant voltages
+     * @param wallFollowing for the wall follower
      */
-    interface ControllerVisitor<R> extends BuiltInVisitor<R> {
-        /**
-         * {@return the result for an {@link Extern} controller}
-         *
-         * @param spec the controller to visit
-         */
-        R visit(Extern spec);
-
-        /**
-         * {@return the result for a {@link Provided} controller}
-         *
-         * @param spec the controller to visit
-         */
-        R visit(Provided spec);
-
-        /**
-         * {@return the result for a {@link Chosen} controller}
-         *
-         * @param spec the controller to visit
-         */
-        R visit(Chosen spec);
-
-        /**
-         * {@return the result for a {@link Recorded} controller}
-         *
-         * @param spec the controller to visit
-         */
-        R visit(Recorded spec);
-    }
+    record BuiltInCases<R>(
+            Function<None, R> none, Function<Drive, R> drive, Function<WallFollowing, R> wallFollowing) {}
 
     /** A controller of the program, which can replace another controller of the program during a run. */
     sealed interface BuiltIn extends ControllerSpec {
 
         /**
-         * {@return the result of a visitor for this controller}
+         * {@return the result of the function for this kind of controller}
          *
-         * @param <R> the result type
-         * @param visitor the visitor
+         * @param <R> the type of the result
+         * @param cases a function for each kind
          */
-        <R> R acceptBuiltIn(BuiltInVisitor<R> visitor);
+        <R> R matchBuiltIn(BuiltInCases<R> cases);
 
         @Override
-        default <R> R accept(ControllerVisitor<R> visitor) {
-            return acceptBuiltIn(visitor);
+        default <R> R match(ControllerCases<R> cases) {
+            return cases.builtIn.apply(this);
         }
     }
 
     /** The robot stays where it is: file type {@code none}. */
     record None() implements BuiltIn {
         @Override
-        public <R> R acceptBuiltIn(BuiltInVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R matchBuiltIn(BuiltInCases<R> cases) {
+            return cases.none.apply(this);
         }
     }
 
@@ -122,8 +88,8 @@ public sealed interface ControllerSpec {
      */
     record Drive(double leftVolts, double rightVolts) implements BuiltIn {
         @Override
-        public <R> R acceptBuiltIn(BuiltInVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R matchBuiltIn(BuiltInCases<R> cases) {
+            return cases.drive.apply(this);
         }
     }
 
@@ -241,8 +207,8 @@ public sealed interface ControllerSpec {
         }
 
         @Override
-        public <R> R acceptBuiltIn(BuiltInVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R matchBuiltIn(BuiltInCases<R> cases) {
+            return cases.wallFollowing.apply(this);
         }
 
         /**
@@ -285,8 +251,8 @@ public sealed interface ControllerSpec {
      */
     record Extern(double period) implements Foreign {
         @Override
-        public <R> R accept(ControllerVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ControllerCases<R> cases) {
+            return cases.extern.apply(this);
         }
     }
 
@@ -310,8 +276,8 @@ public sealed interface ControllerSpec {
         }
 
         @Override
-        public <R> R accept(ControllerVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ControllerCases<R> cases) {
+            return cases.provided.apply(this);
         }
     }
 
@@ -345,8 +311,8 @@ public sealed interface ControllerSpec {
         }
 
         @Override
-        public <R> R accept(ControllerVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ControllerCases<R> cases) {
+            return cases.chosen.apply(this);
         }
     }
 
@@ -375,8 +341,8 @@ public sealed interface ControllerSpec {
         }
 
         @Override
-        public <R> R accept(ControllerVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ControllerCases<R> cases) {
+            return cases.recorded.apply(this);
         }
     }
 }

@@ -1,5 +1,7 @@
 package faultline.control;
 
+import java.util.function.Function;
+
 /** The rule for the gains of the PD distance controller. */
 public sealed interface GainRule {
 
@@ -15,40 +17,22 @@ public sealed interface GainRule {
     PdGains gains(double speed, double lag);
 
     /**
-     * {@return the result of a visitor for this rule}
+     * {@return the result of the function for this kind of rule}
      *
-     * @param <R> the result type
-     * @param visitor the visitor
+     * @param <R> the type of the result
+     * @param cases a function for each kind
      */
-    <R> R accept(GainRuleVisitor<R> visitor);
+    <R> R match(GainCases<R> cases);
 
     /**
-     * An operation with one method for each rule.
+     * A function for each kind of rule.
      *
-     * @param <R> the result type
+     * @param <R> the type of the results
+     * @param automatic for the automatic rule
+     * @param length for a length
+     * @param fixed for given gains
      */
-    interface GainRuleVisitor<R> {
-        /**
-         * {@return the result for {@link Automatic}}
-         *
-         * @param rule the rule to visit
-         */
-        R visit(Automatic rule);
-
-        /**
-         * {@return the result for a {@link Length}}
-         *
-         * @param rule the rule to visit
-         */
-        R visit(Length rule);
-
-        /**
-         * {@return the result for {@link Fixed} gains}
-         *
-         * @param rule the rule to visit
-         */
-        R visit(Fixed rule);
-    }
+    record GainCases<R>(Function<Automatic, R> automatic, Function<Length, R> length, Function<Fixed, R> fixed) {}
 
     /** Critically damped, with the shortest length that the motors can follow. */
     record Automatic() implements GainRule {
@@ -58,8 +42,8 @@ public sealed interface GainRule {
         }
 
         @Override
-        public <R> R accept(GainRuleVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(GainCases<R> cases) {
+            return cases.automatic.apply(this);
         }
     }
 
@@ -85,8 +69,8 @@ public sealed interface GainRule {
         }
 
         @Override
-        public <R> R accept(GainRuleVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(GainCases<R> cases) {
+            return cases.length.apply(this);
         }
     }
 
@@ -115,8 +99,8 @@ public sealed interface GainRule {
         }
 
         @Override
-        public <R> R accept(GainRuleVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(GainCases<R> cases) {
+            return cases.fixed.apply(this);
         }
     }
 

@@ -3,6 +3,8 @@ package faultline.engine;
 import faultline.control.Controller;
 import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerSpec.BuiltInCases;
+import faultline.control.ControllerSpec.ControllerCases;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
@@ -54,7 +56,30 @@ public final class ControllerFactory {
      * @param spec the choice of the controller and its settings
      */
     public static Controller create(ControllerSpec spec) {
-        return spec.accept(new Creator());
+        return spec.match(new ControllerCases<>(
+                builtIn -> new PeriodicController(builtIn, ControllerFactory::createBuiltIn),
+                extern -> observation -> failNotChosen(),
+                provided -> new PeriodicController(
+                        ControllerProviders.create(provided.name(), provided.settings()), provided.period()),
+                chosen -> observation -> failNotChosen(),
+                recorded -> new RecordedController(recorded, FOREIGN_STATE)));
+    }
+
+    /** Returns a controller of the program that decides on every observation. */
+    private static Controller createBuiltIn(ControllerSpec.BuiltIn spec) {
+        return spec.matchBuiltIn(new BuiltInCases<>(
+                none -> constant(none, 0, 0),
+                drive -> constant(drive, drive.leftVolts(), drive.rightVolts()),
+                follower -> follower.diagnosis() ? new FaultTolerantFollower(follower) : new WallFollower(follower)));
+    }
+
+    private static Controller constant(ControllerSpec.BuiltIn spec, double leftVolts, double rightVolts) {
+        Decision decision = new Decision(leftVolts, rightVolts, Telemetry.ofState(initialState(spec)));
+        return observation -> decision;
+    }
+
+    private static Decision failNotChosen() {
+        throw new RunFailedException("the scenario is driven by a controller from outside, and none was chosen", null);
     }
 
     /**
@@ -63,7 +88,18 @@ public final class ControllerFactory {
      * @param spec the choice of the controller
      */
     public static List<ControllerState> states(ControllerSpec spec) {
-        return spec instanceof ControllerSpec.BuiltIn builtIn ? builtIn.acceptBuiltIn(new StateLister()) : List.of();
+        if (!(spec instanceof ControllerSpec.BuiltIn builtIn)) {
+            return List.of();
+        }
+        return builtIn.matchBuiltIn(new BuiltInCases<>(
+                none -> List.of(ControllerState.of("NONE")),
+                drive -> List.of(ControllerState.of("DRIVE")),
+                ControllerFactory::followerStates));
+    }
+
+    private static List<ControllerState> followerStates(ControllerSpec.WallFollowing spec) {
+        Stream<ControllerState> stop = spec.diagnosis() ? Stream.of(FaultTolerantFollower.STOP) : Stream.empty();
+        return Stream.concat(Arrays.stream(FollowerState.values()), stop).toList();
     }
 
     /**
@@ -73,98 +109,5 @@ public final class ControllerFactory {
      */
     public static ControllerState initialState(ControllerSpec spec) {
         return states(spec).stream().findFirst().orElse(FOREIGN_STATE);
-    }
-
-    /** Creates controllers. */
-    private static final class Creator implements ControllerSpec.ControllerVisitor<Controller> {
-
-        private static Controller periodic(ControllerSpec.BuiltIn spec) {
-            return new PeriodicController(spec, settings -> settings.acceptBuiltIn(new DelegateCreator()));
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.None spec) {
-            return periodic(spec);
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.Drive spec) {
-            return periodic(spec);
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.WallFollowing spec) {
-            return periodic(spec);
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.Extern spec) {
-            return observation -> failNotChosen();
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.Provided spec) {
-            Controller controller = ControllerProviders.create(spec.name(), spec.settings());
-            return new PeriodicController(controller, spec.period());
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.Chosen spec) {
-            return observation -> failNotChosen();
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.Recorded spec) {
-            return new RecordedController(spec, FOREIGN_STATE);
-        }
-
-        private static Decision failNotChosen() {
-            throw new RunFailedException(
-                    "the scenario is driven by a controller from outside, and none was chosen", null);
-        }
-    }
-
-    /** Creates controllers of the program that decide on every observation. */
-    private static final class DelegateCreator implements ControllerSpec.BuiltInVisitor<Controller> {
-
-        private static Controller constant(ControllerSpec.BuiltIn spec, double leftVolts, double rightVolts) {
-            Decision decision = new Decision(leftVolts, rightVolts, Telemetry.ofState(initialState(spec)));
-            return observation -> decision;
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.None spec) {
-            return constant(spec, 0, 0);
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.Drive spec) {
-            return constant(spec, spec.leftVolts(), spec.rightVolts());
-        }
-
-        @Override
-        public Controller visit(ControllerSpec.WallFollowing spec) {
-            return spec.diagnosis() ? new FaultTolerantFollower(spec) : new WallFollower(spec);
-        }
-    }
-
-    /** Lists the states of controllers of the program. */
-    private static final class StateLister implements ControllerSpec.BuiltInVisitor<List<ControllerState>> {
-
-        @Override
-        public List<ControllerState> visit(ControllerSpec.None spec) {
-            return List.of(ControllerState.of("NONE"));
-        }
-
-        @Override
-        public List<ControllerState> visit(ControllerSpec.Drive spec) {
-            return List.of(ControllerState.of("DRIVE"));
-        }
-
-        @Override
-        public List<ControllerState> visit(ControllerSpec.WallFollowing spec) {
-            Stream<ControllerState> stop = spec.diagnosis() ? Stream.of(FaultTolerantFollower.STOP) : Stream.empty();
-            return Stream.concat(Arrays.stream(FollowerState.values()), stop).toList();
-        }
     }
 }

@@ -35,11 +35,8 @@ public final class ControllerProviders {
     }
 
     /**
-     * Makes a controller.
-     *
-     * @param name the name of its provider
-     * @param settings for it
-     * @throws RunFailedException if there is no such provider, or it fails
+     * Makes a controller by the name of its provider. Throws a {@link RunFailedException} if there is no such provider,
+     * or it fails.
      */
     static Controller create(String name, Map<String, String> settings) {
         return create(

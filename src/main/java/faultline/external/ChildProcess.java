@@ -74,7 +74,6 @@ final class ChildProcess implements AutoCloseable {
         writeGuard = startDaemon("faultline-child-guard", () -> guardWrites(writeSeconds));
     }
 
-    /** Starts a daemon thread. */
     static Thread startDaemon(String name, Runnable work) {
         Thread thread = new Thread(work, name);
         thread.setDaemon(true);

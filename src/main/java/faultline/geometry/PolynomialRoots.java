@@ -9,11 +9,8 @@ final class PolynomialRoots {
     private PolynomialRoots() {}
 
     /**
-     * Returns all roots in an interval at which the polynomial changes its sign, in ascending order.
-     *
-     * @param coefficients the constant term first
-     * @param low the interval's lower end
-     * @param high the interval's upper end
+     * Returns all roots in an interval at which the polynomial changes its sign, in ascending order. The first
+     * coefficient is the constant term.
      */
     static List<Double> between(double[] coefficients, double low, double high) {
         List<Double> roots = new ArrayList<>();

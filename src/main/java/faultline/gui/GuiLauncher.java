@@ -4,6 +4,7 @@ import faultline.gui.dialog.UncaughtExceptionDialog;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RecoveryStore;
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.text.SwingMessages;
@@ -37,12 +38,8 @@ public final class GuiLauncher {
     }
 
     /**
-     * Opens the window asynchronously with a scenario and controllers. There must be a display.
-     *
-     * @param file the scenario to open
-     * @param reader reads the file on another thread
-     * @param controller drives the robot
-     * @param ghostOrNull drives another robot, which is shown beside it; null for none
+     * Opens the window asynchronously with a scenario, which is read on another thread, and controllers: of the robot,
+     * and of a ghost that is shown beside it, null for none. There must be a display.
      */
     public static void open(
             Path file, Callable<Scenario> reader, ControllerSelection controller, ControllerSelection ghostOrNull) {
@@ -56,7 +53,7 @@ public final class GuiLauncher {
             MainWindow window = createWindow(preferences, scenario);
             // One question at a time: the gallery does not cover the recovery prompt.
             window.enableRecovery(RecoveryStore.forCurrentUser(), () -> {
-                if (galleryWanted && preferences.isGalleryShownAtStart()) {
+                if (galleryWanted && preferences.get(Preference.GALLERY_SHOWN)) {
                     window.showExamples();
                 }
             });
@@ -72,11 +69,8 @@ public final class GuiLauncher {
     }
 
     /**
-     * Opens the window with a scenario and closes it after it has painted its first frame.
-     *
-     * @param file the scenario to open
-     * @param reader reads the file on another thread
-     * @param painted called on the event dispatch thread after the first frame
+     * Opens the window with a scenario, which is read on another thread, and closes it after it has painted its first
+     * frame and called {@code painted} on the event dispatch thread.
      */
     public static void openUntilFirstPaint(Path file, Callable<Scenario> reader, Runnable painted) {
         openUntilFirstPaint(window -> window.open(file, reader), painted);
@@ -103,10 +97,10 @@ public final class GuiLauncher {
     }
 
     private static MainWindow createWindow(WindowPreferences preferences, Consumer<MainWindow> scenario) {
-        Messages.setLanguage(preferences.language());
+        Messages.setLanguage(preferences.get(Preference.LANGUAGE));
         SwingMessages.install();
-        preferences.textSize().install();
-        preferences.themeChoice().theme().install();
+        preferences.get(Preference.TEXT_SIZE).install();
+        preferences.get(Preference.THEME).theme().install();
         MainWindow window = new MainWindow(preferences);
         window.addWindowListener(new WindowAdapter() {
             @Override

@@ -177,7 +177,6 @@ final class TemporaryFile {
         UnfinishedFiles.FILES.remove(path);
     }
 
-    /** Deletes the file. */
     void delete() throws IOException {
         forget();
         Files.deleteIfExists(path);

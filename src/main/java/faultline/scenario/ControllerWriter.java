@@ -1,6 +1,8 @@
 package faultline.scenario;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerSpec.BuiltInCases;
+import faultline.control.ControllerSpec.ControllerCases;
 import faultline.control.GainRule;
 import faultline.control.RecordedDecision;
 import faultline.control.Threshold;
@@ -16,30 +18,31 @@ import java.util.TreeMap;
  * @param defaults the values that a reader uses for omitted thresholds
  * @param all whether a follower's diagnosis and gains are written even if they have their default values
  */
-record ControllerWriter(XmlWriter out, ControllerSpec.WallFollowing defaults, boolean all)
-        implements ControllerSpec.ControllerVisitor<XmlWriter> {
+record ControllerWriter(XmlWriter out, ControllerSpec.WallFollowing defaults, boolean all) {
 
     /** Writes the element. */
     static void write(ControllerSpec spec, XmlWriter out) {
         out.beginElement("controller");
-        spec.accept(new ControllerWriter(out, ControllerSpec.WallFollowing.DEFAULT, false));
+        new ControllerWriter(out, ControllerSpec.WallFollowing.DEFAULT, false).write(spec);
         out.endElement();
     }
 
-    @Override
-    public XmlWriter visit(ControllerSpec.None spec) {
-        return out.attribute("type", "none");
+    /** Writes a controller into the open element. */
+    XmlWriter write(ControllerSpec spec) {
+        return spec.match(new ControllerCases<>(
+                builtIn -> builtIn.matchBuiltIn(new BuiltInCases<>(
+                        none -> out.attribute("type", "none"),
+                        drive -> out.attribute("type", "drive")
+                                .attribute("left", drive.leftVolts())
+                                .attribute("right", drive.rightVolts()),
+                        this::writeFollower)),
+                extern -> out.attribute("type", ControllerReader.EXTERN).attribute("period", extern.period()),
+                this::writeProvided,
+                chosen -> write(chosen.original()),
+                this::writeRecorded));
     }
 
-    @Override
-    public XmlWriter visit(ControllerSpec.Drive spec) {
-        return out.attribute("type", "drive")
-                .attribute("left", spec.leftVolts())
-                .attribute("right", spec.rightVolts());
-    }
-
-    @Override
-    public XmlWriter visit(ControllerSpec.WallFollowing spec) {
+    private XmlWriter writeFollower(ControllerSpec.WallFollowing spec) {
         out.attribute("type", ControllerReader.DEFAULT_TYPE)
                 .attribute("distance", spec.distance())
                 .attribute("hand", spec.side().fileName())
@@ -48,18 +51,22 @@ record ControllerWriter(XmlWriter out, ControllerSpec.WallFollowing defaults, bo
         if (all || !spec.diagnosis()) {
             out.attribute("diagnosis", ControllerReader.switchText(spec.diagnosis()));
         }
-        spec.gainRule().accept(new GainWriter(out, all));
+        writeGains(spec.gainRule());
         writeThresholds(spec.thresholds());
         return out;
     }
 
-    @Override
-    public XmlWriter visit(ControllerSpec.Extern spec) {
-        return out.attribute("type", ControllerReader.EXTERN).attribute("period", spec.period());
+    /** Writes the rule for the gains; the default rule only if all attributes are wanted. */
+    private void writeGains(GainRule rule) {
+        rule.match(new GainRule.GainCases<>(
+                automatic -> all ? out.attribute("gains", "automatic") : out,
+                length -> out.attribute("gains", "length").attribute("length", length.metres()),
+                fixed -> out.attribute("gains", "fixed")
+                        .attribute("kp", fixed.proportional())
+                        .attribute("kd", fixed.derivative())));
     }
 
-    @Override
-    public XmlWriter visit(ControllerSpec.Provided spec) {
+    private XmlWriter writeProvided(ControllerSpec.Provided spec) {
         out.attribute("type", spec.name()).attribute("period", spec.period());
         new TreeMap<>(spec.settings()).forEach((name, value) -> out.beginElement("setting")
                 .attribute("name", name)
@@ -68,13 +75,7 @@ record ControllerWriter(XmlWriter out, ControllerSpec.WallFollowing defaults, bo
         return out;
     }
 
-    @Override
-    public XmlWriter visit(ControllerSpec.Chosen spec) {
-        return spec.original().accept(this);
-    }
-
-    @Override
-    public XmlWriter visit(ControllerSpec.Recorded spec) {
+    private XmlWriter writeRecorded(ControllerSpec.Recorded spec) {
         out.attribute("type", ControllerReader.RECORDED)
                 .attribute("distance", spec.wanted())
                 .attribute("ticks", String.valueOf(spec.ticks()));
@@ -115,27 +116,6 @@ record ControllerWriter(XmlWriter out, ControllerSpec.WallFollowing defaults, bo
                     .attribute("state", first.state())
                     .attribute("why", first.condition())
                     .endTextElement(text.toString());
-        }
-    }
-
-    /** Writes the rule for the gains; the default rule only if all attributes are wanted. */
-    private record GainWriter(XmlWriter out, boolean all) implements GainRule.GainRuleVisitor<XmlWriter> {
-
-        @Override
-        public XmlWriter visit(GainRule.Automatic rule) {
-            return all ? out.attribute("gains", "automatic") : out;
-        }
-
-        @Override
-        public XmlWriter visit(GainRule.Length rule) {
-            return out.attribute("gains", "length").attribute("length", rule.metres());
-        }
-
-        @Override
-        public XmlWriter visit(GainRule.Fixed rule) {
-            return out.attribute("gains", "fixed")
-                    .attribute("kp", rule.proportional())
-                    .attribute("kd", rule.derivative());
         }
     }
 }

@@ -28,14 +28,7 @@ final class PointListReader {
     private final Problems problems;
     private final int most;
 
-    /**
-     * Creates a reader.
-     *
-     * @param node the element
-     * @param fields the reader of its attributes
-     * @param problems the list to which problems are added
-     * @param most the greatest number of points allowed
-     */
+    /** Creates a reader of an element's points, up to a greatest number. */
     PointListReader(XmlElement node, AttributeReader fields, Problems problems, int most) {
         this.node = node;
         this.fields = fields;

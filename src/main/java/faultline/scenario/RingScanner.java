@@ -37,12 +37,7 @@ final class RingScanner {
     private int ringCount;
     private int pointCount;
 
-    /**
-     * Creates a scanner of a text.
-     *
-     * @param text the text
-     * @param separated whether it may have several rings
-     */
+    /** Creates a scanner of a text, which may have several rings if they are separated. */
     RingScanner(String text, boolean separated) {
         this.text = text;
         this.separated = separated;

@@ -32,12 +32,7 @@ final class RobotReader {
         this.problems = problems;
     }
 
-    /**
-     * The robot and its initial pose.
-     *
-     * @param spec the robot
-     * @param start its pose at time 0
-     */
+    /** A robot and its initial pose. */
     record PlacedRobot(RobotSpec spec, Pose start) {}
 
     PlacedRobot read(XmlElement node) {

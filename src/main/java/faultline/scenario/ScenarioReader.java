@@ -46,7 +46,6 @@ final class ScenarioReader {
         this.worldReader = new WorldReader(problems, obstacleReader);
     }
 
-    /** Returns the scenario in a file. */
     static Scenario read(Path file) throws ScenarioException {
         return read(file.toString(), XmlFile.readBytes(file, Allowed.SCENARIO_FILE.with()));
     }

@@ -26,11 +26,8 @@ public final class ScenarioRun {
     private final List<LoggedTick> ticks;
 
     /**
-     * A tick.
-     *
-     * @param pose the pose of the robot
-     * @param state the name of the controller's state
-     * @param readings the true and the reported reading of each sensor in turn, encoded as in {@link Reading}
+     * A tick: the pose of the robot, the controller's state, and the true and the reported reading of each sensor in
+     * turn, encoded as in {@link Reading}.
      */
     private record LoggedTick(Pose pose, String state, double[] readings) {
 

@@ -2,6 +2,7 @@ package faultline.scenario;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
+import faultline.engine.metrics.Expectation.ConditionCases;
 import faultline.io.AtomicFile;
 import faultline.io.DecimalText;
 import faultline.io.MessageException;
@@ -69,39 +70,16 @@ final class ScenarioWriter {
         if (expect.equals(Expectation.NONE)) {
             return;
         }
-        ConditionAttributes attributes = new ConditionAttributes(new LinkedHashMap<>());
-        expect.conditions().forEach(condition -> condition.accept(attributes));
+        Map<String, String> attributes = new LinkedHashMap<>();
+        ConditionCases<String> cases = new ConditionCases<>(
+                collides -> attributes.put("collision", Boolean.toString(collides.wanted())),
+                coverage -> attributes.put("minCoverage", DecimalText.format(coverage.share())),
+                distance -> attributes.put("maxDistanceRms", DecimalText.format(distance.metres())),
+                visited -> attributes.merge("states", visited.state().name(), (all, next) -> all + " " + next),
+                last -> attributes.put("finalState", last.state().name()));
+        expect.conditions().forEach(condition -> condition.match(cases));
         out.beginElement("expect");
-        attributes.values.forEach(out::attribute);
+        attributes.forEach(out::attribute);
         out.endElement();
-    }
-
-    /** Collects the attributes of conditions. */
-    private record ConditionAttributes(Map<String, String> values) implements Expectation.ConditionVisitor<String> {
-
-        @Override
-        public String visit(Expectation.Collides condition) {
-            return values.put("collision", Boolean.toString(condition.wanted()));
-        }
-
-        @Override
-        public String visit(Expectation.MinCoverage condition) {
-            return values.put("minCoverage", DecimalText.format(condition.share()));
-        }
-
-        @Override
-        public String visit(Expectation.MaxDistanceRms condition) {
-            return values.put("maxDistanceRms", DecimalText.format(condition.metres()));
-        }
-
-        @Override
-        public String visit(Expectation.VisitedState condition) {
-            return values.merge("states", condition.state().name(), (all, next) -> all + " " + next);
-        }
-
-        @Override
-        public String visit(Expectation.FinalState condition) {
-            return values.put("finalState", condition.state().name());
-        }
     }
 }

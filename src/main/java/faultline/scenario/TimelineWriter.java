@@ -11,7 +11,7 @@ import faultline.world.Command;
 import java.util.List;
 
 /** Writes the timeline. A fault that the next command clears is written as one element with {@code until}. */
-final class TimelineWriter implements Command.Visitor<XmlWriter> {
+final class TimelineWriter {
 
     private final ControllerSpec.WallFollowing follower;
     private final XmlWriter out;
@@ -31,7 +31,7 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
         for (int i = 0; i < commands.size(); i++) {
             writer.time = commands.get(i).time();
             writer.clearing = null;
-            XmlWriter element = commands.get(i).command().accept(writer);
+            XmlWriter element = writer.begin(commands.get(i).command());
             if (i + 1 < commands.size() && writer.isCleared(commands.get(i + 1))) {
                 i++;
                 element.attribute("until", commands.get(i).time());
@@ -63,82 +63,47 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
         return writeFault(fault.kind(), fault.value(), fault.length());
     }
 
-    @Override
-    public XmlWriter visit(Command.SwitchSensor command) {
-        return begin("switch").attribute("sensor", command.sensor()).attribute("on", command.on());
-    }
-
-    @Override
-    public XmlWriter visit(Command.ConfigureSensor command) {
-        return RobotWriter.writeSettings(
-                command.sensor(),
-                begin("tune").attribute("sensor", command.sensor().id()));
-    }
-
-    @Override
-    public XmlWriter visit(Command.InjectFault command) {
-        clearing = new Command.ClearFault(command.sensor(), command.fault());
-        return beginFault("fault", command.sensor(), command.fault());
-    }
-
-    @Override
-    public XmlWriter visit(Command.ClearFault command) {
-        return beginFault("mend", command.sensor(), command.fault());
-    }
-
-    @Override
-    public XmlWriter visit(Command.ClearFaults command) {
-        return begin("mend").attribute("sensor", command.sensor());
-    }
-
-    @Override
-    public XmlWriter visit(Command.InjectMotorFault command) {
-        clearing = new Command.ClearMotorFault(command.motor(), command.fault());
-        return beginMotorFault("fault", command.motor(), command.fault());
-    }
-
-    @Override
-    public XmlWriter visit(Command.ClearMotorFault command) {
-        return beginMotorFault("mend", command.motor(), command.fault());
-    }
-
-    @Override
-    public XmlWriter visit(Command.ClearMotorFaults command) {
-        return begin("mend").attribute("motor", command.motor().fileName());
+    /** Begins the element of a command, with its attributes. */
+    private XmlWriter begin(Command command) {
+        return command.match(new Command.CommandCases<>(
+                switchSensor -> begin("switch")
+                        .attribute("sensor", switchSensor.sensor())
+                        .attribute("on", switchSensor.on()),
+                configureSensor -> RobotWriter.writeSettings(
+                        configureSensor.sensor(),
+                        begin("tune")
+                                .attribute("sensor", configureSensor.sensor().id())),
+                injectFault -> {
+                    clearing = new Command.ClearFault(injectFault.sensor(), injectFault.fault());
+                    return beginFault("fault", injectFault.sensor(), injectFault.fault());
+                },
+                clearFault -> beginFault("mend", clearFault.sensor(), clearFault.fault()),
+                clearFaults -> begin("mend").attribute("sensor", clearFaults.sensor()),
+                injectMotorFault -> {
+                    clearing = new Command.ClearMotorFault(injectMotorFault.motor(), injectMotorFault.fault());
+                    return beginMotorFault("fault", injectMotorFault.motor(), injectMotorFault.fault());
+                },
+                clearMotorFault -> beginMotorFault("mend", clearMotorFault.motor(), clearMotorFault.fault()),
+                clearMotorFaults -> begin("mend")
+                        .attribute("motor", clearMotorFaults.motor().fileName()),
+                moveObstacle -> WorldWriter.writePose(
+                        moveObstacle.pose(), begin("move").attribute("obstacle", moveObstacle.obstacle())),
+                placeObstacle -> {
+                    begin("put");
+                    WorldWriter.writeObstacle(placeObstacle.obstacle(), out);
+                    return out;
+                },
+                removeObstacle -> begin("remove").attribute("obstacle", removeObstacle.obstacle()),
+                setPlatform -> begin("platform")
+                        .attribute("length", setPlatform.length())
+                        .attribute("width", setPlatform.width())
+                        .attribute("speed", setPlatform.speed()),
+                configureController -> new ControllerWriter(begin("controller"), follower, true)
+                        .write(configureController.controller())));
     }
 
     private XmlWriter beginMotorFault(String name, MotorSide motor, MotorFault fault) {
         begin(name).attribute("motor", motor.fileName());
         return writeFault(fault.kind(), fault.value(), 0);
-    }
-
-    @Override
-    public XmlWriter visit(Command.MoveObstacle command) {
-        return WorldWriter.writePose(command.pose(), begin("move").attribute("obstacle", command.obstacle()));
-    }
-
-    @Override
-    public XmlWriter visit(Command.PlaceObstacle command) {
-        begin("put");
-        WorldWriter.writeObstacle(command.obstacle(), out);
-        return out;
-    }
-
-    @Override
-    public XmlWriter visit(Command.RemoveObstacle command) {
-        return begin("remove").attribute("obstacle", command.obstacle());
-    }
-
-    @Override
-    public XmlWriter visit(Command.SetPlatform command) {
-        return begin("platform")
-                .attribute("length", command.length())
-                .attribute("width", command.width())
-                .attribute("speed", command.speed());
-    }
-
-    @Override
-    public XmlWriter visit(Command.ConfigureController command) {
-        return command.controller().accept(new ControllerWriter(begin("controller"), follower, true));
     }
 }

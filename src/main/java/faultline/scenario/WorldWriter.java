@@ -9,6 +9,7 @@ import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /** Writes the world and its obstacles. */
@@ -27,7 +28,7 @@ final class WorldWriter {
     }
 
     static void writeObstacle(Obstacle obstacle, XmlWriter out) {
-        obstacle.shape().accept(new ShapeWriter(obstacle, out));
+        beginObstacle(obstacle, out);
         if (obstacle.isSpecular()) {
             out.angleAttribute("specular", obstacle.specularAngle());
         }
@@ -38,42 +39,26 @@ final class WorldWriter {
     }
 
     /** Begins the element of an obstacle and writes the attributes of its shape. */
-    private record ShapeWriter(Obstacle obstacle, XmlWriter out) implements ObstacleShape.ShapeVisitor<XmlWriter> {
-
-        private XmlWriter begin(String name) {
-            return writePose(obstacle.pose(), out.beginElement(name).attribute("id", obstacle.id()));
-        }
-
-        @Override
-        public XmlWriter visit(ObstacleShape.RectangleShape shape) {
-            return begin("rectangle").attribute("width", shape.width()).attribute("height", shape.height());
-        }
-
-        @Override
-        public XmlWriter visit(ObstacleShape.CircleShape shape) {
-            return begin("circle").attribute("radius", shape.radius());
-        }
-
-        @Override
-        public XmlWriter visit(ObstacleShape.EllipseShape shape) {
-            return begin("ellipse").attribute("rx", shape.rx()).attribute("ry", shape.ry());
-        }
-
-        @Override
-        public XmlWriter visit(ObstacleShape.PolygonShape shape) {
-            return begin("polygon").attribute("points", formatPoints(shape.points()));
-        }
-
-        @Override
-        public XmlWriter visit(ObstacleShape.WallShape shape) {
-            return begin("wall").attribute("points", formatPoints(shape.points()));
-        }
-
-        @Override
-        public XmlWriter visit(ObstacleShape.PlanShape shape) {
-            String rings = shape.rings().stream().map(WorldWriter::formatPoints).collect(Collectors.joining(" | "));
-            return begin("plan").attribute("points", rings);
-        }
+    private static XmlWriter beginObstacle(Obstacle obstacle, XmlWriter out) {
+        Function<String, XmlWriter> begin =
+                name -> writePose(obstacle.pose(), out.beginElement(name).attribute("id", obstacle.id()));
+        return obstacle.shape()
+                .match(new ObstacleShape.ShapeCases<>(
+                        rectangle -> begin.apply("rectangle")
+                                .attribute("width", rectangle.width())
+                                .attribute("height", rectangle.height()),
+                        circle -> begin.apply("circle").attribute("radius", circle.radius()),
+                        ellipse -> begin.apply("ellipse")
+                                .attribute("rx", ellipse.rx())
+                                .attribute("ry", ellipse.ry()),
+                        polygon -> begin.apply("polygon").attribute("points", formatPoints(polygon.points())),
+                        wall -> begin.apply("wall").attribute("points", formatPoints(wall.points())),
+                        plan -> begin.apply("plan")
+                                .attribute(
+                                        "points",
+                                        plan.rings().stream()
+                                                .map(WorldWriter::formatPoints)
+                                                .collect(Collectors.joining(" | ")))));
     }
 
     static XmlWriter writePose(Pose pose, XmlWriter out) {

@@ -9,7 +9,6 @@ import faultline.paint.chart.Series;
 import faultline.robot.RobotSpec;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
 import faultline.studies.figure.SortedSample;
 import java.io.IOException;
@@ -104,8 +103,7 @@ final class AlignmentErrors implements Figure {
                         new Series.Band("5 % to 95 %", high, low, 0),
                         new Series.Line("", rms, 0),
                         new Series.Points("RMS", rms, 0)));
-        folder.writeCsv("eq4-noise-seeds", table);
-        folder.writeSvg("eq4-noise-seeds", FigureCanvas.drawChart(chart, 480, 360, String.format(CAPTION, SEEDS)));
+        folder.writeChart("eq4-noise-seeds", table, chart, 480, 360, String.format(CAPTION, SEEDS));
     }
 
     private static void addRow(CsvTable table, Setting setting, SortedSample errors) {

@@ -17,10 +17,6 @@ import java.util.List;
  * half the cone b, the mounting offset a and the distance D from the centre to the wall. Turning back for half of the
  * time ends in their middle, which is parallel if the edges are symmetric. With the paper's rule the robot stops short
  * of the middle by the motors' lag and half a period.
- *
- * @param trial the trial
- * @param walls the geometry of its walls
- * @param position the position of the robot's centre
  */
 record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 position) {
 

@@ -33,12 +33,8 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
             StudyScenarios.load("studies/eq4-wall.xml").setup();
 
     /**
-     * The result of a trial.
-     *
-     * @param headingError the deviation from parallel at the first FOLLOW tick, radians, positive towards the wall
-     * @param position the position at that tick
-     * @param tD the time between F3 and F4, seconds
-     * @param distance the true reading of the left sensor at that tick, metres
+     * The result of a trial at the first FOLLOW tick: the deviation from parallel, radians, positive towards the wall;
+     * the position; the time between F3 and F4, seconds; and the true reading of the left sensor, metres.
      */
     record TrialResult(double headingError, Vector2 position, double tD, double distance) {}
 

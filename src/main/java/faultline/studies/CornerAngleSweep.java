@@ -6,7 +6,6 @@ import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
 import faultline.studies.figure.SortedSample;
 import java.io.IOException;
@@ -45,8 +44,7 @@ final class CornerAngleSweep implements Figure {
                 Axis.linear("angle between the walls (degrees)", 30, 150),
                 Axis.linear("distance error at the hand-over (mm)", -160, 40),
                 series);
-        folder.writeSvg("fig6-angles", FigureCanvas.drawChart(chart, 520, 380, String.format(CAPTION, STARTS)));
-        folder.writeCsv("fig6-angles", table);
+        folder.writeChart("fig6-angles", table, chart, 520, 380, String.format(CAPTION, STARTS));
     }
 
     private static void addSeries(CornerRun.SensorSelection sensors, CsvTable table, List<Series> series) {

@@ -69,14 +69,7 @@ public final class Figures {
                 new PathFigure("rules-noise", "Noise of 4 mm on all sensors", "noisy-sensors.xml", room));
     }
 
-    /**
-     * Writes all figures.
-     *
-     * @param path the folder; created if necessary
-     * @param appearance the appearance of the pictures
-     * @param progress the listener, called for each figure
-     * @throws IOException if a file cannot be written
-     */
+    /** Writes all figures to a folder, which is created if necessary, and calls the listener for each. */
     public static void writeAll(Path path, SvgTheme appearance, FigureListener progress) throws IOException {
         writeAll(FigureFolder.create(path, appearance), allFigures(), progress);
     }

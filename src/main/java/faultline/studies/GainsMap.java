@@ -9,7 +9,6 @@ import faultline.paint.chart.Series;
 import faultline.robot.MotorSpec;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -55,14 +54,13 @@ final class GainsMap implements Figure {
                 new Series.Line(
                         "limit of stability", gainLine(kd -> kd / (MotorSpec.DEFAULT.timeConstant() + DELAY)), 1),
                 new Series.Points("chosen", List.of(new Vector2(chosen.proportional(), chosen.derivative())), 1));
-        folder.writeCsv("pd-gains", table);
-        folder.writeSvg(
+        folder.writeChart(
                 "pd-gains",
-                FigureCanvas.drawChart(
-                        new Chart("Gains of the PD controller at 0.3 m/s", KP, KD, series),
-                        520,
-                        420,
-                        String.format(CAPTION, COLUMNS * ROWS)));
+                table,
+                new Chart("Gains of the PD controller at 0.3 m/s", KP, KD, series),
+                520,
+                420,
+                String.format(CAPTION, COLUMNS * ROWS));
     }
 
     private static List<Integer> computeRow(double kd, CsvTable table) {

@@ -9,7 +9,6 @@ import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -81,8 +80,7 @@ final class HypercubeStudy implements Figure {
                 Axis.linear("heading error by theory (degrees)", -18, 1),
                 Axis.linear("heading error (degrees)", -18, 2),
                 series);
-        folder.writeCsv("eq4-hypercube", table);
-        folder.writeSvg("eq4-hypercube", FigureCanvas.drawChart(chart, 480, 400, String.format(CAPTION, TRIALS)));
+        folder.writeChart("eq4-hypercube", table, chart, 480, 400, String.format(CAPTION, TRIALS));
     }
 
     /** Returns the values of all quantities for each trial. */

@@ -48,11 +48,7 @@ final class MotorMismatch implements Figure {
     }
 
     /**
-     * The difference between the true motors and the model.
-     *
-     * @param timeConstant factor of the time constant
-     * @param left factor of the left wheels' speed
-     * @param right factor of the right wheels' speed
+     * The true motors as factors of the model: of the time constant and of the speeds of the left and the right wheels.
      */
     private record Mismatch(double timeConstant, double left, double right) {}
 

@@ -8,7 +8,6 @@ import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -57,9 +56,7 @@ final class NoiseInRandomRooms implements Figure {
                 List.of(
                         new Series.Line("half of the noise", List.of(Vector2.ZERO, new Vector2(10, 5)), 1),
                         new Series.Points("runs", errors, 0)));
-        folder.writeCsv("noise-rooms", table);
-        folder.writeSvg(
-                "noise-rooms", FigureCanvas.drawChart(chart, 480, 360, String.format(CAPTION, ROOMS, errors.size())));
+        folder.writeChart("noise-rooms", table, chart, 480, 360, String.format(CAPTION, ROOMS, errors.size()));
     }
 
     private static RunTrace run(long seed, double noise) {

@@ -10,7 +10,6 @@ import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -57,10 +56,8 @@ final class NoiseWhileFollowing implements Figure {
                 List.of(
                         new Series.Line("half of the noise", List.of(Vector2.ZERO, new Vector2(STEPS, STEPS / 2.0)), 1),
                         new Series.Points("runs", errors, 0)));
-        folder.writeCsv("noise-following", table);
-        folder.writeSvg(
-                "noise-following",
-                FigureCanvas.drawChart(chart, 480, 360, String.format(CAPTION, SCENARIO, errors.size(), SEEDS)));
+        folder.writeChart(
+                "noise-following", table, chart, 480, 360, String.format(CAPTION, SCENARIO, errors.size(), SEEDS));
     }
 
     private static SimulationSetup withNoise(double deviation) {

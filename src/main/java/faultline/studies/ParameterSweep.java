@@ -5,10 +5,8 @@ import faultline.geometry.Vector2;
 import faultline.paint.chart.Axis;
 import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
-import faultline.paint.surface.SvgSurface;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -71,8 +69,7 @@ record ParameterSweep(
                 }
             }
         }
-        folder.writeCsv(name, createTable(points));
-        folder.writeSvg(name, createFigure(points));
+        writeChart(folder, points);
     }
 
     private Optional<TrialPoint> measure(double value, TimingRule timing, int variant) {
@@ -98,7 +95,7 @@ record ParameterSweep(
         return table;
     }
 
-    private SvgSurface createFigure(List<TrialPoint> points) {
+    private void writeChart(FigureFolder folder, List<TrialPoint> points) throws IOException {
         List<TrialPoint> exact = points.stream()
                 .filter(point -> point.timing() == TimingRule.RANGE)
                 .toList();
@@ -127,7 +124,8 @@ record ParameterSweep(
                 Axis.covering(label, values.stream().mapToDouble(value -> value)),
                 Axis.covering("heading error (degrees)", errors),
                 series);
-        return FigureCanvas.drawChart(chart, WIDTH, HEIGHT, String.format(CAPTION, exact.size(), equal.size()));
+        folder.writeChart(
+                name, createTable(points), chart, WIDTH, HEIGHT, String.format(CAPTION, exact.size(), equal.size()));
     }
 
     /** Returns the theory at each value: the mean over its trials. */

@@ -11,14 +11,7 @@ import faultline.world.Collision;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 
-/**
- * Fig. 5: the path of the robot in an environment.
- *
- * @param name the name of the file
- * @param title the title of the figure
- * @param scenario the scenario
- * @param bounds the part of the world that is shown, metres
- */
+/** Fig. 5: the path of the robot in an environment, of which a part is shown, metres. */
 record PathFigure(String name, String title, String scenario, Rectangle2D bounds) implements Figure {
 
     private static final int WIDTH = 560;

@@ -10,11 +10,8 @@ import java.util.List;
 
 /**
  * The PD law and the motors beside a long straight wall: distance and heading are known, and a decision acts at the
- * next tick. The P term is clamped.
- *
- * @param gains the gains of the law
- * @param distanceError the initial distance error, metres, positive if too far
- * @param heading the initial heading, radians towards the wall
+ * next tick. The P term is clamped. The initial distance error, metres, is positive if too far; the heading, radians,
+ * is positive towards the wall.
  */
 record PdLoop(PdGains gains, double distanceError, double heading) {
 

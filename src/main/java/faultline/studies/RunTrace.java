@@ -14,13 +14,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A run with its poses.
- *
- * @param setup the setup
- * @param poses the poses at each tick, from tick 0
- * @param states the states at each tick
- * @param distances the true reading of the left sensor at each tick, metres; infinite for no reading
- * @param result the result of the run
+ * A run with its poses, states and true readings of the left sensor, metres, at each tick from tick 0 on; a reading is
+ * infinite for nothing.
  */
 record RunTrace(
         SimulationSetup setup,

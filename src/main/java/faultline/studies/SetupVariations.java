@@ -36,7 +36,6 @@ final class SetupVariations {
         return withSensors(base, sensor -> sensor.withNoise(deviation));
     }
 
-    /** Returns a robot with a change of all sensors. */
     static RobotSpec withSensors(RobotSpec base, UnaryOperator<SensorSpec> change) {
         return base.withSensors(base.sensors().stream().map(change).toList());
     }

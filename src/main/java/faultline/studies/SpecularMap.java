@@ -10,7 +10,6 @@ import faultline.paint.chart.Series;
 import faultline.sensor.SensorSpec;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
 import faultline.world.Obstacle;
 import java.io.IOException;
@@ -54,14 +53,13 @@ final class SpecularMap implements Figure {
                 visibleBoundary("front sensor sees it", 0, 1),
                 visibleBoundary("a corner sensor sees it", 45, 0),
                 visibleBoundary("", -45, 0));
-        folder.writeCsv("specular-map", table);
-        folder.writeSvg(
+        folder.writeChart(
                 "specular-map",
-                FigureCanvas.drawChart(
-                        new Chart("Glossy walls", SLANT, SPECULAR, series),
-                        520,
-                        420,
-                        String.format(CAPTION, COLUMNS * ROWS)));
+                table,
+                new Chart("Glossy walls", SLANT, SPECULAR, series),
+                520,
+                420,
+                String.format(CAPTION, COLUMNS * ROWS));
     }
 
     /**

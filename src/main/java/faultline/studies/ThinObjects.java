@@ -13,7 +13,6 @@ import faultline.paint.chart.Series;
 import faultline.robot.RobotSpec;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
 import faultline.studies.figure.FigureNumbers;
 import faultline.world.Obstacle;
@@ -58,8 +57,7 @@ final class ThinObjects implements Figure {
                 new Axis("diameter (mm)", 0.4, 60, true),
                 Axis.linear("runs that end at it (%)", 0, 40),
                 series);
-        folder.writeCsv("thin-objects", table);
-        folder.writeSvg("thin-objects", FigureCanvas.drawChart(chart, 480, 360, String.format(CAPTION, POSITIONS)));
+        folder.writeChart("thin-objects", table, chart, 480, 360, String.format(CAPTION, POSITIONS));
     }
 
     private static long collisions(double cone, double diameter) {

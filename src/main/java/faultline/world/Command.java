@@ -7,6 +7,7 @@ import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
+import java.util.function.Function;
 
 /**
  * A change to a running world from outside: by a window, a scenario's timeline or a test. A command is a plain value.
@@ -14,18 +15,18 @@ import faultline.sensor.SensorSpec;
  * unknown, or that would make an obstacle or a larger platform overlap the robot, is refused and changes nothing (see
  * {@link World#execute}).
  *
- * <p>Code that depends on the kind of command implements {@link Visitor}, so that a new command does not compile until
+ * <p>Code that depends on the kind of command gives {@link CommandCases}, so that a new command does not compile until
  * it is handled everywhere.
  */
 public sealed interface Command {
 
     /**
-     * {@return the result of the visitor's method for this kind of command}
+     * {@return the result of the function for this kind of command}
      *
-     * @param visitor the visitor
-     * @param <R> the visitor's result type
+     * @param <R> the type of the result
+     * @param cases a function for each kind
      */
-    <R> R accept(Visitor<R> visitor);
+    <R> R match(CommandCases<R> cases);
 
     /**
      * {@return a robot after this command; the robot itself if the command is about something else}
@@ -37,151 +38,73 @@ public sealed interface Command {
     }
 
     /**
-     * An operation with one method for each kind of command.
+     * A function for each kind of command.
      *
-     * @param <R> the result type
+     * @param <R> the type of the results
+     * @param switchSensor for a switched sensor
+     * @param configureSensor for settings of a sensor
+     * @param injectFault for a fault of a sensor
+     * @param clearFault for a repair of a sensor
+     * @param clearFaults for the repair of all faults of a sensor
+     * @param injectMotorFault for a fault of motors
+     * @param clearMotorFault for a repair of motors
+     * @param clearMotorFaults for the repair of all faults of motors
+     * @param moveObstacle for a moved obstacle
+     * @param placeObstacle for a new or replaced obstacle
+     * @param removeObstacle for a removed obstacle
+     * @param setPlatform for settings of the platform
+     * @param configureController for settings of the controller
      */
-    interface Visitor<R> {
-        /**
-         * {@return the result for a {@link SwitchSensor}}
-         *
-         * @param command the command to visit
-         */
-        R visit(SwitchSensor command);
+    record CommandCases<R>(
+            Function<SwitchSensor, R> switchSensor,
+            Function<ConfigureSensor, R> configureSensor,
+            Function<InjectFault, R> injectFault,
+            Function<ClearFault, R> clearFault,
+            Function<ClearFaults, R> clearFaults,
+            Function<InjectMotorFault, R> injectMotorFault,
+            Function<ClearMotorFault, R> clearMotorFault,
+            Function<ClearMotorFaults, R> clearMotorFaults,
+            Function<MoveObstacle, R> moveObstacle,
+            Function<PlaceObstacle, R> placeObstacle,
+            Function<RemoveObstacle, R> removeObstacle,
+            Function<SetPlatform, R> setPlatform,
+            Function<ConfigureController, R> configureController) {
 
         /**
-         * {@return the result for a {@link ConfigureSensor}}
+         * {@return functions for the commands that change the setup, and one for all others, which belong to a time of
+         * the run: switches of sensors, faults and repairs}
          *
-         * @param command the command to visit
+         * @param <R> the type of the results
+         * @param timed for a command that belongs to a time of the run
+         * @param configureSensor for settings of a sensor
+         * @param moveObstacle for a moved obstacle
+         * @param placeObstacle for a new or replaced obstacle
+         * @param removeObstacle for a removed obstacle
+         * @param setPlatform for settings of the platform
+         * @param configureController for settings of the controller
          */
-        R visit(ConfigureSensor command);
-
-        /**
-         * {@return the result for a {@link InjectFault}}
-         *
-         * @param command the command to visit
-         */
-        R visit(InjectFault command);
-
-        /**
-         * {@return the result for a {@link ClearFault}}
-         *
-         * @param command the command to visit
-         */
-        R visit(ClearFault command);
-
-        /**
-         * {@return the result for a {@link ClearFaults}}
-         *
-         * @param command the command to visit
-         */
-        R visit(ClearFaults command);
-
-        /**
-         * {@return the result for a {@link InjectMotorFault}}
-         *
-         * @param command the command to visit
-         */
-        R visit(InjectMotorFault command);
-
-        /**
-         * {@return the result for a {@link ClearMotorFault}}
-         *
-         * @param command the command to visit
-         */
-        R visit(ClearMotorFault command);
-
-        /**
-         * {@return the result for a {@link ClearMotorFaults}}
-         *
-         * @param command the command to visit
-         */
-        R visit(ClearMotorFaults command);
-
-        /**
-         * {@return the result for a {@link MoveObstacle}}
-         *
-         * @param command the command to visit
-         */
-        R visit(MoveObstacle command);
-
-        /**
-         * {@return the result for a {@link PlaceObstacle}}
-         *
-         * @param command the command to visit
-         */
-        R visit(PlaceObstacle command);
-
-        /**
-         * {@return the result for a {@link RemoveObstacle}}
-         *
-         * @param command the command to visit
-         */
-        R visit(RemoveObstacle command);
-
-        /**
-         * {@return the result for a {@link SetPlatform}}
-         *
-         * @param command the command to visit
-         */
-        R visit(SetPlatform command);
-
-        /**
-         * {@return the result for a {@link ConfigureController}}
-         *
-         * @param command the command to visit
-         */
-        R visit(ConfigureController command);
-    }
-
-    /**
-     * A visitor of the commands that change the setup. The others, which belong to a time of the run, are visited
-     * alike: switches of sensors, faults and repairs.
-     *
-     * @param <R> the result type
-     */
-    interface SetupVisitor<R> extends Visitor<R> {
-
-        /**
-         * {@return the result for a command that belongs to a time of the run}
-         *
-         * @param command the command
-         */
-        R visitTimed(Command command);
-
-        @Override
-        default R visit(SwitchSensor command) {
-            return visitTimed(command);
-        }
-
-        @Override
-        default R visit(InjectFault command) {
-            return visitTimed(command);
-        }
-
-        @Override
-        default R visit(ClearFault command) {
-            return visitTimed(command);
-        }
-
-        @Override
-        default R visit(ClearFaults command) {
-            return visitTimed(command);
-        }
-
-        @Override
-        default R visit(InjectMotorFault command) {
-            return visitTimed(command);
-        }
-
-        @Override
-        default R visit(ClearMotorFault command) {
-            return visitTimed(command);
-        }
-
-        @Override
-        default R visit(ClearMotorFaults command) {
-            return visitTimed(command);
+        public static <R> CommandCases<R> ofSetup(
+                Function<Command, R> timed,
+                Function<ConfigureSensor, R> configureSensor,
+                Function<MoveObstacle, R> moveObstacle,
+                Function<PlaceObstacle, R> placeObstacle,
+                Function<RemoveObstacle, R> removeObstacle,
+                Function<SetPlatform, R> setPlatform,
+                Function<ConfigureController, R> configureController) {
+            return new CommandCases<>(
+                    timed::apply,
+                    configureSensor,
+                    timed::apply,
+                    timed::apply,
+                    timed::apply,
+                    timed::apply,
+                    timed::apply,
+                    timed::apply,
+                    moveObstacle,
+                    placeObstacle,
+                    removeObstacle,
+                    setPlatform,
+                    configureController);
         }
     }
 
@@ -193,8 +116,8 @@ public sealed interface Command {
      */
     record SwitchSensor(String sensor, boolean on) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.switchSensor.apply(this);
         }
 
         @Override
@@ -212,8 +135,8 @@ public sealed interface Command {
      */
     record ConfigureSensor(SensorSpec sensor) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.configureSensor.apply(this);
         }
 
         @Override
@@ -230,8 +153,8 @@ public sealed interface Command {
      */
     record InjectFault(String sensor, Fault fault) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.injectFault.apply(this);
         }
     }
 
@@ -243,8 +166,8 @@ public sealed interface Command {
      */
     record ClearFault(String sensor, Fault fault) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.clearFault.apply(this);
         }
     }
 
@@ -255,8 +178,8 @@ public sealed interface Command {
      */
     record ClearFaults(String sensor) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.clearFaults.apply(this);
         }
     }
 
@@ -268,8 +191,8 @@ public sealed interface Command {
      */
     record InjectMotorFault(MotorSide motor, MotorFault fault) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.injectMotorFault.apply(this);
         }
     }
 
@@ -281,8 +204,8 @@ public sealed interface Command {
      */
     record ClearMotorFault(MotorSide motor, MotorFault fault) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.clearMotorFault.apply(this);
         }
     }
 
@@ -293,8 +216,8 @@ public sealed interface Command {
      */
     record ClearMotorFaults(MotorSide motor) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.clearMotorFaults.apply(this);
         }
     }
 
@@ -307,8 +230,8 @@ public sealed interface Command {
      */
     record MoveObstacle(String obstacle, Pose pose) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.moveObstacle.apply(this);
         }
     }
 
@@ -319,8 +242,8 @@ public sealed interface Command {
      */
     record PlaceObstacle(Obstacle obstacle) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.placeObstacle.apply(this);
         }
     }
 
@@ -331,8 +254,8 @@ public sealed interface Command {
      */
     record RemoveObstacle(String obstacle) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.removeObstacle.apply(this);
         }
     }
 
@@ -357,8 +280,8 @@ public sealed interface Command {
         }
 
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.setPlatform.apply(this);
         }
 
         @Override
@@ -375,8 +298,8 @@ public sealed interface Command {
      */
     record ConfigureController(ControllerSpec.BuiltIn controller) implements Command {
         @Override
-        public <R> R accept(Visitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(CommandCases<R> cases) {
+            return cases.configureController.apply(this);
         }
     }
 }

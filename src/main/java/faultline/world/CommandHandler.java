@@ -6,6 +6,7 @@ import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
+import faultline.world.Command.CommandCases;
 import faultline.world.Refusal.Reason;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,7 +17,7 @@ import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 
 /** Executes commands on the world, or refuses them, and finds their inverses. */
-final class CommandHandler implements Command.Visitor<CommandResult> {
+final class CommandHandler {
 
     private final WorldSpec spec;
     private final ObstacleSet obstacles;
@@ -24,6 +25,20 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
     private final SensorArray sensors;
     private final MotionStep motionStep;
     private final LongSupplier tick;
+    private final CommandCases<CommandResult> cases = new CommandCases<>(
+            this::switchSensor,
+            this::configureSensor,
+            this::injectFault,
+            this::clearFault,
+            this::clearFaults,
+            this::injectMotorFault,
+            this::clearMotorFault,
+            this::clearMotorFaults,
+            this::moveObstacle,
+            this::placeObstacle,
+            this::removeObstacle,
+            this::setPlatform,
+            this::configureController);
 
     CommandHandler(
             WorldSpec spec,
@@ -40,6 +55,11 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
         this.tick = tick;
     }
 
+    /** Executes a command, or refuses it. */
+    CommandResult execute(Command command) {
+        return command.match(cases);
+    }
+
     private CommandResult executed(Command command, Command... inverse) {
         return new CommandResult.Executed(tick.getAsLong(), command, List.of(inverse));
     }
@@ -48,52 +68,44 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
         return new CommandResult.Refused(tick.getAsLong(), command, new Refusal(reason, subject));
     }
 
-    @Override
-    public CommandResult visit(Command.SwitchSensor command) {
+    private CommandResult switchSensor(Command.SwitchSensor command) {
         return withSensor(command, command.sensor(), (index, old) -> {
             updateRobot(command.appliedTo(body.spec()));
             return executed(command, new Command.SwitchSensor(old.id(), old.on()));
         });
     }
 
-    @Override
-    public CommandResult visit(Command.ConfigureSensor command) {
+    private CommandResult configureSensor(Command.ConfigureSensor command) {
         return withSensor(command, command.sensor().id(), (index, old) -> {
             updateRobot(command.appliedTo(body.spec()));
             return executed(command, new Command.ConfigureSensor(old));
         });
     }
 
-    @Override
-    public CommandResult visit(Command.InjectFault command) {
+    private CommandResult injectFault(Command.InjectFault command) {
         return withFaults(command, command.sensor(), faults -> faults.add(command.fault()));
     }
 
-    @Override
-    public CommandResult visit(Command.ClearFault command) {
+    private CommandResult clearFault(Command.ClearFault command) {
         return withFaults(command, command.sensor(), faults -> faults.remove(command.fault()));
     }
 
-    @Override
-    public CommandResult visit(Command.ClearFaults command) {
+    private CommandResult clearFaults(Command.ClearFaults command) {
         return withFaults(command, command.sensor(), faults -> {
             faults.clear();
             return true;
         });
     }
 
-    @Override
-    public CommandResult visit(Command.InjectMotorFault command) {
+    private CommandResult injectMotorFault(Command.InjectMotorFault command) {
         return withMotorFaults(command, command.motor(), faults -> faults.add(command.fault()));
     }
 
-    @Override
-    public CommandResult visit(Command.ClearMotorFault command) {
+    private CommandResult clearMotorFault(Command.ClearMotorFault command) {
         return withMotorFaults(command, command.motor(), faults -> faults.remove(command.fault()));
     }
 
-    @Override
-    public CommandResult visit(Command.ClearMotorFaults command) {
+    private CommandResult clearMotorFaults(Command.ClearMotorFaults command) {
         return withMotorFaults(command, command.motor(), faults -> {
             faults.clear();
             return true;
@@ -139,8 +151,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
         sensors.configure(changed);
     }
 
-    @Override
-    public CommandResult visit(Command.MoveObstacle command) {
+    private CommandResult moveObstacle(Command.MoveObstacle command) {
         return withObstacle(command, command.obstacle(), placed -> {
             Obstacle old = placed.obstacle();
             if (ObstacleSet.isClear(body.box(), ObstacleGeometry.of(old.withPose(command.pose())))) {
@@ -156,8 +167,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
         return obstacles.find(id).map(change).orElseGet(() -> refused(command, Reason.UNKNOWN_OBSTACLE, id));
     }
 
-    @Override
-    public CommandResult visit(Command.PlaceObstacle command) {
+    private CommandResult placeObstacle(Command.PlaceObstacle command) {
         Obstacle obstacle = command.obstacle();
         if (obstacle.id().equals(WorldSpec.ENCLOSURE)) {
             return refused(command, Reason.RESERVED_ID, WorldSpec.ENCLOSURE);
@@ -182,8 +192,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
                 .count();
     }
 
-    @Override
-    public CommandResult visit(Command.RemoveObstacle command) {
+    private CommandResult removeObstacle(Command.RemoveObstacle command) {
         return withObstacle(command, command.obstacle(), placed -> {
             Command inverse = new Command.PlaceObstacle(placed.obstacle());
             obstacles.remove(placed);
@@ -191,8 +200,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
         });
     }
 
-    @Override
-    public CommandResult visit(Command.SetPlatform command) {
+    private CommandResult setPlatform(Command.SetPlatform command) {
         RobotSpec old = body.spec();
         if (command.length() > old.length() || command.width() > old.width()) {
             Optional<String> obstruction =
@@ -206,8 +214,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
     }
 
     /** Changes nothing in the world; the simulation passes the settings on. */
-    @Override
-    public CommandResult visit(Command.ConfigureController command) {
+    private CommandResult configureController(Command.ConfigureController command) {
         return executed(command);
     }
 }

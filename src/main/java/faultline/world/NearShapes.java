@@ -53,11 +53,8 @@ final class NearShapes {
     }
 
     /**
-     * Adds a shape.
-     *
-     * @param shape the shape
-     * @param tangent the tangent of the greatest angle of incidence at which it is sensed; positive infinity for all
-     * @param lowerBound its distance is at least this, metres
+     * Adds a shape with the tangent of the greatest angle of incidence at which it is sensed, positive infinity for
+     * all, and a lower bound of its distance, metres.
      */
     void add(ConvexShape shape, double tangent, double lowerBound) {
         if (size == entries.length) {

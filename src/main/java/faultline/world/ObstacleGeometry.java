@@ -41,9 +41,8 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         return of(obstacle.shape(), RigidMotion.of(obstacle.pose()));
     }
 
-    /** Returns the geometry of a shape in a frame. */
     static ObstacleGeometry of(ObstacleShape shape, RigidMotion frame) {
-        return new ObstacleGeometry(shape.accept(new Placement(frame, Vector2.ZERO, NO_LIMIT)), shape, frame);
+        return new ObstacleGeometry(new Placement(frame, Vector2.ZERO, NO_LIMIT).partsOf(shape), shape, frame);
     }
 
     /**
@@ -54,7 +53,7 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         RigidMotion frame = RigidMotion.of(obstacle.pose());
         // Rounding must not hide a segment that just reaches.
         Placement placement = new Placement(frame, frame.toLocal(point), distance + 1e-6);
-        return new ObstacleGeometry(obstacle.shape().accept(placement), obstacle.shape(), frame);
+        return new ObstacleGeometry(placement.partsOf(obstacle.shape()), obstacle.shape(), frame);
     }
 
     /**
@@ -66,42 +65,21 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         return shape.contains(frame.toLocal(point));
     }
 
-    /** Returns the parts of a shape in a frame; of segments, only those near a point of the shape's own frame. */
-    private record Placement(RigidMotion frame, Vector2 centre, double reach)
-            implements ObstacleShape.ShapeVisitor<List<ConvexShape>> {
+    /** The frame of a shape; of its segments, only those near a point of the shape's own frame are wanted. */
+    private record Placement(RigidMotion frame, Vector2 centre, double reach) {
 
-        @Override
-        public List<ConvexShape> visit(ObstacleShape.RectangleShape shape) {
-            return segments(shape.corners(), true);
-        }
-
-        @Override
-        public List<ConvexShape> visit(ObstacleShape.CircleShape shape) {
-            return List.of(new Disc(frame.x(), frame.y(), shape.radius()));
-        }
-
-        @Override
-        public List<ConvexShape> visit(ObstacleShape.EllipseShape shape) {
-            return List.of(new Ellipse(frame, shape.rx(), shape.ry()));
-        }
-
-        @Override
-        public List<ConvexShape> visit(ObstacleShape.PolygonShape shape) {
-            return segments(shape.points(), true);
-        }
-
-        @Override
-        public List<ConvexShape> visit(ObstacleShape.WallShape shape) {
-            return segments(shape.points(), false);
-        }
-
-        @Override
-        public List<ConvexShape> visit(ObstacleShape.PlanShape shape) {
-            RingList points = shape.points();
-            if (reach < NO_LIMIT) {
-                return List.of(points.segments(frame, points.sidesNear(centre, reach)));
-            }
-            return List.of(points.segments(frame));
+        List<ConvexShape> partsOf(ObstacleShape shape) {
+            return shape.match(new ObstacleShape.ShapeCases<>(
+                    rectangle -> segments(rectangle.corners(), true),
+                    circle -> List.of(new Disc(frame.x(), frame.y(), circle.radius())),
+                    ellipse -> List.of(new Ellipse(frame, ellipse.rx(), ellipse.ry())),
+                    polygon -> segments(polygon.points(), true),
+                    wall -> segments(wall.points(), false),
+                    plan -> List.of(
+                            reach < NO_LIMIT
+                                    ? plan.points()
+                                            .segments(frame, plan.points().sidesNear(centre, reach))
+                                    : plan.points().segments(frame))));
         }
 
         private List<ConvexShape> segments(List<Vector2> points, boolean closed) {

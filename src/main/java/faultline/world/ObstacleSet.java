@@ -74,7 +74,6 @@ final class ObstacleSet {
                 new Segment(0, 0, w, 0), new Segment(w, 0, w, h), new Segment(w, h, 0, h), new Segment(0, h, 0, 0));
     }
 
-    /** Returns the static shapes of a world. */
     static CandidateBuffer staticShapes(WorldSpec spec) {
         CandidateBuffer shapes = new CandidateBuffer();
         addEnclosure(spec, shapes);

@@ -2,20 +2,21 @@ package faultline.world;
 
 import faultline.geometry.Vector2;
 import java.util.List;
+import java.util.function.Function;
 
 /**
  * The shape of an obstacle in its own frame. All shapes except the wall are solid. Code that depends on the kind of
- * shape implements {@link ShapeVisitor}, so that a new shape does not compile until it is handled everywhere.
+ * shape gives {@link ShapeCases}, so that a new shape does not compile until it is handled everywhere.
  */
 public sealed interface ObstacleShape {
 
     /**
-     * {@return the result of the visitor's method for this kind of shape}
+     * {@return the result of the function for this kind of shape}
      *
      * @param <R> the type of the result
-     * @param visitor the visitor
+     * @param cases a function for each kind
      */
-    <R> R accept(ShapeVisitor<R> visitor);
+    <R> R match(ShapeCases<R> cases);
 
     /**
      * {@return whether a point of the obstacle's frame is inside; a point on the outline may give either result}
@@ -33,53 +34,23 @@ public sealed interface ObstacleShape {
     double boundingRadius();
 
     /**
-     * An operation with one method for each kind of shape.
+     * A function for each kind of shape.
      *
-     * @param <R> the result type
+     * @param <R> the type of the results
+     * @param rectangle for a rectangle
+     * @param circle for a circle
+     * @param ellipse for an ellipse
+     * @param polygon for a polygon
+     * @param wall for a wall
+     * @param plan for a floor plan
      */
-    interface ShapeVisitor<R> {
-        /**
-         * {@return the result for a {@link RectangleShape}}
-         *
-         * @param shape the shape to visit
-         */
-        R visit(RectangleShape shape);
-
-        /**
-         * {@return the result for a {@link CircleShape}}
-         *
-         * @param shape the shape to visit
-         */
-        R visit(CircleShape shape);
-
-        /**
-         * {@return the result for a {@link EllipseShape}}
-         *
-         * @param shape the shape to visit
-         */
-        R visit(EllipseShape shape);
-
-        /**
-         * {@return the result for a {@link PolygonShape}}
-         *
-         * @param shape the shape to visit
-         */
-        R visit(PolygonShape shape);
-
-        /**
-         * {@return the result for a {@link WallShape}}
-         *
-         * @param shape the shape to visit
-         */
-        R visit(WallShape shape);
-
-        /**
-         * {@return the result for a {@link PlanShape}}
-         *
-         * @param shape the shape to visit
-         */
-        R visit(PlanShape shape);
-    }
+    record ShapeCases<R>(
+            Function<RectangleShape, R> rectangle,
+            Function<CircleShape, R> circle,
+            Function<EllipseShape, R> ellipse,
+            Function<PolygonShape, R> polygon,
+            Function<WallShape, R> wall,
+            Function<PlanShape, R> plan) {}
 
     /**
      * A rectangle about the origin.
@@ -101,8 +72,8 @@ public sealed interface ObstacleShape {
         }
 
         @Override
-        public <R> R accept(ShapeVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ShapeCases<R> cases) {
+            return cases.rectangle.apply(this);
         }
 
         @Override
@@ -140,8 +111,8 @@ public sealed interface ObstacleShape {
         }
 
         @Override
-        public <R> R accept(ShapeVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ShapeCases<R> cases) {
+            return cases.circle.apply(this);
         }
 
         @Override
@@ -180,8 +151,8 @@ public sealed interface ObstacleShape {
         }
 
         @Override
-        public <R> R accept(ShapeVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ShapeCases<R> cases) {
+            return cases.ellipse.apply(this);
         }
 
         @Override
@@ -217,8 +188,8 @@ public sealed interface ObstacleShape {
         }
 
         @Override
-        public <R> R accept(ShapeVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ShapeCases<R> cases) {
+            return cases.polygon.apply(this);
         }
 
         @Override
@@ -249,8 +220,8 @@ public sealed interface ObstacleShape {
         }
 
         @Override
-        public <R> R accept(ShapeVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ShapeCases<R> cases) {
+            return cases.wall.apply(this);
         }
 
         @Override
@@ -303,8 +274,8 @@ public sealed interface ObstacleShape {
         }
 
         @Override
-        public <R> R accept(ShapeVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ShapeCases<R> cases) {
+            return cases.plan.apply(this);
         }
 
         @Override

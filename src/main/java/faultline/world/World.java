@@ -71,7 +71,7 @@ public final class World {
      * @return the inverse of the command, or why it was refused
      */
     public CommandResult execute(Command command) {
-        CommandResult result = command.accept(commandHandler);
+        CommandResult result = commandHandler.execute(command);
         motionStep.pollContact().ifPresent(contact -> recordCollision(contact, tick, tick * dt));
         return result;
     }

@@ -96,46 +96,17 @@ class WorldValuesTest {
     }
 
     /** Names the commands that belong to a time of the run, and those that change the setup. */
-    private static final class Kinds implements Command.SetupVisitor<String> {
-
-        @Override
-        public String visitTimed(Command command) {
-            return "timed";
-        }
-
-        @Override
-        public String visit(Command.ConfigureSensor command) {
-            return "sensor";
-        }
-
-        @Override
-        public String visit(Command.MoveObstacle command) {
-            return "move";
-        }
-
-        @Override
-        public String visit(Command.PlaceObstacle command) {
-            return "place";
-        }
-
-        @Override
-        public String visit(Command.RemoveObstacle command) {
-            return "remove";
-        }
-
-        @Override
-        public String visit(Command.SetPlatform command) {
-            return "platform";
-        }
-
-        @Override
-        public String visit(Command.ConfigureController command) {
-            return "controller";
-        }
-    }
+    private static final Command.CommandCases<String> KINDS = Command.CommandCases.ofSetup(
+            timed -> "timed",
+            configureSensor -> "sensor",
+            moveObstacle -> "move",
+            placeObstacle -> "place",
+            removeObstacle -> "remove",
+            setPlatform -> "platform",
+            configureController -> "controller");
 
     @Test
-    void commandsOfATimeAreVisitedAlikeAndTheOthersByTheirKind() {
+    void commandsOfATimeAreMatchedAlikeAndTheOthersByTheirKind() {
         SensorSpec front = RobotSpec.DEFAULT.sensors().get(0);
         List<Command> timed = List.of(
                 new Command.SwitchSensor("front", false),
@@ -145,7 +116,7 @@ class WorldValuesTest {
                 new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.NoDrive()),
                 new Command.ClearMotorFault(MotorSide.LEFT, new MotorFault.NoDrive()),
                 new Command.ClearMotorFaults(MotorSide.LEFT));
-        timed.forEach(command -> assertEquals("timed", command.accept(new Kinds())));
+        timed.forEach(command -> assertEquals("timed", command.match(KINDS)));
         List<Command> others = List.of(
                 new Command.ConfigureSensor(front),
                 new Command.MoveObstacle("desk", Pose.ORIGIN),
@@ -155,7 +126,7 @@ class WorldValuesTest {
                 new Command.ConfigureController(ControllerSpec.WallFollowing.DEFAULT));
         assertEquals(
                 List.of("sensor", "move", "place", "remove", "platform", "controller"),
-                others.stream().map(command -> command.accept(new Kinds())).toList());
+                others.stream().map(command -> command.match(KINDS)).toList());
     }
 
     @Test

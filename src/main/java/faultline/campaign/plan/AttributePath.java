@@ -56,10 +56,8 @@ record AttributePath(List<PathStep> steps, String attribute) {
     }
 
     /**
-     * An element by its name and its id or number.
-     *
-     * @param element the element's name
-     * @param key its id, or its number among the elements with its name, from 1; empty for the only one
+     * An element by its name, and its id or its number among the elements with its name, from 1; empty for the only
+     * one.
      */
     record PathStep(String element, String key) {}
 

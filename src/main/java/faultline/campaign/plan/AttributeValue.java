@@ -21,12 +21,7 @@ sealed interface AttributeValue {
         }
     }
 
-    /**
-     * A text that is drawn.
-     *
-     * @param stream the name of the random numbers; draws of the same stream are equal in all runs of a block
-     * @param range the set of values
-     */
+    /** A text that is drawn from a range. Draws of the same stream are equal in all runs of a block. */
     record DrawnValue(String stream, DrawRange range) implements AttributeValue {
         @Override
         public String text(UniformSource numbers, long block) {

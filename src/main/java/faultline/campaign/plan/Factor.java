@@ -16,12 +16,7 @@ record Factor(FactorKind kind, List<Column> columns, List<Level> levels) {
         levels = List.copyOf(levels);
     }
 
-    /**
-     * One level of a factor.
-     *
-     * @param cells the values in the factor's columns
-     * @param edits the changes of the scenario
-     */
+    /** One level of a factor: the values in its columns, and the changes of the scenario. */
     record Level(List<AttributeValue> cells, List<ScenarioChange> edits) {
         Level {
             cells = List.copyOf(cells);

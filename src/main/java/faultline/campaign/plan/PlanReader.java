@@ -38,12 +38,8 @@ final class PlanReader {
     }
 
     /**
-     * Reads a plan.
-     *
-     * @param name the name of the file in problems
-     * @param bytes the content of the file
-     * @param resolver the source of the scenarios that the plan names
-     * @throws ScenarioException with all problems
+     * Reads a plan, given the name of its file in problems, its content, and the source of the scenarios that it names.
+     * Throws an exception with all problems.
      */
     static CampaignPlan read(String name, byte[] bytes, PlanFiles.Resolver resolver) throws ScenarioException {
         Problems problems = new Problems(name);

@@ -22,13 +22,7 @@ sealed interface WorldSource {
     /** Returns the scenario of a world as a tree of elements. */
     XmlElement root(int index);
 
-    /**
-     * A scenario file.
-     *
-     * @param label its name in {@code runs.csv}
-     * @param file the name of the file in the plan
-     * @param tree the whole file
-     */
+    /** A scenario file: its name in {@code runs.csv}, its name in the plan, and its content. */
     record ScenarioFile(String label, String file, XmlElement tree) implements WorldSource {
         @Override
         public int count() {
@@ -46,13 +40,7 @@ sealed interface WorldSource {
         }
     }
 
-    /**
-     * Generated rooms.
-     *
-     * @param first the seed of the first room; the next rooms have the next seeds
-     * @param count the number of rooms
-     * @param rules the rules for their corners and visitors
-     */
+    /** Generated rooms with consecutive seeds, and the rules for their corners and visitors. */
     record Rooms(long first, int count, RoomRules rules) implements WorldSource {
         @Override
         public String label(int index) {

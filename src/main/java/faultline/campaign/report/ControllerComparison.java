@@ -66,10 +66,7 @@ public final class ControllerComparison {
     /** {@return one line for each controller under a header, in columns} */
     public List<String> lines() {
         List<List<String>> table = new ArrayList<>();
-        table.add(Stream.concat(
-                        Stream.of("controller", "runs"),
-                        Arrays.stream(Metric.values()).map(Metric::column))
-                .toList());
+        table.add(header());
         controllers.forEach(controller -> table.add(cells(controller)));
         int columns = table.get(0).size();
         int[] widths = new int[columns];
@@ -84,6 +81,13 @@ public final class ControllerComparison {
                     }
                     return line.toString().stripTrailing();
                 })
+                .toList();
+    }
+
+    private static List<String> header() {
+        return Stream.concat(
+                        Stream.of("controller", "runs"),
+                        Arrays.stream(Metric.values()).map(Metric::column))
                 .toList();
     }
 
@@ -113,17 +117,13 @@ public final class ControllerComparison {
     }
 
     private String numbers() {
-        List<String> header = Stream.concat(
-                        Stream.of("controller", "runs"),
-                        Arrays.stream(Metric.values()).map(Metric::column))
-                .toList();
         List<List<String>> rows = controllers.stream()
                 .map(controller -> cells(controller).stream().map(Html::escape).toList())
                 .toList();
         return Html.section(
                 "Numbers",
                 Html.paragraph("Means over the seeds with their 95 % confidence intervals.")
-                        + Html.table("numbers", header, rows));
+                        + Html.table("numbers", header(), rows));
     }
 
     private String spread() {

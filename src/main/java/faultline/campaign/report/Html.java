@@ -73,12 +73,13 @@ final class Html {
         if (survival.n() == 0) {
             return "&ndash;";
         }
-        return "<b>" + percent(survival.share()) + "</b> <small>"
-                + format(
-                        "%.0f&ndash;%.0f",
-                        100 * survival.interval().low(),
-                        100 * survival.interval().high()) + "; n "
-                + survival.n() + "</small>";
+        return "<b>" + percent(survival.share()) + "</b> " + interval(survival);
+    }
+
+    private static String interval(Survival survival) {
+        double low = 100 * survival.interval().low();
+        double high = 100 * survival.interval().high();
+        return format("<small>%.0f&ndash;%.0f; n %d</small>", low, high, survival.n());
     }
 
     /** Returns a cell with a share, coloured by it. */
@@ -90,12 +91,7 @@ final class Html {
                 ? format("rgba(0,150,160,%.2f)", (survival.share() - 0.5) * 0.9)
                 : format("rgba(225,110,0,%.2f)", (0.5 - survival.share()) * 0.9);
         return "<td style=\"background:" + colour + "\"><b>" + percent(survival.share()) + "</b>"
-                + ReportCharts.intervalBar(survival) + "<small>"
-                + format(
-                        "%.0f&ndash;%.0f",
-                        100 * survival.interval().low(),
-                        100 * survival.interval().high()) + "; n "
-                + survival.n() + "</small></td>";
+                + ReportCharts.intervalBar(survival) + interval(survival) + "</td>";
     }
 
     /** Returns a number to three digits. */

@@ -53,11 +53,8 @@ public record Interval(double low, double high) {
     }
 
     /**
-     * Returns the interval of a mean by Student's t.
-     *
-     * @param mean the mean
-     * @param deviation the standard deviation of one observation
-     * @param n the number of independent observations; with fewer than two the interval is unbounded
+     * Returns the interval of a mean of independent observations by Student's t, given the standard deviation of one
+     * observation; it is unbounded with fewer than two.
      */
     static Interval mean(double mean, double deviation, int n) {
         if (n < 2) {

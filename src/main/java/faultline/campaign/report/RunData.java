@@ -50,11 +50,7 @@ final class RunData {
         damagedRows.remove(Integer.valueOf(number));
     }
 
-    /**
-     * Reads a table.
-     *
-     * @throws IOException if a row cannot be used
-     */
+    /** Reads a table. Throws an exception if a row cannot be used. */
     static RunData read(CampaignPlan plan, Path table) throws IOException {
         checkLines(table);
         try (BufferedReader in = Files.newBufferedReader(table)) {

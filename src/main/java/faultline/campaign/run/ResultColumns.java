@@ -157,7 +157,6 @@ public final class ResultColumns {
         return Csv.row(of(plan).stream().map(Column::name).toList());
     }
 
-    /** Returns the row of a run. */
     static String row(PlannedRun run, RunResult result, CarryOnMetrics carry, DiagnosisMetrics diagnosis) {
         List<String> cells = leadingCells(run);
         Measures measures = new Measures(result, carry, diagnosis);

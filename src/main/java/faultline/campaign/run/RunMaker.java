@@ -23,13 +23,8 @@ final class RunMaker {
     private final WallCircuits circuits = new WallCircuits();
 
     /**
-     * A completed run.
-     *
-     * @param index the index of the run
-     * @param row the row of {@code runs.csv}
-     * @param broken whether the run failed
-     * @param ticks the number of ticks
-     * @param seconds the elapsed time, seconds
+     * A completed run: its index, its row of {@code runs.csv}, whether it failed, its number of ticks, and the elapsed
+     * time, seconds.
      */
     record MadeRun(long index, String row, boolean broken, long ticks, double seconds) {}
 

@@ -40,11 +40,8 @@ final class RunTable implements Closeable {
     private boolean dirty;
 
     /**
-     * Opens the tables of a folder.
-     *
-     * @param header the header of {@code runs.csv}
-     * @param first the first run of this part
-     * @param end the run after the last one
+     * Opens the tables of a folder for this part, which ends before the run {@code end}; the header is that of
+     * {@code runs.csv}.
      */
     RunTable(CampaignFolder folder, String header, long first, long end) throws IOException {
         next = first;
@@ -102,7 +99,6 @@ final class RunTable implements Closeable {
         }
     }
 
-    /** Returns the next run. */
     long next() {
         return next;
     }

@@ -33,14 +33,7 @@ public final class WorstRuns {
     private final CampaignPlan plan;
     private final CampaignFolder folder;
 
-    /**
-     * The values of a row that are compared.
-     *
-     * @param run its number
-     * @param outcome its outcome
-     * @param share the share of the wall that was passed
-     * @param simulatedSeconds its duration, seconds
-     */
+    /** The values of a row that are compared; the duration in seconds. */
     private record Candidate(long run, Outcome outcome, double share, double simulatedSeconds) {}
 
     WorstRuns(CampaignPlan plan, CampaignFolder folder) {

@@ -4,6 +4,7 @@ import faultline.control.ControllerState;
 import faultline.io.DecimalText;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
@@ -37,18 +38,18 @@ public record Expectation(List<Condition> conditions) {
     }
 
     /**
-     * A condition on the result of a run. Code that depends on the kind of condition implements
-     * {@link ConditionVisitor}, so that a new kind does not compile until it is handled everywhere.
+     * A condition on the result of a run. Code that depends on the kind of condition gives {@link ConditionCases}, so
+     * that a new kind does not compile until it is handled everywhere.
      */
     public sealed interface Condition {
 
         /**
-         * {@return the result of the visitor's method for this kind of condition}
+         * {@return the result of the function for this kind of condition}
          *
-         * @param visitor the visitor
-         * @param <R> the visitor's result type
+         * @param <R> the type of the result
+         * @param cases a function for each kind
          */
-        <R> R accept(ConditionVisitor<R> visitor);
+        <R> R match(ConditionCases<R> cases);
 
         /**
          * {@return a sentence on what the run did not hold; empty if the condition is met}
@@ -67,46 +68,21 @@ public record Expectation(List<Condition> conditions) {
     }
 
     /**
-     * An operation with one method for each kind of condition.
+     * A function for each kind of condition.
      *
-     * @param <R> the result type
+     * @param <R> the type of the results
+     * @param collides for whether the robot collides
+     * @param minCoverage for the smallest share of the wall
+     * @param maxDistanceRms for the greatest distance error
+     * @param visitedState for a state on the way
+     * @param finalState for the last state
      */
-    public interface ConditionVisitor<R> {
-        /**
-         * {@return the result for a {@link Collides}}
-         *
-         * @param condition the condition to visit
-         */
-        R visit(Collides condition);
-
-        /**
-         * {@return the result for a {@link MinCoverage}}
-         *
-         * @param condition the condition to visit
-         */
-        R visit(MinCoverage condition);
-
-        /**
-         * {@return the result for a {@link MaxDistanceRms}}
-         *
-         * @param condition the condition to visit
-         */
-        R visit(MaxDistanceRms condition);
-
-        /**
-         * {@return the result for a {@link VisitedState}}
-         *
-         * @param condition the condition to visit
-         */
-        R visit(VisitedState condition);
-
-        /**
-         * {@return the result for a {@link FinalState}}
-         *
-         * @param condition the condition to visit
-         */
-        R visit(FinalState condition);
-    }
+    public record ConditionCases<R>(
+            Function<Collides, R> collides,
+            Function<MinCoverage, R> minCoverage,
+            Function<MaxDistanceRms, R> maxDistanceRms,
+            Function<VisitedState, R> visitedState,
+            Function<FinalState, R> finalState) {}
 
     /**
      * Whether the robot collides.
@@ -116,8 +92,8 @@ public record Expectation(List<Condition> conditions) {
     public record Collides(boolean wanted) implements Condition {
 
         @Override
-        public <R> R accept(ConditionVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ConditionCases<R> cases) {
+            return cases.collides.apply(this);
         }
 
         @Override
@@ -145,8 +121,8 @@ public record Expectation(List<Condition> conditions) {
     public record MinCoverage(double share) implements Condition {
 
         @Override
-        public <R> R accept(ConditionVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ConditionCases<R> cases) {
+            return cases.minCoverage.apply(this);
         }
 
         @Override
@@ -167,8 +143,8 @@ public record Expectation(List<Condition> conditions) {
     public record MaxDistanceRms(double metres) implements Condition {
 
         @Override
-        public <R> R accept(ConditionVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ConditionCases<R> cases) {
+            return cases.maxDistanceRms.apply(this);
         }
 
         @Override
@@ -190,8 +166,8 @@ public record Expectation(List<Condition> conditions) {
     public record VisitedState(ControllerState state) implements Condition {
 
         @Override
-        public <R> R accept(ConditionVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ConditionCases<R> cases) {
+            return cases.visitedState.apply(this);
         }
 
         @Override
@@ -214,8 +190,8 @@ public record Expectation(List<Condition> conditions) {
     public record FinalState(ControllerState state) implements Condition {
 
         @Override
-        public <R> R accept(ConditionVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(ConditionCases<R> cases) {
+            return cases.finalState.apply(this);
         }
 
         @Override

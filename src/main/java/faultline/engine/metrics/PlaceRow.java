@@ -21,7 +21,6 @@ sealed interface PlaceRow {
     /** Returns the number of places. */
     int size();
 
-    /** Returns a place. */
     Vector2 place(int index);
 
     /** Returns the length of the piece of wall that belongs to a place, metres; 0 at a corner, which only joins two. */

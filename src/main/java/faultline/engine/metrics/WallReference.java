@@ -39,7 +39,6 @@ public final class WallReference {
         }
     }
 
-    /** Returns all walls. */
     SpatialIndex walls() {
         if (index == null) {
             index = SpatialIndex.ofStaticShapes(world);

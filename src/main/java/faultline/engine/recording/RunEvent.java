@@ -7,10 +7,11 @@ import faultline.control.TimingRule;
 import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Refusal;
+import java.util.function.Function;
 
 /**
- * An event of a run. Code that depends on the kind of event implements {@link EventVisitor}, so that a new kind does
- * not compile until it is handled everywhere.
+ * An event of a run. Code that depends on the kind of event gives {@link EventCases}, so that a new kind does not
+ * compile until it is handled everywhere.
  */
 public sealed interface RunEvent {
 
@@ -21,75 +22,35 @@ public sealed interface RunEvent {
     double time();
 
     /**
-     * {@return the result of the visitor's method for this kind of event}
+     * {@return the result of the function for this kind of event}
      *
-     * @param visitor the visitor
-     * @param <R> the visitor's result type
+     * @param <R> the type of the result
+     * @param cases a function for each kind
      */
-    <R> R accept(EventVisitor<R> visitor);
+    <R> R match(EventCases<R> cases);
 
     /**
-     * An operation with one method for each kind of event.
+     * A function for each kind of event.
      *
-     * @param <R> the result type
+     * @param <R> the type of the results
+     * @param stateChanged for a new state
+     * @param alignmentTimed for times of the wall
+     * @param healthChanged for a finding about a sensor
+     * @param rungChanged for another strategy
+     * @param commandExecuted for a command
+     * @param commandRefused for a refused command
+     * @param collided for the first contact
+     * @param diverged for the first difference from the reference run
      */
-    interface EventVisitor<R> {
-        /**
-         * {@return the result for a {@link StateChanged}}
-         *
-         * @param event the event to visit
-         */
-        R visit(StateChanged event);
-
-        /**
-         * {@return the result for an {@link AlignmentTimed}}
-         *
-         * @param event the event to visit
-         */
-        R visit(AlignmentTimed event);
-
-        /**
-         * {@return the result for a {@link HealthChanged}}
-         *
-         * @param event the event to visit
-         */
-        R visit(HealthChanged event);
-
-        /**
-         * {@return the result for a {@link RungChanged}}
-         *
-         * @param event the event to visit
-         */
-        R visit(RungChanged event);
-
-        /**
-         * {@return the result for a {@link CommandExecuted}}
-         *
-         * @param event the event to visit
-         */
-        R visit(CommandExecuted event);
-
-        /**
-         * {@return the result for a {@link CommandRefused}}
-         *
-         * @param event the event to visit
-         */
-        R visit(CommandRefused event);
-
-        /**
-         * {@return the result for a {@link Collided}}
-         *
-         * @param event the event to visit
-         */
-        R visit(Collided event);
-
-        /**
-         * {@return the result for a {@link Diverged}}
-         *
-         * @param event the event to visit
-         */
-        R visit(Diverged event);
-    }
+    record EventCases<R>(
+            Function<StateChanged, R> stateChanged,
+            Function<AlignmentTimed, R> alignmentTimed,
+            Function<HealthChanged, R> healthChanged,
+            Function<RungChanged, R> rungChanged,
+            Function<CommandExecuted, R> commandExecuted,
+            Function<CommandRefused, R> commandRefused,
+            Function<Collided, R> collided,
+            Function<Diverged, R> diverged) {}
 
     /**
      * The controller changed its state.
@@ -103,8 +64,8 @@ public sealed interface RunEvent {
     record StateChanged(long tick, double time, ControllerState from, ControllerState to, String condition)
             implements RunEvent {
         @Override
-        public <R> R accept(EventVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(EventCases<R> cases) {
+            return cases.stateChanged.apply(this);
         }
     }
 
@@ -121,8 +82,8 @@ public sealed interface RunEvent {
     record AlignmentTimed(long tick, double time, double f3, double f4, double tP, TimingRule rule)
             implements RunEvent {
         @Override
-        public <R> R accept(EventVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(EventCases<R> cases) {
+            return cases.alignmentTimed.apply(this);
         }
     }
 
@@ -136,8 +97,8 @@ public sealed interface RunEvent {
      */
     record HealthChanged(long tick, double time, SensorTrust from, SensorHealth health) implements RunEvent {
         @Override
-        public <R> R accept(EventVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(EventCases<R> cases) {
+            return cases.healthChanged.apply(this);
         }
     }
 
@@ -151,8 +112,8 @@ public sealed interface RunEvent {
      */
     record RungChanged(long tick, double time, String from, String to) implements RunEvent {
         @Override
-        public <R> R accept(EventVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(EventCases<R> cases) {
+            return cases.rungChanged.apply(this);
         }
     }
 
@@ -165,8 +126,8 @@ public sealed interface RunEvent {
      */
     record CommandExecuted(long tick, double time, Command command) implements RunEvent {
         @Override
-        public <R> R accept(EventVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(EventCases<R> cases) {
+            return cases.commandExecuted.apply(this);
         }
     }
 
@@ -180,8 +141,8 @@ public sealed interface RunEvent {
      */
     record CommandRefused(long tick, double time, Command command, Refusal refusal) implements RunEvent {
         @Override
-        public <R> R accept(EventVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(EventCases<R> cases) {
+            return cases.commandRefused.apply(this);
         }
     }
 
@@ -198,8 +159,8 @@ public sealed interface RunEvent {
         }
 
         @Override
-        public <R> R accept(EventVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(EventCases<R> cases) {
+            return cases.collided.apply(this);
         }
     }
 
@@ -211,8 +172,8 @@ public sealed interface RunEvent {
      */
     record Diverged(long tick, double time) implements RunEvent {
         @Override
-        public <R> R accept(EventVisitor<R> visitor) {
-            return visitor.visit(this);
+        public <R> R match(EventCases<R> cases) {
+            return cases.diverged.apply(this);
         }
     }
 }

@@ -20,7 +20,6 @@ final class StateTallyRecorder {
     private final Map<TransitionKey, Counter> transitions = new LinkedHashMap<>();
     private Counter current = new Counter();
 
-    /** Starts in a state. */
     public void start(ControllerState state) {
         current = states.computeIfAbsent(state, name -> new Counter());
         current.visits++;

@@ -28,12 +28,8 @@ final class TraceLevelRecorder {
     private int mergedCount;
 
     /**
-     * Creates an empty level.
-     *
-     * @param channels the number of channels
-     * @param ticksPerBucket the number of ticks in a bucket
-     * @param mergeFactor the number of buckets of the next finer level in a bucket of this one
-     * @param maxChunks the maximum number of chunks that are kept
+     * Creates an empty level whose buckets each merge {@code mergeFactor} buckets of the next finer level, and of which
+     * a number of chunks is kept.
      */
     TraceLevelRecorder(int channels, int ticksPerBucket, int mergeFactor, int maxChunks) {
         this.channels = channels;

@@ -23,11 +23,7 @@ final class TraceRecorder {
 
     private final List<TraceLevelRecorder> levels = new ArrayList<>();
 
-    /**
-     * Creates an empty recording.
-     *
-     * @param channels the number of values of each tick
-     */
+    /** Creates an empty recording of some channels. */
     public TraceRecorder(int channels) {
         levels.add(new TraceLevelRecorder(channels, 1, 1, MAX_FINEST_CHUNKS));
         for (int ticks = FACTOR; levels.size() < LEVEL_COUNT; ticks *= FACTOR) {

@@ -10,7 +10,6 @@ public final class ActionRegistry {
 
     private final Map<String, UiAction> actions = new LinkedHashMap<>();
 
-    /** Adds an action and returns it. */
     public UiAction add(UiAction action) {
         if (actions.put(action.key(), action) != null) {
             throw new IllegalArgumentException("two actions are called " + action.key());
@@ -18,7 +17,6 @@ public final class ActionRegistry {
         return action;
     }
 
-    /** Returns the action of a key. */
     public UiAction get(String key) {
         UiAction action = actions.get(key);
         if (action == null) {

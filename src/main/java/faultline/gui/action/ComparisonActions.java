@@ -7,12 +7,12 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.RunComparison;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import faultline.paint.scene.ReferenceOverlay;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
@@ -27,10 +27,8 @@ public final class ComparisonActions {
     private RunComparison shownComparison;
 
     /**
-     * Creates the actions.
-     *
-     * @param controller compares the runs
-     * @param view shows the reference run and where the two runs first differ, each null if there is none
+     * Creates the actions. {@code view} shows the reference run and where the two runs first differ, each null if there
+     * is none.
      */
     public ComparisonActions(ComparisonController controller, BiConsumer<ReferenceOverlay, RunEvent.Diverged> view) {
         this.controller = controller;
@@ -69,21 +67,18 @@ public final class ComparisonActions {
     private static ReferenceOverlay createOverlay(RunComparison comparison) {
         ReferenceRun run = comparison.run();
         SimulationSetup setup = run.setup();
-        Optional<String> divergence = comparison.divergence().map(event -> secondsText(event.time()));
+        Optional<String> divergence = comparison.divergence().map(event -> NumberText.format("%.2f s", event.time()));
         List<String> caption = new ArrayList<>();
-        caption.add(Messages.get("ghost.name", comparison.name(), secondsText(run.lastTick() * setup.dt())));
+        caption.add(Messages.get(
+                "ghost.name", comparison.name(), NumberText.format("%.2f s", run.lastTick() * setup.dt())));
         caption.add(divergence.map(time -> Messages.get("ghost.differs", time)).orElse(Messages.get("ghost.same")));
         if (comparison.seedDiffers()) {
             caption.add(Messages.get("ghost.seed", Long.toString(setup.seed())));
         }
         List<ReferenceOverlay.Mark> marks = comparison.divergence().stream()
-                .map(event ->
-                        new ReferenceOverlay.Mark(event.tick(), Messages.get("ghost.mark", secondsText(event.time()))))
+                .map(event -> new ReferenceOverlay.Mark(
+                        event.tick(), Messages.get("ghost.mark", NumberText.format("%.2f s", event.time()))))
                 .toList();
         return new ReferenceOverlay(run, caption, marks);
-    }
-
-    private static String secondsText(double time) {
-        return String.format(Locale.ROOT, "%.2f s", time);
     }
 }

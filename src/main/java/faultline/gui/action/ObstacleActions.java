@@ -9,6 +9,7 @@ import faultline.gui.edit.ObstacleCopies;
 import faultline.gui.edit.ShapePreset;
 import faultline.gui.edit.SnapSettings;
 import faultline.gui.edit.UndoController;
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
@@ -76,8 +77,8 @@ public final class ObstacleActions {
         this.noteRemover = noteRemover;
         this.askSpeed = askSpeed;
         this.preferences = preferences;
-        snapGrid = UiAction.toggle("snapGrid", preferences.isGridSnapped(), on -> applySnap());
-        snapAngle = UiAction.toggle("snapAngle", preferences.isAngleSnapped(), on -> applySnap());
+        snapGrid = UiAction.toggle("snapGrid", preferences.get(Preference.SNAP_GRID), on -> applySnap());
+        snapAngle = UiAction.toggle("snapAngle", preferences.get(Preference.SNAP_ANGLE), on -> applySnap());
         applySnap();
     }
 
@@ -125,7 +126,6 @@ public final class ObstacleActions {
         return self[0];
     }
 
-    /** Activates a tool. */
     private void activateTool(UiAction action, Runnable tool) {
         tool.run();
         action.setOn(true);
@@ -140,7 +140,8 @@ public final class ObstacleActions {
 
     private void applySnap() {
         tools.setSnap(new SnapSettings(snapGrid.isOn() ? GRID_STEP : 0, snapAngle.isOn() ? ANGLE_STEP : 0));
-        preferences.setSnap(snapGrid.isOn(), snapAngle.isOn());
+        preferences.set(Preference.SNAP_GRID, snapGrid.isOn());
+        preferences.set(Preference.SNAP_ANGLE, snapAngle.isOn());
     }
 
     private void drawMotionPath() {

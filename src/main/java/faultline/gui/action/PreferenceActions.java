@@ -1,5 +1,6 @@
 package faultline.gui.action;
 
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -16,18 +17,15 @@ public final class PreferenceActions {
     private final Runnable languageListener;
 
     /**
-     * Adds the actions to a registry.
-     *
-     * @param preferences store the choice
-     * @param actions the registry; their texts follow the language
-     * @param languageListener called when the language has changed, before the windows are refreshed
+     * Adds the actions to a registry; {@code languageListener} is called when the language has changed, before the
+     * windows are refreshed.
      */
     public PreferenceActions(WindowPreferences preferences, ActionRegistry actions, Runnable languageListener) {
         this.preferences = preferences;
         this.actions = actions;
         this.languageListener = languageListener;
-        addToggles("language", Language.values(), preferences.language(), this::setLanguage);
-        addToggles("textSize", TextSize.values(), preferences.textSize(), this::setTextSize);
+        addToggles("language", Language.values(), preferences.get(Preference.LANGUAGE), this::setLanguage);
+        addToggles("textSize", TextSize.values(), preferences.get(Preference.TEXT_SIZE), this::setTextSize);
     }
 
     private <E extends Enum<E>> void addToggles(String group, E[] options, E current, Consumer<E> setter) {
@@ -38,7 +36,7 @@ public final class PreferenceActions {
 
     /** Stores a language and shows it. */
     public void setLanguage(Language language) {
-        preferences.setLanguage(language);
+        preferences.set(Preference.LANGUAGE, language);
         select("language", Language.values(), language);
         if (language != Messages.language()) {
             Messages.setLanguage(language);
@@ -51,7 +49,7 @@ public final class PreferenceActions {
 
     /** Stores a text size and shows it. */
     public void setTextSize(TextSize size) {
-        preferences.setTextSize(size);
+        preferences.set(Preference.TEXT_SIZE, size);
         select("textSize", TextSize.values(), size);
         TextSize before = TextSize.current();
         if (size != before) {

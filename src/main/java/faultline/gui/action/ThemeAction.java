@@ -1,6 +1,7 @@
 package faultline.gui.action;
 
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
@@ -36,12 +37,12 @@ public final class ThemeAction {
 
     /** Stores a choice and shows its theme. */
     public void choose(ThemeChoice choice) {
-        preferences.setThemeChoice(choice);
+        preferences.set(Preference.THEME, choice);
         show(choice.theme());
     }
 
     private void followDesktop() {
-        if (preferences.themeChoice() == ThemeChoice.DESKTOP) {
+        if (preferences.get(Preference.THEME) == ThemeChoice.DESKTOP) {
             show(ThemeChoice.DESKTOP.theme());
         }
     }

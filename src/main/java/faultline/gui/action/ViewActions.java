@@ -6,6 +6,7 @@ import static faultline.gui.action.Keystrokes.menuShortcut;
 import static faultline.gui.action.Keystrokes.unmodified;
 
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Glyph;
 import faultline.paint.scene.Layer;
@@ -74,7 +75,7 @@ public final class ViewActions {
             String key,
             Layer layer,
             PathStyle style) {
-        boolean chosen = preferences.pathStyle() == style;
+        boolean chosen = preferences.get(Preference.PATH_STYLE) == style;
         canvas.setLayer(layer, chosen);
         actions.add(UiAction.toggle(key, chosen, on -> {
             for (Layer colour : List.of(Layer.PATH_STATES, Layer.PATH_FAULTS)) {
@@ -82,7 +83,7 @@ public final class ViewActions {
             }
             actions.get("pathStates").setOn(on && style == PathStyle.STATES);
             actions.get("pathFaults").setOn(on && style == PathStyle.FAULTS);
-            preferences.setPathStyle(on ? style : PathStyle.RUN);
+            preferences.set(Preference.PATH_STYLE, on ? style : PathStyle.RUN);
         }));
     }
 

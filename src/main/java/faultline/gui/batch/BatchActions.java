@@ -26,14 +26,7 @@ public final class BatchActions {
     private final ControllerChooser controllers;
     private final Consumer<String> note;
 
-    /**
-     * Creates the actions of a window.
-     *
-     * @param owner the window
-     * @param files holds the open scenario, opens runs and asks for files
-     * @param controllers selects the controller of the runs of the window
-     * @param note shows a sentence to the user
-     */
+    /** Creates the actions of a window; {@code note} shows a sentence to the user. */
     public BatchActions(Window owner, FileController files, ControllerChooser controllers, Consumer<String> note) {
         this.owner = owner;
         this.files = files;
@@ -41,7 +34,6 @@ public final class BatchActions {
         this.note = note;
     }
 
-    /** Adds the actions to a registry. */
     public void addTo(ActionRegistry actions) {
         actions.add(UiAction.of("batch", this::showDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_B)));
     }
@@ -89,7 +81,6 @@ public final class BatchActions {
         return files.chooseNewFolder("batchResults", "-batch");
     }
 
-    /** Shows a sentence. */
     void showProblem(Component parent, String sentence) {
         JOptionPane.showMessageDialog(
                 parent, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.WARNING_MESSAGE);

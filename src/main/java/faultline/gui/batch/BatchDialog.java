@@ -20,7 +20,6 @@ import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -70,13 +69,7 @@ final class BatchDialog extends JDialog {
 
     private boolean saved = true;
 
-    /**
-     * Creates a dialog that is not yet visible.
-     *
-     * @param owner the window behind it
-     * @param scenario the scenario of all runs
-     * @param actions opens runs and asks for files
-     */
+    /** Creates a dialog for runs of a scenario that is not yet visible. */
     BatchDialog(Window owner, Scenario scenario, BatchActions actions) {
         super(owner, ModalityType.MODELESS);
         assert EventQueue.isDispatchThread();
@@ -279,38 +272,27 @@ final class BatchDialog extends JDialog {
 
     private void savePlan() {
         checkedPlan().ifPresent(plan -> actions.choosePlanFile()
-                .ifPresent(file -> write(
-                        file,
-                        () -> {
-                            plan.save(file);
-                            return file;
-                        },
-                        () -> {})));
+                .ifPresent(file -> write(file, () -> plan.save(file), () -> {})));
     }
 
     private void saveResults() {
         BatchRun ended = run;
         actions.chooseResultsFolder()
-                .ifPresent(folder -> write(
-                        folder,
-                        () -> {
-                            ended.saveResults(folder);
-                            return folder;
-                        },
-                        () -> saved = saved || run == ended));
+                .ifPresent(
+                        folder -> write(folder, () -> ended.saveResults(folder), () -> saved = saved || run == ended));
     }
 
     /**
      * Writes a file or a folder. No run is started during that time, because it would delete files that are being
      * copied.
      */
-    private void write(Path target, Callable<Path> work, Runnable onWritten) {
+    private void write(Path target, BackgroundTasks.Work work, Runnable onWritten) {
         writing = true;
         start.setEnabled(false);
         BatchRun source = run;
         BackgroundTasks.runBeforeExit(
                 work,
-                written -> {
+                () -> {
                     endWriting(source);
                     onWritten.run();
                     showStatus(() -> Messages.get("saved", String.valueOf(target.getFileName())));
@@ -375,13 +357,7 @@ final class BatchDialog extends JDialog {
     }
 
     private static void delete(BatchRun ended) {
-        BackgroundTasks.runBeforeExit(
-                () -> {
-                    ended.delete();
-                    return ended;
-                },
-                done -> {},
-                failure -> {});
+        BackgroundTasks.runBeforeExit(ended::delete, () -> {}, failure -> {});
     }
 
     /** Cancels the batch and deletes its files. */

@@ -48,12 +48,7 @@ record BatchPlan(
         sensors = List.copyOf(sensors);
     }
 
-    /**
-     * A kind of fault.
-     *
-     * @param kind its name in files
-     * @param value its number in the syntax of plans; empty for a kind without one
-     */
+    /** A kind of fault by its name in files, and its number in the syntax of plans; empty for a kind without one. */
     record FaultValues(String kind, String value) {}
 
     /** Returns how many runs there are; empty if a number is not in the syntax of plans. */

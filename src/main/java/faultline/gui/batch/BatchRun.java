@@ -46,11 +46,8 @@ final class BatchRun {
     private long nextCells;
 
     /**
-     * The progress of a batch.
-     *
-     * @param made the number of runs in the table
-     * @param runs the total number of runs, 0 while it is unknown
-     * @param seconds the seconds since the first run began
+     * The number of runs in the table, the total number, 0 while it is unknown, and the seconds since the first run
+     * began.
      */
     record Completion(long made, long runs, double seconds) {
 

@@ -8,10 +8,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * A cell of a table of results. Numbers are sorted by their values and before texts.
- *
- * @param text the text that is shown
- * @param number the value of a number, NaN for a text
+ * A cell of a table of results, whose number is NaN for a text. Numbers are sorted by their values and before texts.
  */
 record ResultCell(String text, double number) implements Comparable<ResultCell> {
 
@@ -20,7 +17,6 @@ record ResultCell(String text, double number) implements Comparable<ResultCell> 
 
     private static final double MILLIMETRES = 1000;
 
-    /** Returns the cell of a text. */
     static ResultCell ofText(String text) {
         return new ResultCell(text, Double.NaN);
     }

@@ -103,11 +103,8 @@ final class ResultTable extends RowTable {
     }
 
     /**
-     * Creates an empty table.
-     *
-     * @param key the key of the accessible name; its tool tip has the key {@code KEY.tip}
-     * @param columns the names of the columns in {@code runs.csv}
-     * @param onOpen receives the index of the row that is opened, in the order in which rows were added
+     * Creates an empty table of columns of {@code runs.csv}. The key is that of the accessible name; {@code onOpen}
+     * receives the index of a row in the order in which rows were added.
      */
     ResultTable(String key, List<String> columns, IntConsumer onOpen) {
         super(new Model(columns));

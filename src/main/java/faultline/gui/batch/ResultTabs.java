@@ -31,11 +31,8 @@ final class ResultTabs {
     private Set<Long> shownRuns;
 
     /**
-     * Adds the tabs of a batch behind those that are there.
-     *
-     * @param tabs shows them
-     * @param results the results of the batch
-     * @param onOpen receives the number of a run that the user opens
+     * Adds the tabs of a batch behind those that are there; {@code onOpen} receives the number of a run that the user
+     * opens.
      */
     ResultTabs(JTabbedPane tabs, BatchResults results, IntConsumer onOpen) {
         this.tabs = tabs;
@@ -67,7 +64,6 @@ final class ResultTabs {
         UiText.addTab(tabs, key, view);
     }
 
-    /** Removes the tabs. */
     void remove() {
         while (tabs.getTabCount() > firstTab) {
             tabs.removeTabAt(firstTab);

@@ -21,7 +21,6 @@ public final class LocalizedLabels {
         return create(font());
     }
 
-    /** Returns the labels in a font. */
     public static SceneLabels create(Font font) {
         return new SceneLabels(
                 Messages.get("picture.collision"),

@@ -7,12 +7,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The obstacles of a frame, divided by how they are painted.
- *
- * @param all the obstacles of the frame
- * @param apart the ids of still obstacles that are not part of the ground
- * @param ground the obstacles that are part of the ground
- * @param separate the other ones
+ * The obstacles of a frame, divided into those that are part of the ground and the other ones; {@code apart} are the
+ * ids of still obstacles that are not part of the ground.
  */
 record ObstacleDivision(List<Obstacle> all, Set<String> apart, List<Obstacle> ground, List<Obstacle> separate) {
 

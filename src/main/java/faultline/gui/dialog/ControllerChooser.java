@@ -56,14 +56,8 @@ public final class ControllerChooser implements WorkspaceListener {
     private volatile String scenarioName = "";
 
     /**
-     * Creates a chooser.
-     *
-     * @param owner the window
-     * @param workspace the workspace whose runs get the controller
-     * @param runController restarts the run
-     * @param comparison shows a run with another controller as a ghost
-     * @param note shows a sentence to the user
-     * @param removeNote removes a sentence if it is still shown
+     * Creates a chooser for the runs of a workspace; {@code note} shows a sentence to the user, and {@code removeNote}
+     * removes it if it is still shown.
      */
     public ControllerChooser(
             Window owner,

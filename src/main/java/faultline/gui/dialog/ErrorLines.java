@@ -25,10 +25,8 @@ final class ErrorLines {
     private ErrorLine shown = new ErrorLine(NEVER_REPLACED, "");
 
     /**
-     * Creates a display of lines.
-     *
-     * @param show shows a line, on the event dispatch thread
-     * @param remove removes a line if it is still shown, on the event dispatch thread
+     * Creates a display, given what shows a line and what removes it if it is still shown, on the event dispatch
+     * thread.
      */
     ErrorLines(Consumer<String> show, Consumer<String> remove) {
         this.show = show;

@@ -106,7 +106,6 @@ public final class FileController {
         runIfChangesHandled(() -> documentStore.openShipped(name));
     }
 
-    /** Opens a new scenario. */
     public void openNew(Scenario scenario) {
         runIfChangesHandled(() -> documentStore.create(scenario));
     }

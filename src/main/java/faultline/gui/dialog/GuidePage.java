@@ -17,12 +17,7 @@ import javax.swing.text.Document;
 import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.StyleSheet;
 
-/**
- * The text of the guide, loaded and styled. Loading takes as long as several frames and may be done on any thread.
- *
- * @param kit the editor kit that displays the document
- * @param document the text
- */
+/** The text of the guide, loaded and styled. Loading takes as long as several frames and may be done on any thread. */
 record GuidePage(HTMLEditorKit kit, Document document) {
 
     /** Pixels. */

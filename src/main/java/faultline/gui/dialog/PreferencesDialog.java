@@ -7,6 +7,7 @@ import faultline.gui.action.ThemeAction;
 import faultline.gui.action.UiAction;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NamedChoice;
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -51,24 +52,24 @@ public final class PreferencesDialog extends JDialog {
         addChoice(
                 "preferences.theme",
                 ThemeChoice.values(),
-                preferences.themeChoice(),
+                preferences.get(Preference.THEME),
                 choice -> Messages.get("preferences.theme." + choice.name()),
                 theme::choose);
         addChoice(
                 "preferences.language",
                 Language.values(),
-                preferences.language(),
+                preferences.get(Preference.LANGUAGE),
                 option -> choices.name("language", option),
                 choices::setLanguage);
         addChoice(
                 "preferences.textSize",
                 TextSize.values(),
-                preferences.textSize(),
+                preferences.get(Preference.TEXT_SIZE),
                 option -> choices.name("textSize", option),
                 choices::setTextSize);
         JCheckBox gallery = UiText.text(new JCheckBox(), "preferences.gallery");
-        gallery.setSelected(preferences.isGalleryShownAtStart());
-        gallery.addActionListener(event -> preferences.setGalleryShownAtStart(gallery.isSelected()));
+        gallery.setSelected(preferences.get(Preference.GALLERY_SHOWN));
+        gallery.addActionListener(event -> preferences.set(Preference.GALLERY_SHOWN, gallery.isSelected()));
         form.add(gallery, FormConstraints.fillRow(1, row++));
         TOGGLES.forEach(key -> form.add(createToggle(actions.get(key)), FormConstraints.fillRow(1, row++)));
         JPanel content = new JPanel(new BorderLayout(0, 16));

@@ -28,15 +28,8 @@ final class TableDialog extends JDialog {
     private static final int MAX_TABLE_HEIGHT = 360;
 
     /**
-     * Creates a dialog that is not yet visible.
-     *
-     * @param owner the window behind it
-     * @param title the title of the dialog
-     * @param heading a sentence above the table
-     * @param icon shown before the heading
-     * @param columns the column headings
-     * @param widths the column widths, pixels
-     * @param rows the texts of the cells
+     * Creates a dialog that is not yet visible, with a sentence and an icon above a table of texts, whose column widths
+     * are in pixels.
      */
     TableDialog(
             Window owner,

@@ -51,17 +51,11 @@ public final class Autosave implements AutoCloseable {
             lastWritten = unsaved;
             lastWriteSucceeded = true;
             Path origin = workspace.file().orElse(null);
-            BackgroundTasks.run(
-                    () -> {
-                        write(origin, unsaved);
-                        return recovery;
-                    },
-                    done -> {},
-                    failure -> {
-                        // The next period tries again.
-                        lastWriteSucceeded = false;
-                        LOG.log(Level.WARNING, "the unsaved edits cannot be written to the recovery file", failure);
-                    });
+            BackgroundTasks.run(() -> write(origin, unsaved), failure -> {
+                // The next period tries again.
+                lastWriteSucceeded = false;
+                LOG.log(Level.WARNING, "the unsaved edits cannot be written to the recovery file", failure);
+            });
         }
     }
 
@@ -83,11 +77,8 @@ public final class Autosave implements AutoCloseable {
         timer.stop();
         closed = true;
         BackgroundTasks.runBeforeExit(
-                () -> {
-                    deleteRecoveryFile();
-                    return recovery;
-                },
-                done -> {},
+                this::deleteRecoveryFile,
+                () -> {},
                 failure -> LOG.log(Level.WARNING, "the recovery file cannot be deleted", failure));
     }
 

@@ -27,6 +27,29 @@ public final class BackgroundTasks {
         start(work, onDone, onFailed, false);
     }
 
+    /** Work without a result. */
+    @FunctionalInterface
+    public interface Work {
+        void run() throws Exception;
+
+        private Callable<Work> withResult() {
+            return () -> {
+                run();
+                return this;
+            };
+        }
+    }
+
+    /** Starts work without a result, as {@link #run(Callable, Consumer, Consumer)} does. */
+    public static void run(Work work, Consumer<Throwable> onFailed) {
+        run(work.withResult(), done -> {}, onFailed);
+    }
+
+    /** Starts work without a result, and keeps the program from exiting before it has ended. */
+    public static void runBeforeExit(Work work, Runnable onDone, Consumer<Throwable> onFailed) {
+        runBeforeExit(work.withResult(), done -> onDone.run(), onFailed);
+    }
+
     private static <T> void start(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed, boolean daemon) {
         assert EventQueue.isDispatchThread();
         Thread thread = new Thread(() -> perform(work, onDone, onFailed), "faultline-background");

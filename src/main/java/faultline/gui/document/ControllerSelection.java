@@ -10,10 +10,8 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
- * A controller that the user has chosen for runs of the window.
- *
- * @param text a name or a command, empty for the scenario's own controller
- * @param jars the jar files with controllers in Java
+ * A controller that the user has chosen for runs of the window: a name or a command, empty for the scenario's own
+ * controller, and the jar files with controllers in Java.
  */
 public record ControllerSelection(String text, List<Path> jars) {
 
@@ -30,12 +28,8 @@ public record ControllerSelection(String text, List<Path> jars) {
     }
 
     /**
-     * Returns a setup with this controller. Any thread may call it.
-     *
-     * @param setup the setup with another controller
-     * @param scenarioName the name of the scenario, for a controller in another process
-     * @param errors the consumer of each line that such a controller writes to standard error, called on a separate
-     *     thread
+     * Returns a setup with this controller. A controller in another process gets the name of the scenario; each line
+     * that it writes to standard error is passed on, on a separate thread. Any thread may call this.
      */
     public SimulationSetup applyTo(SimulationSetup setup, String scenarioName, Consumer<String> errors) {
         if (isScenarios()) {

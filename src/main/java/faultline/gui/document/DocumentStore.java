@@ -13,7 +13,6 @@ public final class DocumentStore {
 
     private final Workspace workspace;
 
-    /** Creates the store of a workspace. */
     public DocumentStore(Workspace workspace) {
         this.workspace = workspace;
     }
@@ -131,11 +130,8 @@ public final class DocumentStore {
         workspace
                 .replayScenario()
                 .ifPresent(replay -> BackgroundTasks.runBeforeExit(
-                        () -> {
-                            replay.join().save(file);
-                            return file;
-                        },
-                        written -> workspace.fire(listener -> listener.journalSaved(written)),
+                        () -> replay.join().save(file),
+                        () -> workspace.fire(listener -> listener.journalSaved(file)),
                         failure ->
                                 workspace.fire(listener -> listener.taskFailed(TaskKind.SAVE_JOURNAL, file, failure))));
     }

@@ -5,12 +5,7 @@ import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.util.concurrent.CompletableFuture;
 
-/**
- * A document and the session that runs it.
- *
- * @param document the scenario
- * @param session its run
- */
+/** A document and the session that runs it. */
 record OpenDocument(ScenarioDocument document, Session session) {
 
     /** Starts a session of a document, with the controller that is chosen in its workspace. */

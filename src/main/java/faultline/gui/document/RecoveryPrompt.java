@@ -47,9 +47,7 @@ public final class RecoveryPrompt {
                         } else {
                             recovery.delete(file.recoveryFile());
                         }
-                        return file;
                     },
-                    done -> {},
                     RecoveryPrompt::logFailure);
         }
     }

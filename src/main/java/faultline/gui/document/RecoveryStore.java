@@ -45,11 +45,8 @@ public final class RecoveryStore {
     private FileChannel lock;
 
     /**
-     * Unsaved edits that a crash has left.
-     *
-     * @param recoveryFile the file that holds them
-     * @param originFile the file that was edited, null for a scenario without a file
-     * @param scenario the edited scenario
+     * Unsaved edits that a crash has left: the file that holds them, the file that was edited, null for a scenario
+     * without a file, and the edited scenario.
      */
     public record RecoveredFile(Path recoveryFile, Path originFile, Scenario scenario) {
 

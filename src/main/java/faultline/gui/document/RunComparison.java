@@ -5,12 +5,8 @@ import faultline.engine.session.ReferenceRun;
 import java.util.Optional;
 
 /**
- * A comparison of the run with a reference run.
- *
- * @param name the name of the scenario of the reference run
- * @param run the reference run
- * @param divergenceOrNull the first tick in which the runs differ, null while they do not
- * @param seedDiffers whether the reference run has another seed
+ * A comparison of the run with a reference run of a scenario, and the first tick in which they differ, null while they
+ * do not.
  */
 public record RunComparison(String name, ReferenceRun run, RunEvent.Diverged divergenceOrNull, boolean seedDiffers) {
 

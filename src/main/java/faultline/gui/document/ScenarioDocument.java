@@ -22,11 +22,8 @@ final class ScenarioDocument {
     private Scenario edited;
 
     /**
-     * Creates a document without edits.
-     *
-     * @param file the file of the scenario, null if it has none
-     * @param saved the scenario that the file holds, null if it holds none
-     * @param initial the scenario at the start of the run
+     * Creates a document without edits: its file, null for none; the scenario that the file holds, null for none; and
+     * that at the start of the run.
      */
     ScenarioDocument(Path file, Scenario saved, Scenario initial) {
         this.file = file;

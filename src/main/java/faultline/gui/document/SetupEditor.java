@@ -7,6 +7,7 @@ import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Clearance;
 import faultline.world.Command;
+import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;
@@ -23,7 +24,7 @@ import java.util.Optional;
  * their time. When the run is moved to an earlier tick, the later commands are kept until another one is executed
  * there.
  */
-final class SetupEditor implements Command.SetupVisitor<Boolean> {
+final class SetupEditor {
 
     private final SimulationSetup base;
     private final List<Journal.Entry> entries = new ArrayList<>();
@@ -57,11 +58,11 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
         if (position < entries.size()) {
             entries.subList(position, entries.size()).clear();
             reset();
-            entries.forEach(entry -> entry.command().accept(this));
+            entries.forEach(entry -> apply(entry.command()));
         }
         entries.add(new Journal.Entry(result.tick(), result.command()));
         position = entries.size();
-        result.command().accept(this);
+        apply(result.command());
     }
 
     /** Follows the run to another tick, where the commands for the next one have been executed. */
@@ -96,7 +97,7 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
         SetupEditor scratch = new SetupEditor(base);
         List<Journal.Entry> timed = new ArrayList<>();
         for (Journal.Entry entry : entries) {
-            if (entry.command().accept(scratch)) {
+            if (scratch.apply(entry.command())) {
                 continue;
             }
             Optional<Journal.Entry> cancelled = timed.stream()
@@ -118,7 +119,7 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
     SetupEditor rebased(SimulationSetup newBase) {
         SetupEditor result = new SetupEditor(newBase);
         for (int i = 0; i < entries.size(); i++) {
-            if (entries.get(i).command().accept(result)) {
+            if (result.apply(entries.get(i).command())) {
                 result.entries.add(entries.get(i));
                 result.position += i < position ? 1 : 0;
             }
@@ -175,45 +176,36 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
                         obstacles.values().stream().filter(Objects::nonNull).toList());
     }
 
-    @Override
-    public Boolean visitTimed(Command command) {
-        return false;
-    }
-
-    @Override
-    public Boolean visit(Command.ConfigureSensor command) {
-        SensorSpec before = robot.sensor(command.sensor().id()).orElseThrow();
-        robot = robot.withSensor(command.sensor().withOn(before.on()));
-        return true;
-    }
-
-    @Override
-    public Boolean visit(Command.MoveObstacle command) {
-        obstacles.computeIfPresent(command.obstacle(), (id, obstacle) -> obstacle.withPose(command.pose()));
-        return true;
-    }
-
-    @Override
-    public Boolean visit(Command.PlaceObstacle command) {
-        obstacles.put(command.obstacle().id(), command.obstacle());
-        return true;
-    }
-
-    @Override
-    public Boolean visit(Command.RemoveObstacle command) {
-        obstacles.replace(command.obstacle(), null);
-        return true;
-    }
-
-    @Override
-    public Boolean visit(Command.SetPlatform command) {
-        robot = command.appliedTo(robot);
-        return true;
-    }
-
-    @Override
-    public Boolean visit(Command.ConfigureController command) {
-        controller = command.controller();
-        return true;
+    /** Applies a command, and returns whether it changes the setup rather than belong to a time of the run. */
+    private boolean apply(Command command) {
+        return command.match(CommandCases.ofSetup(
+                timed -> false,
+                configureSensor -> {
+                    SensorSpec before =
+                            robot.sensor(configureSensor.sensor().id()).orElseThrow();
+                    robot = robot.withSensor(configureSensor.sensor().withOn(before.on()));
+                    return true;
+                },
+                moveObstacle -> {
+                    obstacles.computeIfPresent(
+                            moveObstacle.obstacle(), (id, obstacle) -> obstacle.withPose(moveObstacle.pose()));
+                    return true;
+                },
+                placeObstacle -> {
+                    obstacles.put(placeObstacle.obstacle().id(), placeObstacle.obstacle());
+                    return true;
+                },
+                removeObstacle -> {
+                    obstacles.replace(removeObstacle.obstacle(), null);
+                    return true;
+                },
+                setPlatform -> {
+                    robot = setPlatform.appliedTo(robot);
+                    return true;
+                },
+                configureController -> {
+                    controller = configureController.controller();
+                    return true;
+                }));
     }
 }

@@ -27,7 +27,6 @@ public final class TaskProgress {
         fraction = completed;
     }
 
-    /** Cancels the task. */
     public void cancel() {
         cancelled = true;
     }

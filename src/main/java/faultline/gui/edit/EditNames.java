@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Names edits for menus, from each command and its inverse. */
-final class EditNames implements Command.Visitor<EditNames.EditName> {
+final class EditNames {
 
     private static final String SEVERAL = "edit.several";
 
@@ -22,11 +22,8 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
     }
 
     /**
-     * The name of one command's edit.
-     *
-     * @param key the key of the message for one such command
-     * @param severalKey the key of the message for several such commands
-     * @param subject the id of what is edited
+     * The name of one command's edit: the keys of the messages for one and for several such commands, and the id of
+     * what is edited.
      */
     record EditName(String key, String severalKey, String subject) {
         EditName(String key, String subject) {
@@ -36,7 +33,7 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
 
     static String nameOf(List<CommandResult> results) {
         CommandResult first = results.get(0);
-        EditName name = first.command().accept(new EditNames(first));
+        EditName name = new EditNames(first).nameOf(first.command());
         if (results.size() == 1) {
             return Messages.get(name.key(), name.subject());
         }
@@ -46,14 +43,27 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
         return Messages.get(alike ? name.severalKey() : SEVERAL, Integer.toString(results.size()));
     }
 
-    @Override
-    public EditName visit(Command.SwitchSensor command) {
-        return new EditName(command.on() ? "edit.switchOn" : "edit.switchOff", command.sensor());
-    }
-
-    @Override
-    public EditName visit(Command.ConfigureSensor command) {
-        return new EditName(sensorKey(command.sensor()), command.sensor().id());
+    private EditName nameOf(Command changed) {
+        return changed.match(new Command.CommandCases<>(
+                switchSensor ->
+                        new EditName(switchSensor.on() ? "edit.switchOn" : "edit.switchOff", switchSensor.sensor()),
+                configureSensor -> new EditName(
+                        sensorKey(configureSensor.sensor()),
+                        configureSensor.sensor().id()),
+                injectFault -> new EditName("edit.fault", injectFault.sensor()),
+                clearFault -> new EditName("edit.repair", clearFault.sensor()),
+                clearFaults -> new EditName("edit.repair", "edit.repairSeveral", clearFaults.sensor()),
+                injectMotorFault -> new EditName("edit.fault", MotorFaultText.motors(injectMotorFault.motor())),
+                clearMotorFault -> new EditName("edit.repair", MotorFaultText.motors(clearMotorFault.motor())),
+                clearMotorFaults -> new EditName("edit.repair", MotorFaultText.motors(clearMotorFaults.motor())),
+                this::nameOfMove,
+                this::nameOfPlacement,
+                removeObstacle -> new EditName("edit.remove", "edit.removeSeveral", removeObstacle.obstacle()),
+                setPlatform -> {
+                    boolean speed = undo instanceof Command.SetPlatform back && back.speed() != setPlatform.speed();
+                    return new EditName(speed ? "edit.speed" : "edit.platform", "");
+                },
+                configureController -> new EditName("edit.controller", "")));
     }
 
     private String sensorKey(SensorSpec now) {
@@ -71,38 +81,7 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
                 .orElse("edit.tune");
     }
 
-    @Override
-    public EditName visit(Command.InjectFault command) {
-        return new EditName("edit.fault", command.sensor());
-    }
-
-    @Override
-    public EditName visit(Command.ClearFault command) {
-        return new EditName("edit.repair", command.sensor());
-    }
-
-    @Override
-    public EditName visit(Command.ClearFaults command) {
-        return new EditName("edit.repair", "edit.repairSeveral", command.sensor());
-    }
-
-    @Override
-    public EditName visit(Command.InjectMotorFault command) {
-        return new EditName("edit.fault", MotorFaultText.motors(command.motor()));
-    }
-
-    @Override
-    public EditName visit(Command.ClearMotorFault command) {
-        return new EditName("edit.repair", MotorFaultText.motors(command.motor()));
-    }
-
-    @Override
-    public EditName visit(Command.ClearMotorFaults command) {
-        return new EditName("edit.repair", MotorFaultText.motors(command.motor()));
-    }
-
-    @Override
-    public EditName visit(Command.MoveObstacle command) {
+    private EditName nameOfMove(Command.MoveObstacle command) {
         boolean turns = undo instanceof Command.MoveObstacle back
                 && back.pose().heading() != command.pose().heading();
         return turns
@@ -110,8 +89,7 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
                 : new EditName("edit.move", "edit.moveSeveral", command.obstacle());
     }
 
-    @Override
-    public EditName visit(Command.PlaceObstacle command) {
+    private EditName nameOfPlacement(Command.PlaceObstacle command) {
         Obstacle now = command.obstacle();
         if (!(undo instanceof Command.PlaceObstacle back)) {
             return new EditName("edit.add", "edit.addSeveral", now.id());
@@ -124,21 +102,5 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
         return before.isMoving()
                 && !before.motion().equals(now.motion())
                 && before.motion().withSpeed(now.motion().speed()).equals(now.motion());
-    }
-
-    @Override
-    public EditName visit(Command.RemoveObstacle command) {
-        return new EditName("edit.remove", "edit.removeSeveral", command.obstacle());
-    }
-
-    @Override
-    public EditName visit(Command.SetPlatform command) {
-        boolean speed = undo instanceof Command.SetPlatform back && back.speed() != command.speed();
-        return new EditName(speed ? "edit.speed" : "edit.platform", "");
-    }
-
-    @Override
-    public EditName visit(Command.ConfigureController command) {
-        return new EditName("edit.controller", "");
     }
 }

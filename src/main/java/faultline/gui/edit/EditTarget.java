@@ -18,42 +18,15 @@ import java.util.stream.IntStream;
  */
 record EditTarget(String kind, Object subject, boolean repeatable) {
 
-    private static final Command.SetupVisitor<EditTarget> FINDER = new Command.SetupVisitor<>() {
-        @Override
-        public EditTarget visitTimed(Command command) {
-            return new EditTarget("single", command, false);
-        }
-
-        @Override
-        public EditTarget visit(Command.ConfigureSensor command) {
-            return new EditTarget("configure", command.sensor().id(), true);
-        }
-
-        @Override
-        public EditTarget visit(Command.MoveObstacle command) {
-            return new EditTarget("move", command.obstacle(), true);
-        }
-
-        @Override
-        public EditTarget visit(Command.PlaceObstacle command) {
-            return new EditTarget("place", command.obstacle().id(), false);
-        }
-
-        @Override
-        public EditTarget visit(Command.RemoveObstacle command) {
-            return visitTimed(command);
-        }
-
-        @Override
-        public EditTarget visit(Command.SetPlatform command) {
-            return new EditTarget("platform", "", true);
-        }
-
-        @Override
-        public EditTarget visit(Command.ConfigureController command) {
-            return new EditTarget("controller", "", true);
-        }
-    };
+    private static final Command.CommandCases<EditTarget> FINDER = Command.CommandCases.ofSetup(
+            timed -> single(timed),
+            configureSensor ->
+                    new EditTarget("configure", configureSensor.sensor().id(), true),
+            moveObstacle -> new EditTarget("move", moveObstacle.obstacle(), true),
+            placeObstacle -> new EditTarget("place", placeObstacle.obstacle().id(), false),
+            removeObstacle -> single(removeObstacle),
+            setPlatform -> new EditTarget("platform", "", true),
+            configureController -> new EditTarget("controller", "", true));
 
     /**
      * Returns the target of a command as part of a gesture; different settings of the controller are different ones.
@@ -85,8 +58,11 @@ record EditTarget(String kind, Object subject, boolean repeatable) {
                 .toList();
     }
 
-    /** Returns the target of a command. */
     static EditTarget of(Command command) {
-        return command.accept(FINDER);
+        return command.match(FINDER);
+    }
+
+    private static EditTarget single(Command command) {
+        return new EditTarget("single", command, false);
     }
 }

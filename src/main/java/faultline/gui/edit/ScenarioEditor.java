@@ -12,30 +12,21 @@ public final class ScenarioEditor {
     private final RunController run;
     private final UndoController undo;
 
-    /** Creates an editor of the scenario of a run. */
     public ScenarioEditor(RunController run, UndoController undo) {
         this.run = run;
         this.undo = undo;
     }
 
     /**
-     * Changes the scenario. Changes with the same name in quick succession form one edit.
-     *
-     * @param key the key of the edit's name
-     * @param change the change
-     * @param inverse the change that reverts only this change
+     * Changes the scenario, given the key of the edit's name and the change that reverts only this change. Changes with
+     * the same name in quick succession form one edit.
      */
     public void edit(String key, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
         undo.addSetupEdit(() -> Messages.get(key), key, () -> run.change(inverse), () -> run.change(change));
         run.change(change);
     }
 
-    /**
-     * Moves the robot's start, which restarts the run.
-     *
-     * @param before the present start
-     * @param after the new start
-     */
+    /** Moves the robot's start, which restarts the run. */
     public void moveStart(Pose before, Pose after) {
         undo.runRestarted();
         undo.addSetupEdit(

@@ -3,12 +3,8 @@ package faultline.gui.edit;
 import java.util.function.Supplier;
 
 /**
- * A change of the scenario's setup. Undoing it runs the scenario again with the old setup.
- *
- * @param nameSource returns the name that menus show, in the current language
- * @param gestureId edits of one gesture are merged
- * @param undoAction restores the old setup
- * @param redoAction sets the new setup
+ * A change of the scenario's setup, named in the current language. Undoing it runs the scenario again with the old
+ * setup. Edits of one gesture are merged.
  */
 record SetupEdit(Supplier<String> nameSource, int gestureId, Runnable undoAction, Runnable redoAction) implements Edit {
 

@@ -41,7 +41,7 @@ public final class ShapeHandles {
     }
 
     private static List<Vector2> localPositions(ObstacleShape shape) {
-        return shape.accept(HANDLES).positions();
+        return shape.match(HANDLES).positions();
     }
 
     /**
@@ -50,7 +50,7 @@ public final class ShapeHandles {
      * shapes stay in place.
      */
     public static Obstacle dragHandle(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
-        return obstacle.shape().accept(HANDLES).drag(obstacle, handle, to, snap);
+        return obstacle.shape().match(HANDLES).drag(obstacle, handle, to, snap);
     }
 
     private static double size(double free, SnapSettings snap) {
@@ -63,7 +63,7 @@ public final class ShapeHandles {
 
     /** Returns the size that a handle changes, in the user's language. */
     public static String sizeText(Obstacle obstacle, int handle) {
-        return obstacle.shape().accept(HANDLES).sizeText(obstacle, handle);
+        return obstacle.shape().match(HANDLES).sizeText(obstacle, handle);
     }
 
     /** Returns a length in metres with three decimals. */
@@ -84,38 +84,14 @@ public final class ShapeHandles {
         String sizeText(Obstacle obstacle, int handle);
     }
 
-    private static final ObstacleShape.ShapeVisitor<Handles> HANDLES = new ObstacleShape.ShapeVisitor<>() {
-        @Override
-        public Handles visit(ObstacleShape.RectangleShape shape) {
-            return new RectangleHandles(shape);
-        }
-
-        @Override
-        public Handles visit(ObstacleShape.CircleShape shape) {
-            return new CircleHandles(shape);
-        }
-
-        @Override
-        public Handles visit(ObstacleShape.EllipseShape shape) {
-            return new EllipseHandles(shape);
-        }
-
-        @Override
-        public Handles visit(ObstacleShape.PolygonShape shape) {
-            return new CornerHandles(shape.points(), ObstacleShape.PolygonShape::new);
-        }
-
-        @Override
-        public Handles visit(ObstacleShape.WallShape shape) {
-            return new CornerHandles(shape.points(), ObstacleShape.WallShape::new);
-        }
-
-        @Override
-        public Handles visit(ObstacleShape.PlanShape shape) {
+    private static final ObstacleShape.ShapeCases<Handles> HANDLES = new ObstacleShape.ShapeCases<>(
+            RectangleHandles::new,
+            CircleHandles::new,
+            EllipseHandles::new,
+            polygon -> new CornerHandles(polygon.points(), ObstacleShape.PolygonShape::new),
+            wall -> new CornerHandles(wall.points(), ObstacleShape.WallShape::new),
             // A plan is moved and rotated as a whole; its thousands of corners have no handles.
-            return new CornerHandles(List.of(), points -> shape);
-        }
-    };
+            plan -> new CornerHandles(List.of(), points -> plan));
 
     private record RectangleHandles(ObstacleShape.RectangleShape shape) implements Handles {
         @Override

@@ -2,12 +2,7 @@ package faultline.gui.edit;
 
 import faultline.geometry.Vector2;
 
-/**
- * The steps that positions, lengths and angles of a drag are rounded to.
- *
- * @param gridStep the step of positions and lengths, metres; 0 for none
- * @param angleStep the step of angles, radians; 0 for none
- */
+/** The steps that positions and lengths, metres, and angles, radians, of a drag are rounded to; 0 for none. */
 public record SnapSettings(double gridStep, double angleStep) {
 
     private static final double MIN_STEP = 1e-4;

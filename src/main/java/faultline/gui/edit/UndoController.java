@@ -38,11 +38,8 @@ public final class UndoController {
     private long lastMillis;
 
     /**
-     * Creates a controller without edits.
-     *
-     * @param channel the channel that sends commands to the run, to be executed together, and passes their results to a
-     *     callback on the event dispatch thread
-     * @param onStateChange the callback for changes of the undo and redo state
+     * Creates a controller without edits. The channel sends commands to the run, to be executed together, and passes
+     * their results to a callback on the event dispatch thread.
      */
     public UndoController(BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel, Runnable onStateChange) {
         this(channel, onStateChange, () -> System.nanoTime() / 1_000_000);
@@ -139,11 +136,7 @@ public final class UndoController {
 
     /**
      * Records a change of the setup that has been made. Changes with equal targets in quick succession form one edit.
-     *
-     * @param name the supplier of the name that menus show, in the current language
-     * @param target the changed object
-     * @param undoAction the action that restores the old setup
-     * @param redoAction the action that sets the new setup
+     * The name is that in menus, in the current language.
      */
     public void addSetupEdit(Supplier<String> name, Object target, Runnable undoAction, Runnable redoAction) {
         assert EventQueue.isDispatchThread();
@@ -223,7 +216,6 @@ public final class UndoController {
         gestureActive = true;
     }
 
-    /** Ends the gesture. */
     public void endGesture() {
         endEdit();
         gestureActive = false;

@@ -14,12 +14,8 @@ import java.io.OutputStream;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * Writes an animated GIF of the run so far, at real time. It is made from the ticks of a replay, so no image is missing
- * at any speed of the run. Each image shows its time.
- *
- * @param renderRequest the settings for rendering each image; its frame is replaced
- * @param run completes with the scenario that replays the run
- * @param firstTick the first tick that is shown
+ * Writes an animated GIF of the run so far from a tick on, at real time. It is made from the ticks of a replay, so no
+ * image is missing at any speed of the run. Each image shows its time.
  */
 record AnimatedGifExport(RenderRequest renderRequest, CompletableFuture<Scenario> run, long firstTick)
         implements FileExport {

@@ -188,13 +188,7 @@ public final class ExportController implements WorkspaceListener {
         job.setJobName(workspace.scenario().map(Scenario::name).orElse(""));
         job.setPrintable(new PrintablePage(request));
         if (job.printDialog()) {
-            BackgroundTasks.run(
-                    () -> {
-                        job.print();
-                        return job;
-                    },
-                    done -> {},
-                    this::printFailed);
+            BackgroundTasks.run(job::print, this::printFailed);
         }
     }
 

@@ -61,18 +61,17 @@ final class ExportTask {
         }
     }
 
-    private Path write() throws IOException {
+    private void write() throws IOException {
         try (AtomicFile out = AtomicFile.create(file)) {
             export.write(out.stream(), progress);
             progress.throwIfCancelled();
             out.commit();
         }
-        return file;
     }
 
-    private void written(Path path) {
+    private void written() {
         end();
-        onWritten.accept(path);
+        onWritten.accept(file);
     }
 
     private void failed(Throwable failure) {

@@ -9,12 +9,8 @@ import java.io.OutputStream;
 interface FileExport {
 
     /**
-     * Writes the export.
-     *
-     * @param out the file; not closed
-     * @param progress receives the completed fraction
-     * @throws IOException if the export cannot be written
-     * @throws java.util.concurrent.CancellationException if the user cancels the export
+     * Writes the export to a file, which stays open. Throws a {@link java.util.concurrent.CancellationException} if the
+     * user cancels it.
      */
     void write(OutputStream out, TaskProgress progress) throws IOException;
 }

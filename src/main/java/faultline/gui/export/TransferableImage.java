@@ -10,11 +10,7 @@ import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.util.function.Consumer;
 
-/**
- * An image for the clipboard.
- *
- * @param image the image
- */
+/** An image for the clipboard. */
 record TransferableImage(Image image) implements Transferable {
 
     /**

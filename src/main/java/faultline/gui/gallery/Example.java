@@ -21,12 +21,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * An example scenario.
- *
- * @param file its file name, for {@link Scenario#loadShipped(String)}
- * @param title the title in the user's language
- * @param description the description in the user's language
- * @param thumbnail an image of the run, {@link #WIDTH} by {@link #HEIGHT} times {@link #RESOLUTION_SCALE}
+ * An example scenario, with texts in the user's language and an image of the run, {@link #WIDTH} by {@link #HEIGHT}
+ * times {@link #RESOLUTION_SCALE}.
  */
 record Example(String file, String title, String description, BufferedImage thumbnail) {
 

@@ -25,9 +25,7 @@ final class ExampleLoader {
                             EventQueue.invokeLater(() -> ifActive(() -> onLoaded.accept(example)));
                         }
                     }
-                    return progress;
                 },
-                done -> {},
                 failure -> ifActive(() -> onFailed.accept(failure)));
     }
 

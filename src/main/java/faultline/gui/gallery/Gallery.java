@@ -55,13 +55,8 @@ public final class Gallery extends JDialog {
     private final transient ExampleLoader loader;
 
     /**
-     * Creates a gallery, which fills while it is shown.
-     *
-     * @param owner the owner of the dialog
-     * @param onOpen called with the file name of the selected example
-     * @param atStart whether the gallery is shown at start
-     * @param atStartChanged called when the user changes that
-     * @param onTour the callback for a request of the tour, called after the gallery is closed
+     * Creates a gallery, which fills while it is shown. {@code onOpen} receives the file name of the selected example;
+     * {@code onTour} is called after the gallery is closed.
      */
     public Gallery(
             Window owner, Consumer<String> onOpen, boolean atStart, Consumer<Boolean> atStartChanged, Runnable onTour) {

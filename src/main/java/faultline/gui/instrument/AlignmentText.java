@@ -10,12 +10,7 @@ final class AlignmentText {
 
     private AlignmentText() {}
 
-    /**
-     * A labelled value.
-     *
-     * @param name the label
-     * @param value the value with its unit
-     */
+    /** A label, and a value with its unit. */
     record NamedValue(String name, String value) {}
 
     static List<NamedValue> rows(AlignmentTrace spin) {

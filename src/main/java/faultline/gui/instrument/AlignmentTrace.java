@@ -45,12 +45,7 @@ record AlignmentTrace(
         double achievedHeading,
         TimingRule rule) {
 
-    /**
-     * A reading.
-     *
-     * @param clock the time, seconds
-     * @param reading the distance, metres; infinite if nothing is in range
-     */
+    /** A time, seconds, and the distance, metres, that was read then; infinite if nothing is in range. */
     record AlignmentSample(double clock, double reading) {}
 
     AlignmentTrace {

@@ -7,12 +7,8 @@ import java.awt.Color;
 import java.util.function.Function;
 
 /**
- * A line of a strip chart.
- *
- * @param name the name in the legend
- * @param channel a channel of {@link faultline.engine.recording.TraceChannels}
- * @param colour the colour by theme
- * @param dash the dash pattern, which distinguishes lines without colour
+ * A line of a strip chart: a channel of {@link faultline.engine.recording.TraceChannels}, with a colour by theme and a
+ * dash pattern that distinguishes it without colour.
  */
 record ChartLine(String name, int channel, Function<Theme, Color> colour, DashPattern dash) {
 

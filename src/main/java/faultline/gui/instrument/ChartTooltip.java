@@ -1,6 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.engine.recording.TraceLevel;
+import faultline.gui.text.NumberText;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.PixelRectangle;
 import java.awt.BasicStroke;
@@ -14,7 +15,6 @@ import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
 /** The values of a chart's lines at the time under the cursor, as text and as a box on the chart. */
 final class ChartTooltip {
@@ -41,7 +41,7 @@ final class ChartTooltip {
     /** Returns the time, then one text per line. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
-        lines.add(format("t %.3f s", chart.data().timeOf(bucket)));
+        lines.add(NumberText.format("t %.3f s", chart.data().timeOf(bucket)));
         for (int i = chart.signal().lines().size() - 1; i >= 0; i--) {
             ChartLine curve = chart.signal().lines().get(i);
             lines.add(curve.name() + " " + valueText(curve));
@@ -56,14 +56,10 @@ final class ChartTooltip {
         if (!Float.isFinite(low)) {
             return "–";
         }
-        String least = format("%.3f", low);
-        String most = format("%.3f", high);
+        String least = NumberText.format("%.3f", low);
+        String most = NumberText.format("%.3f", high);
         return (least.equals(most) ? least : least + " … " + most) + " "
                 + chart.signal().unit();
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 
     /** Paints the values in a picture of the given width and height, pixels. */

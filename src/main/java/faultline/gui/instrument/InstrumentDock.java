@@ -85,7 +85,6 @@ public final class InstrumentDock extends JTabbedPane {
         chart.setReference(run);
     }
 
-    /** Returns the strip chart. */
     public StripChart chart() {
         return chart;
     }

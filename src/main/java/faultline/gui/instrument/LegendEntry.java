@@ -14,12 +14,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
-/**
- * A name in the legend of a strip chart.
- *
- * @param name the name
- * @param style the style of its lines by theme
- */
+/** A name in the legend of a strip chart, and the style of its lines by theme. */
 record LegendEntry(String name, Function<Theme, LineStyle> style) {
 
     private static final double REFERENCE_WIDTH = 1.4;

@@ -5,12 +5,8 @@ import faultline.paint.chart.LegendRows;
 import java.util.List;
 
 /**
- * A legend in the picture of a strip chart.
- *
- * @param rows the names
- * @param corner the upper left corner, pixels
- * @param above the height that it takes above the plot, pixels
- * @param beside the width that it takes to the right of the plot, pixels
+ * A legend in the picture of a strip chart: its upper left corner, the height that it takes above the plot, and the
+ * width beside it, pixels.
  */
 record LegendPlace(LegendRows<LegendEntry> rows, Vector2 corner, int above, int beside) {
 

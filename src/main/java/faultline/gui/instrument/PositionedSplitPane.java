@@ -22,14 +22,9 @@ public final class PositionedSplitPane extends JSplitPane {
     private boolean moved;
 
     /**
-     * Creates a split pane without a border and with continuous layout.
-     *
-     * @param nameKey the key of the name of the divider for screen readers, as it can be moved by keys
-     * @param orientation the orientation as in {@link JSplitPane}
-     * @param before the left or top component
-     * @param after the right or bottom component
-     * @param weight the share of additional space that goes to {@code before} after the user has moved the divider, in
-     *     [0, 1]
+     * Creates a split pane without a border and with continuous layout, given the key of the name of the divider for
+     * screen readers, an orientation of {@link JSplitPane}, and the share of additional space, in [0, 1], that goes to
+     * the first component after the user has moved the divider.
      */
     public PositionedSplitPane(String nameKey, int orientation, Component before, Component after, double weight) {
         super(orientation, before, after);

@@ -7,13 +7,7 @@ import faultline.world.SensorSnapshot;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * A choice of a strip chart: lines that are shown together.
- *
- * @param name the name of the choice
- * @param unit the unit of all lines
- * @param lines the lines from back to front
- */
+/** A choice of a strip chart: lines that are shown together, from back to front, and their unit. */
 record SignalGroup(String name, String unit, List<ChartLine> lines) {
 
     /** The id of the sensor whose reading the controller follows, by convention of the controller's telemetry. */

@@ -10,13 +10,7 @@ import java.util.List;
 /** The sequence of controller states, as far as it is still in the event log. */
 final class StateIntervals {
 
-    /**
-     * An interval during which the controller is in one state.
-     *
-     * @param state the state
-     * @param start the start, seconds
-     * @param end the end, seconds
-     */
+    /** An interval, seconds, during which the controller is in one state. */
     record StateInterval(ControllerState state, double start, double end) {}
 
     private StateIntervals() {}

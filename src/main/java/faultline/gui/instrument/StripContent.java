@@ -13,14 +13,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * All that a strip chart shows. Immutable, so that it can be exported on any thread.
- *
- * @param frame the newest frame of the run
- * @param signal the lines
- * @param span the times
- * @param range the values
- * @param items the faults, switches and moves of the timeline
- * @param reference a reference run beside it, null for none
+ * All that a strip chart shows; the reference run is null for none. Immutable, so that it can be exported on any
+ * thread.
  */
 public record StripContent(
         SessionFrame frame,

@@ -7,12 +7,8 @@ import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 
 /**
- * The buckets of a trace that a chart shows.
- *
- * @param level a resolution suitable for the chart's width
- * @param from the first bucket
- * @param to the end of the buckets, exclusive
- * @param dt the length of a tick, seconds
+ * The buckets of a trace that a chart shows, without the one at the end, at a resolution suitable for its width;
+ * {@code dt} is the length of a tick, seconds.
  */
 record StripData(TraceLevel level, long from, long to, double dt) {
 

@@ -11,13 +11,8 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
 /**
- * The content of a strip chart and its plot.
- *
- * @param signal the lines
- * @param data their recorded values
- * @param plot the rectangle of the lines, with its axes of time and value
- * @param sensors the ids of the sensors in the robot's order
- * @param legend the names of the lines; no rows if they are named elsewhere
+ * The content of a strip chart and its plot, with axes of time and value. The legend has no rows if the lines are named
+ * elsewhere.
  */
 record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> sensors, LegendPlace legend) {
 

@@ -13,13 +13,7 @@ final class StripTable {
 
     private StripTable() {}
 
-    /**
-     * A line of a run.
-     *
-     * @param name its name in the header
-     * @param line the line
-     * @param run the run
-     */
+    /** A line of a run, with its name in the header. */
     private record LineColumn(String name, ChartLine line, StripData run) {
 
         private boolean isSingle() {

@@ -1,10 +1,8 @@
 package faultline.gui.instrument;
 
 /**
- * The time span that a chart shows.
- *
- * @param start the start, seconds; negative if the run is shorter than the span
- * @param length the length, seconds, in [{@link #MIN_LENGTH}, {@link #MAX_LENGTH}]
+ * The time span that a chart shows, seconds. The start is negative if the run is shorter; the length is in
+ * [{@link #MIN_LENGTH}, {@link #MAX_LENGTH}].
  */
 record TimeSpan(double start, double length) {
 
@@ -22,7 +20,6 @@ record TimeSpan(double start, double length) {
         return start + length;
     }
 
-    /** Returns the time at a share of the span. */
     double timeAt(double share) {
         return start + share * length;
     }

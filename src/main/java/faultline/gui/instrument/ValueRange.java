@@ -3,13 +3,7 @@ package faultline.gui.instrument;
 import faultline.paint.chart.Axis;
 import java.util.stream.DoubleStream;
 
-/**
- * The range of a chart's vertical axis.
- *
- * @param kind the way in which it is chosen
- * @param low the least value of a fixed range
- * @param high the greatest value of a fixed range, above low
- */
+/** The range of a chart's vertical axis, and the limits of a fixed one. */
 record ValueRange(RangeKind kind, double low, double high) {
 
     /** The values and zero. */

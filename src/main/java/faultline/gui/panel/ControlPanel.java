@@ -67,11 +67,7 @@ public final class ControlPanel extends JPanel {
 
     /**
      * Creates a panel that shows the default robot, disabled, so that the fields do not move when a robot like it
-     * comes.
-     *
-     * @param editor receives all changes
-     * @param scenarioEditor receives changes that need a new simulation
-     * @param path shows or hides the path
+     * comes. The second editor receives changes that need a new simulation.
      */
     public ControlPanel(UndoController editor, ScenarioEditor scenarioEditor, Action path) {
         super(new BorderLayout());
@@ -250,7 +246,6 @@ public final class ControlPanel extends JPanel {
         return run;
     }
 
-    /** Shows a snapshot of the world. */
     public void setSnapshot(Snapshot world) {
         assert EventQueue.isDispatchThread();
         disabledControls.forEach(control -> control.setEnabled(true));

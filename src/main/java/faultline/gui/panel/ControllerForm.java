@@ -31,26 +31,11 @@ public final class ControllerForm {
         NONE,
         FOREIGN;
 
-        private static final ControllerSpec.BuiltInVisitor<ControllerKind> FINDER =
-                new ControllerSpec.BuiltInVisitor<>() {
-                    @Override
-                    public ControllerKind visit(ControllerSpec.None spec) {
-                        return NONE;
-                    }
-
-                    @Override
-                    public ControllerKind visit(ControllerSpec.Drive spec) {
-                        return DRIVE;
-                    }
-
-                    @Override
-                    public ControllerKind visit(WallFollowing spec) {
-                        return FOLLOWER;
-                    }
-                };
-
         static ControllerKind of(ControllerSpec spec) {
-            return spec instanceof ControllerSpec.BuiltIn builtIn ? builtIn.acceptBuiltIn(FINDER) : FOREIGN;
+            return spec instanceof ControllerSpec.BuiltIn builtIn
+                    ? builtIn.matchBuiltIn(
+                            new ControllerSpec.BuiltInCases<>(none -> NONE, drive -> DRIVE, follower -> FOLLOWER))
+                    : FOREIGN;
         }
     }
 
@@ -189,11 +174,8 @@ public final class ControllerForm {
     }
 
     /**
-     * Shows a controller.
-     *
-     * @param controller the controller
-     * @param robot the robot, whose speed and motors determine automatic gains
-     * @param dt the length of a tick, seconds
+     * Shows the controller of a robot, whose speed and motors determine automatic gains; {@code dt} is the length of a
+     * tick, seconds.
      */
     public void setController(ControllerSpec controller, RobotSpec robot, double dt) {
         shown = controller;

@@ -32,7 +32,6 @@ public final class ControllerPanel extends JPanel {
         editor.send(new Command.ConfigureController(changed));
     }
 
-    /** Shows the current settings. */
     void setSettings(ControllerSpec current, SimulationSetup setup) {
         assert EventQueue.isDispatchThread();
         editor.pendingEdits().setController(current);

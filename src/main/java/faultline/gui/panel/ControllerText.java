@@ -14,34 +14,33 @@ public final class ControllerText {
 
     /** Returns the kind of a controller with its settings. */
     public static String format(ControllerSpec.BuiltIn spec) {
-        return spec.acceptBuiltIn(new KindText());
+        return spec.matchBuiltIn(new ControllerSpec.BuiltInCases<>(
+                none -> Messages.get("controller.none"),
+                drive -> Messages.get(
+                        "controller.drive.text",
+                        DecimalText.format(drive.leftVolts()),
+                        DecimalText.format(drive.rightVolts())),
+                ControllerText::formatFollower));
     }
 
-    /** The kind of a controller with its settings. */
-    private static final class KindText implements ControllerSpec.BuiltInVisitor<String> {
-        @Override
-        public String visit(ControllerSpec.None spec) {
-            return Messages.get("controller.none");
-        }
+    private static String formatFollower(WallFollowing spec) {
+        return Messages.get(
+                        "controller.follower.text",
+                        DecimalText.format(spec.distance()),
+                        Messages.get("controller.wallSide." + spec.side().fileName()),
+                        format(spec.gainRule()),
+                        Messages.get("spin.rule." + spec.timingRule().fileName()))
+                + unusual(spec);
+    }
 
-        @Override
-        public String visit(ControllerSpec.Drive spec) {
-            return Messages.get(
-                    "controller.drive.text",
-                    DecimalText.format(spec.leftVolts()),
-                    DecimalText.format(spec.rightVolts()));
-        }
-
-        @Override
-        public String visit(WallFollowing spec) {
-            return Messages.get(
-                            "controller.follower.text",
-                            DecimalText.format(spec.distance()),
-                            Messages.get("controller.wallSide." + spec.side().fileName()),
-                            spec.gainRule().accept(new GainText()),
-                            Messages.get("spin.rule." + spec.timingRule().fileName()))
-                    + unusual(spec);
-        }
+    private static String format(GainRule rule) {
+        return rule.match(new GainRule.GainCases<>(
+                automatic -> Messages.get("controller.gains.automatic.text"),
+                length -> Messages.get("controller.gains.length.text", DecimalText.format(length.metres())),
+                fixed -> Messages.get(
+                        "controller.gains.fixed.text",
+                        DecimalText.format(fixed.proportional()),
+                        DecimalText.format(fixed.derivative()))));
     }
 
     /** Describes the settings that differ from the defaults and are not described otherwise. */
@@ -61,26 +60,5 @@ public final class ControllerText {
             }
         }
         return text.toString();
-    }
-
-    /** The rule for the gains with its values. */
-    private static final class GainText implements GainRule.GainRuleVisitor<String> {
-        @Override
-        public String visit(GainRule.Automatic rule) {
-            return Messages.get("controller.gains.automatic.text");
-        }
-
-        @Override
-        public String visit(GainRule.Length rule) {
-            return Messages.get("controller.gains.length.text", DecimalText.format(rule.metres()));
-        }
-
-        @Override
-        public String visit(GainRule.Fixed rule) {
-            return Messages.get(
-                    "controller.gains.fixed.text",
-                    DecimalText.format(rule.proportional()),
-                    DecimalText.format(rule.derivative()));
-        }
     }
 }

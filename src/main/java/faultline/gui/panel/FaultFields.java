@@ -94,13 +94,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         spinner.addChangeListener(event -> updateProblem());
     }
 
-    /**
-     * Adds the fields to a form.
-     *
-     * @param form the form, which has a {@link java.awt.GridBagLayout}
-     * @param row the first of four rows
-     * @param gap the gap above the first row, pixels
-     */
+    /** Adds the fields to four rows of a form with a {@link java.awt.GridBagLayout}, below a gap in pixels. */
     public void addTo(JPanel form, int row, int gap) {
         GridBagConstraints first = FormConstraints.cell(0, row);
         first.insets.top += gap;

@@ -22,13 +22,8 @@ public final class FormConstraints {
     }
 
     /**
-     * Adds a row with a label and a field. A number field keeps its width; another one fills the row.
-     *
-     * @param form a form with a {@link java.awt.GridBagLayout}
-     * @param row the row
-     * @param key the key of the label's text, which is also the accessible name of the field
-     * @param field the field
-     * @return the label
+     * Adds a row with a label, which is returned, and a field. The key is that of the label's text, which is also the
+     * accessible name of the field. A number field keeps its width; another one fills the row.
      */
     public static JLabel addRow(JPanel form, int row, String key, JComponent field) {
         JLabel label = label(key, field);

@@ -16,14 +16,8 @@ public final class FormDialog {
     private FormDialog() {}
 
     /**
-     * Shows a form, which scrolls if the screen is too small for it, and waits for the answer. The dialog grows with
-     * the form.
-     *
-     * @param parent the component behind the dialog
-     * @param title the title of the dialog
-     * @param form the form
-     * @param first the component that has the focus initially
-     * @return whether the form was accepted
+     * Shows a form, which scrolls if the screen is too small for it, waits for the answer, and returns whether the form
+     * was accepted. The dialog grows with the form; {@code first} has the focus initially.
      */
     public static boolean showDialog(Component parent, String title, JComponent form, Component first) {
         JOptionPane pane =

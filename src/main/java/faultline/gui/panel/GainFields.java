@@ -22,22 +22,9 @@ final class GainFields extends JPanel {
         LENGTH,
         FIXED;
 
-        private static final GainRule.GainRuleVisitor<GainChoice> FINDER = new GainRule.GainRuleVisitor<>() {
-            @Override
-            public GainChoice visit(GainRule.Automatic rule) {
-                return AUTOMATIC;
-            }
-
-            @Override
-            public GainChoice visit(GainRule.Length rule) {
-                return LENGTH;
-            }
-
-            @Override
-            public GainChoice visit(GainRule.Fixed rule) {
-                return FIXED;
-            }
-        };
+        static GainChoice of(GainRule rule) {
+            return rule.match(new GainRule.GainCases<>(automatic -> AUTOMATIC, length -> LENGTH, fixed -> FIXED));
+        }
     }
 
     private static final double MAX_GAIN = 10_000;
@@ -93,7 +80,7 @@ final class GainFields extends JPanel {
         shown = follower.gainRule();
         double lag = robot.motor().timeConstant() + dt * PeriodicController.ticksPerPeriod(follower.period(), dt);
         PdGains gains = shown.gains(robot.speed(), lag);
-        choice.setValue(shown.accept(GainChoice.FINDER));
+        choice.setValue(GainChoice.of(shown));
         proportional.setWorldValue(
                 shown instanceof GainRule.Fixed ? gains.proportional() : rounded(gains.proportional()));
         derivative.setWorldValue(shown instanceof GainRule.Fixed ? gains.derivative() : rounded(gains.derivative()));

@@ -3,9 +3,9 @@ package faultline.gui.panel;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -32,12 +32,8 @@ final class HealthRows extends JPanel {
     }
 
     /**
-     * Shows the health of the sensors.
-     *
-     * @param diagnosed the ids of the sensors that the controller diagnoses, so that there are rows before its first
-     *     finding
-     * @param health the health, in the robot's order, empty before the first finding
-     * @param dt the length of a tick, seconds
+     * Shows the health of the sensors, which is empty before the first finding; there are rows for the diagnosed ones
+     * even then.
      */
     void setHealth(List<String> diagnosed, List<SensorHealth> health, double dt) {
         List<String> now = health.isEmpty()
@@ -55,17 +51,16 @@ final class HealthRows extends JPanel {
             HealthRow row = rows.get(i);
             row.finding.setValue(name(sensor.finding()));
             row.evidence.setValue(
-                    sensor.evidence() > 0 ? format("%.0f %%", PERCENT * sensor.evidence()) : ValueLabel.NONE);
-            row.since.setValue(sensor.isTrusted() ? ValueLabel.NONE : format("%.2f s", sensor.sinceTick() * dt));
+                    sensor.evidence() > 0
+                            ? NumberText.format("%.0f %%", PERCENT * sensor.evidence())
+                            : ValueLabel.NONE);
+            row.since.setValue(
+                    sensor.isTrusted() ? ValueLabel.NONE : NumberText.format("%.2f s", sensor.sinceTick() * dt));
         }
     }
 
     private static String name(SensorFinding finding) {
         return Messages.get("health.finding." + finding.name());
-    }
-
-    private static String format(String pattern, double value) {
-        return String.format(Locale.ROOT, pattern, value);
     }
 
     private void rebuild() {

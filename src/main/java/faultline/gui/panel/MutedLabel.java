@@ -9,7 +9,6 @@ import javax.swing.JLabel;
 /** A label of less emphasis: a unit or a column heading. */
 public final class MutedLabel extends JLabel {
 
-    /** Creates a label. */
     public MutedLabel(String text) {
         super(text);
     }

@@ -14,13 +14,7 @@ public final class NamedChoice<T> extends JComboBox<T> {
 
     private boolean updating;
 
-    /**
-     * Creates a choice of the first value.
-     *
-     * @param values the values
-     * @param name returns the name of a value
-     * @param onChange receives every value that the user chooses
-     */
+    /** Creates a choice of the first value; {@code onChange} receives every value that the user chooses. */
     public NamedChoice(T[] values, Function<T, String> name, Consumer<T> onChange) {
         super(values);
         setRenderer(rendererOf(name));

@@ -251,12 +251,10 @@ public final class NumberSpinner extends JSpinner {
         return textField().isFocusOwner() && !textField().getText().equals(formatter.format(doubleValue()));
     }
 
-    /** Returns the number. */
     public double doubleValue() {
         return model.getNumber().doubleValue();
     }
 
-    /** Returns the text field. */
     public JFormattedTextField textField() {
         return ((JSpinner.DefaultEditor) getEditor()).getTextField();
     }

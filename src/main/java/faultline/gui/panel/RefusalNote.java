@@ -105,7 +105,6 @@ public final class RefusalNote {
         return new Point(x, room ? below : origin.y - size.height - GAP);
     }
 
-    /** Hides the note. */
     void hide() {
         end.stop();
         if (popup != null) {

@@ -6,11 +6,11 @@ import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import faultline.gui.text.ReadingText;
 import faultline.scenario.Scenario;
 import faultline.world.Collision;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -35,7 +35,9 @@ public record RunVerdict(boolean success, String title, String detail, long even
         if (status.failure().isPresent()) {
             return Optional.of(new RunVerdict(
                     false,
-                    Messages.get("verdict.broken", time(frame.snapshot().time())),
+                    Messages.get(
+                            "verdict.broken",
+                            NumberText.format("%.3f", frame.snapshot().time())),
                     status.failure().get(),
                     frame.snapshot().tick()));
         }
@@ -65,10 +67,10 @@ public record RunVerdict(boolean success, String title, String detail, long even
         String title = unmet.isEmpty()
                 ? Messages.get(
                         required.isEmpty() ? "verdict.finished" : "verdict.held",
-                        time(frame.snapshot().time()))
+                        NumberText.format("%.3f", frame.snapshot().time()))
                 : Messages.get(
                         "verdict.unmet",
-                        time(frame.snapshot().time()),
+                        NumberText.format("%.3f", frame.snapshot().time()),
                         Integer.toString(unmet.size()),
                         Integer.toString(required.size()));
         return new RunVerdict(
@@ -79,14 +81,14 @@ public record RunVerdict(boolean success, String title, String detail, long even
         boolean expected = required.contains(new Expectation.Collides(true));
         return new RunVerdict(
                 expected,
-                Messages.get("verdict.collided", collision.obstacle(), time(collision.time())),
+                Messages.get("verdict.collided", collision.obstacle(), NumberText.format("%.3f", collision.time())),
                 (expected ? Messages.get("verdict.asExpected") + " " : "") + faultText(collision),
                 collision.tick());
     }
 
     private static String collisionText(Collision collision) {
-        return Messages.get("verdict.collided", collision.obstacle(), time(collision.time())) + ". "
-                + faultText(collision);
+        return Messages.get("verdict.collided", collision.obstacle(), NumberText.format("%.3f", collision.time()))
+                + ". " + faultText(collision);
     }
 
     /** Returns which faults were active at a collision. */
@@ -97,10 +99,6 @@ public record RunVerdict(boolean success, String title, String detail, long even
                         collision.switchedOff().stream().map(id -> id + " " + Messages.get("reading.off")))
                 .collect(Collectors.joining(", "));
         return active.isEmpty() ? Messages.get("verdict.noFaults") : Messages.get("verdict.faults", active);
-    }
-
-    private static String time(double seconds) {
-        return String.format(Locale.ROOT, "%.3f", seconds);
     }
 
     /** Returns the tick to go to in order to see what went wrong. */

@@ -77,7 +77,6 @@ public final class SensorDetailsPanel extends JPanel {
         return Optional.ofNullable((String) sensorChoice.getSelectedItem());
     }
 
-    /** Selects a sensor. */
     void selectSensor(String id) {
         assert EventQueue.isDispatchThread();
         if (!id.equals(sensorChoice.getSelectedItem())) {

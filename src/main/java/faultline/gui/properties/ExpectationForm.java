@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -70,7 +71,6 @@ final class ExpectationForm extends JPanel {
         add(field, FormConstraints.cell(1, row));
     }
 
-    /** Shows an expectation. */
     void setExpectation(Expectation expectation) {
         contact.setValue(ContactChoice.NOT_CHECKED);
         coverageBox.setSelected(false);
@@ -80,7 +80,7 @@ final class ExpectationForm extends JPanel {
         finalBox.setSelected(false);
         states.values().forEach(box -> box.setSelected(false));
         others = new ArrayList<>(expectation.conditions());
-        others.removeIf(condition -> condition.accept(new ConditionFields()));
+        others.removeIf(this::show);
     }
 
     /** Returns the expectation of the fields. */
@@ -109,45 +109,33 @@ final class ExpectationForm extends JPanel {
     }
 
     /** Shows a condition in its fields, and returns whether there are fields for it. */
-    private final class ConditionFields implements Expectation.ConditionVisitor<Boolean> {
-
-        @Override
-        public Boolean visit(Expectation.Collides condition) {
-            contact.setValue(condition.wanted() ? ContactChoice.EXPECTED : ContactChoice.NONE);
-            return true;
-        }
-
-        @Override
-        public Boolean visit(Expectation.MinCoverage condition) {
-            coverageBox.setSelected(true);
-            coverage.setWorldValue(condition.share());
-            return true;
-        }
-
-        @Override
-        public Boolean visit(Expectation.MaxDistanceRms condition) {
-            rmsBox.setSelected(true);
-            rms.setWorldValue(condition.metres());
-            return true;
-        }
-
-        @Override
-        public Boolean visit(Expectation.VisitedState condition) {
-            if (condition.state() instanceof FollowerState state) {
-                states.get(state).setSelected(true);
-                return true;
-            }
-            return false;
-        }
-
-        @Override
-        public Boolean visit(Expectation.FinalState condition) {
-            if (condition.state() instanceof FollowerState state) {
-                finalBox.setSelected(true);
-                finalState.setValue(state);
-                return true;
-            }
-            return false;
-        }
+    private boolean show(Expectation.Condition shown) {
+        return shown.match(new Expectation.ConditionCases<>(
+                collides -> {
+                    contact.setValue(collides.wanted() ? ContactChoice.EXPECTED : ContactChoice.NONE);
+                    return true;
+                },
+                minCoverage -> {
+                    coverageBox.setSelected(true);
+                    coverage.setWorldValue(minCoverage.share());
+                    return true;
+                },
+                maxRms -> {
+                    rmsBox.setSelected(true);
+                    rms.setWorldValue(maxRms.metres());
+                    return true;
+                },
+                visited -> {
+                    Optional<JCheckBox> box = Optional.ofNullable(states.get(visited.state()));
+                    box.ifPresent(found -> found.setSelected(true));
+                    return box.isPresent();
+                },
+                last -> {
+                    if (last.state() instanceof FollowerState state) {
+                        finalBox.setSelected(true);
+                        finalState.setValue(state);
+                    }
+                    return last.state() instanceof FollowerState;
+                }));
     }
 }

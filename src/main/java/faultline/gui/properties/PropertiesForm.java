@@ -82,7 +82,6 @@ final class PropertiesForm extends JPanel {
         return name;
     }
 
-    /** Shows properties. */
     void setProperties(ScenarioProperties shown) {
         name.setText(shown.name());
         description.setText(shown.description());

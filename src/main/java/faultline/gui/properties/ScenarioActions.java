@@ -29,14 +29,7 @@ public final class ScenarioActions {
     private final ScenarioEditor editor;
     private final Consumer<Scenario> onNew;
 
-    /**
-     * Creates the actions.
-     *
-     * @param parent the component behind the dialogs
-     * @param workspace holds the open scenario
-     * @param editor receives changes of the open scenario
-     * @param onNew receives new scenarios
-     */
+    /** Creates the actions. The editor receives changes of the open scenario, and {@code onNew} new scenarios. */
     public ScenarioActions(Component parent, Workspace workspace, ScenarioEditor editor, Consumer<Scenario> onNew) {
         this.parent = parent;
         this.workspace = workspace;
@@ -44,7 +37,6 @@ public final class ScenarioActions {
         this.onNew = onNew;
     }
 
-    /** Adds the actions to a registry. */
     public void addTo(ActionRegistry actions) {
         actions.add(UiAction.of("new", this::showNewDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_N)));
         actions.add(UiAction.of("properties", this::showPropertiesDialog)

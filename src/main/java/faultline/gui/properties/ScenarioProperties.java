@@ -32,7 +32,6 @@ record ScenarioProperties(
         long seed,
         Expectation expectation) {
 
-    /** Returns the properties of a scenario. */
     static ScenarioProperties of(Scenario scenario) {
         SimulationSetup setup = scenario.setup();
         WorldSpec world = setup.world();

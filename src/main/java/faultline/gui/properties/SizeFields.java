@@ -14,12 +14,21 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /** The size of an obstacle: two lengths, or points. */
-final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
+final class SizeFields {
 
     private static final double MIN_SIZE = 0.001;
     private static final double MAX_SIZE = 10_000;
     /** The size of a shape that cannot be changed here. */
     private static final Size NO_FIELDS = ofPoints(List.of(), null);
+
+    private static final ObstacleShape.ShapeCases<Size> SIZES = new ObstacleShape.ShapeCases<>(
+            rectangle ->
+                    ofLengths("rectangle", rectangle.width(), rectangle.height(), ObstacleShape.RectangleShape::new),
+            circle -> ofLengths("circle", circle.radius(), Double.NaN, (r, none) -> new ObstacleShape.CircleShape(r)),
+            ellipse -> ofLengths("ellipse", ellipse.rx(), ellipse.ry(), ObstacleShape.EllipseShape::new),
+            polygon -> ofPoints(polygon.points(), ObstacleShape.PolygonShape::new),
+            wall -> ofPoints(wall.points(), ObstacleShape.WallShape::new),
+            plan -> NO_FIELDS);
 
     /**
      * The size of a shape.
@@ -99,7 +108,7 @@ final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
 
     /** Shows a shape, or disabled fields if it is null. */
     void setShape(ObstacleShape shapeOrNull) {
-        size = shapeOrNull == null ? NO_FIELDS : shapeOrNull.accept(this);
+        size = shapeOrNull == null ? NO_FIELDS : shapeOrNull.match(SIZES);
         setLabels(size.kind());
         show(first, size.first());
         show(second, size.second());
@@ -119,35 +128,5 @@ final class SizeFields implements ObstacleShape.ShapeVisitor<SizeFields.Size> {
 
     private static Size ofPoints(List<Vector2> points, Function<List<Vector2>, ObstacleShape> redrawn) {
         return new Size("rectangle", Double.NaN, Double.NaN, null, points, redrawn);
-    }
-
-    @Override
-    public Size visit(ObstacleShape.RectangleShape shape) {
-        return ofLengths("rectangle", shape.width(), shape.height(), ObstacleShape.RectangleShape::new);
-    }
-
-    @Override
-    public Size visit(ObstacleShape.CircleShape shape) {
-        return ofLengths("circle", shape.radius(), Double.NaN, (r, none) -> new ObstacleShape.CircleShape(r));
-    }
-
-    @Override
-    public Size visit(ObstacleShape.EllipseShape shape) {
-        return ofLengths("ellipse", shape.rx(), shape.ry(), ObstacleShape.EllipseShape::new);
-    }
-
-    @Override
-    public Size visit(ObstacleShape.PolygonShape shape) {
-        return ofPoints(shape.points(), ObstacleShape.PolygonShape::new);
-    }
-
-    @Override
-    public Size visit(ObstacleShape.WallShape shape) {
-        return ofPoints(shape.points(), ObstacleShape.WallShape::new);
-    }
-
-    @Override
-    public Size visit(ObstacleShape.PlanShape shape) {
-        return NO_FIELDS;
     }
 }

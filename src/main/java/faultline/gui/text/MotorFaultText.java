@@ -23,7 +23,6 @@ public final class MotorFaultText {
         return Messages.get("motors." + side.fileName());
     }
 
-    /** Returns the name of a kind of fault. */
     public static String nameOf(MotorFaultKind kind) {
         return Messages.get("motorFault." + kind.fileName());
     }

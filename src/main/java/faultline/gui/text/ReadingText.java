@@ -4,7 +4,6 @@ import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.sensor.Reading;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** Formats readings and faults. */
@@ -17,11 +16,7 @@ public final class ReadingText {
         if (reading.isOff()) {
             return Messages.get("reading.off");
         }
-        return reading.distance().isPresent() ? metresText(reading.encoded()) : "–";
-    }
-
-    private static String metresText(double value) {
-        return String.format(Locale.ROOT, "%.3f", value);
+        return reading.distance().isPresent() ? NumberText.format("%.3f", reading.encoded()) : "–";
     }
 
     /** Formats the faults of a sensor. */
@@ -29,7 +24,6 @@ public final class ReadingText {
         return faults.stream().map(ReadingText::format).collect(Collectors.joining(", "));
     }
 
-    /** Returns the name of a kind of fault. */
     public static String nameOf(FaultKind kind) {
         return Messages.get("fault." + kind.fileName());
     }

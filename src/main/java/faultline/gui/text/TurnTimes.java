@@ -1,7 +1,5 @@
 package faultline.gui.text;
 
-import java.util.Locale;
-
 /**
  * The times of an alignment turn as they are shown, in seconds. t_D and t_p are computed from the rounded F3 and F4, so
  * that a reader who applies eq. (4) to the shown times gets exactly the shown t_p.
@@ -19,13 +17,9 @@ public record TurnTimes(String f3, String f4, String tD, String tP) {
         long second = Math.round(1000 * f4);
         // eq. (4): t_p = t_D / 2
         return new TurnTimes(
-                format("%.3f", first / 1000.0),
-                format("%.3f", second / 1000.0),
-                format("%.3f", (second - first) / 1000.0),
-                format("%.4f", (second - first) / 2000.0));
-    }
-
-    private static String format(String pattern, double seconds) {
-        return String.format(Locale.ROOT, pattern, seconds);
+                NumberText.format("%.3f", first / 1000.0),
+                NumberText.format("%.3f", second / 1000.0),
+                NumberText.format("%.3f", (second - first) / 1000.0),
+                NumberText.format("%.4f", (second - first) / 2000.0));
     }
 }

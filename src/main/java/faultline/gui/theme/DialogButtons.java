@@ -75,13 +75,7 @@ public final class DialogButtons {
                                 step > 0 ? FocusEvent.Cause.TRAVERSAL_FORWARD : FocusEvent.Cause.TRAVERSAL_BACKWARD));
     }
 
-    /**
-     * Returns a row with the only button of a dialog, which Enter and Escape press, too.
-     *
-     * @param dialog the dialog
-     * @param key the key of the text of the button
-     * @param action the action of the button
-     */
+    /** Returns a row with the only button of a dialog, given the key of its text. Enter and Escape press it, too. */
     public static JPanel createSingleButton(JDialog dialog, String key, Runnable action) {
         JButton button = UiText.button(key);
         button.addActionListener(event -> action.run());

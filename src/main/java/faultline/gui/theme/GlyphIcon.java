@@ -8,11 +8,8 @@ import javax.swing.Icon;
 import javax.swing.plaf.UIResource;
 
 /**
- * A glyph as an icon, sharp at any screen scale.
- *
- * @param glyph the shape
- * @param size the width and height, pixels
- * @param colour selects a colour of the theme, null for the component's foreground
+ * A glyph as an icon, sharp at any screen scale, in a colour of the theme, or in the foreground of its component if
+ * that is null.
  */
 public record GlyphIcon(Glyph glyph, int size, Function<ThemeColours, Color> colour) implements Icon, UIResource {
 

@@ -6,14 +6,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 import java.util.function.Function;
 
-/**
- * A mark on the track of a slider.
- *
- * @param value the value that it marks
- * @param form its form
- * @param colour its colour by theme
- * @param text the text of its tool tip
- */
+/** A mark at a value on the track of a slider, with a colour by theme and the text of its tool tip. */
 public record SliderMark(int value, MarkShape form, Function<Theme, Color> colour, String text) {
 
     private static final double TICK_LENGTH = 12;

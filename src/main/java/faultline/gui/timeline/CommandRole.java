@@ -6,8 +6,7 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * The role of a command on the time line. Each kind of command has a separate visitor method here, so that a new one
- * does not compile without a role.
+ * The role of a command on the time line.
  *
  * @param lane the lane
  * @param effect the effect of the command
@@ -16,8 +15,6 @@ import java.util.function.Function;
  * @param inLane returns the same command in another lane, or the command itself if it cannot be there
  */
 public record CommandRole(Lane lane, ChangedProperty effect, List<Command> endings, Function<Lane, Command> inLane) {
-
-    private static final Command.Visitor<CommandRole> FINDER = new Finder();
 
     /** The property that a command changes. */
     public enum ChangedProperty {
@@ -31,9 +28,46 @@ public record CommandRole(Lane lane, ChangedProperty effect, List<Command> endin
         OBSTACLE
     }
 
-    /** Returns the role of a command. */
     public static CommandRole of(Command command) {
-        return command.accept(FINDER);
+        return command.match(new Command.CommandCases<>(
+                switchSensor -> ofSensor(
+                        switchSensor,
+                        switchSensor.sensor(),
+                        ChangedProperty.SWITCH,
+                        switchSensor.on() ? List.of() : List.of(new Command.SwitchSensor(switchSensor.sensor(), true)),
+                        id -> new Command.SwitchSensor(id, switchSensor.on())),
+                configureSensor -> momentOf(configureSensor.sensor().id(), ChangedProperty.SETTING, configureSensor),
+                injectFault -> ofSensor(
+                        injectFault,
+                        injectFault.sensor(),
+                        ChangedProperty.FAULT,
+                        List.of(
+                                new Command.ClearFault(injectFault.sensor(), injectFault.fault()),
+                                new Command.ClearFaults(injectFault.sensor())),
+                        id -> new Command.InjectFault(id, injectFault.fault())),
+                clearFault -> momentOf(clearFault.sensor(), ChangedProperty.FAULT, clearFault),
+                clearFaults -> momentOf(clearFaults.sensor(), ChangedProperty.FAULT, clearFaults),
+                CommandRole::ofMotorFault,
+                clearMotorFault ->
+                        moment(new Lane.MotorLane(clearMotorFault.motor()), ChangedProperty.FAULT, clearMotorFault),
+                clearMotorFaults ->
+                        moment(new Lane.MotorLane(clearMotorFaults.motor()), ChangedProperty.FAULT, clearMotorFaults),
+                moveObstacle -> moment(Lane.OTHER, ChangedProperty.OBSTACLE, moveObstacle),
+                placeObstacle -> moment(Lane.OTHER, ChangedProperty.OBSTACLE, placeObstacle),
+                removeObstacle -> moment(Lane.OTHER, ChangedProperty.OBSTACLE, removeObstacle),
+                setPlatform -> moment(Lane.OTHER, ChangedProperty.SETTING, setPlatform),
+                configureController -> moment(Lane.OTHER, ChangedProperty.SETTING, configureController)));
+    }
+
+    private static CommandRole ofMotorFault(Command.InjectMotorFault command) {
+        MotorSide side = command.motor();
+        return new CommandRole(
+                new Lane.MotorLane(side),
+                ChangedProperty.FAULT,
+                List.of(new Command.ClearMotorFault(side, command.fault()), new Command.ClearMotorFaults(side)),
+                other -> other instanceof Lane.MotorLane motors
+                        ? new Command.InjectMotorFault(motors.side(), command.fault())
+                        : command);
     }
 
     /** Returns whether a command changes settings of the controller, of a sensor or of the platform. */
@@ -50,93 +84,21 @@ public record CommandRole(Lane lane, ChangedProperty effect, List<Command> endin
         return new CommandRole(lane, effect, List.of(), other -> command);
     }
 
-    /** Returns a function that changes the sensor of a command, which must be in the lane of a sensor. */
-    private static Function<Lane, Command> bySensor(Command command, Function<String, Command> copy) {
-        return lane -> lane instanceof Lane.SensorLane sensor ? copy.apply(sensor.id()) : command;
+    private static CommandRole momentOf(String sensor, ChangedProperty effect, Command command) {
+        return moment(new Lane.SensorLane(sensor), effect, command);
     }
 
-    private static final class Finder implements Command.Visitor<CommandRole> {
-
-        @Override
-        public CommandRole visit(Command.SwitchSensor command) {
-            String sensor = command.sensor();
-            return new CommandRole(
-                    new Lane.SensorLane(sensor),
-                    ChangedProperty.SWITCH,
-                    command.on() ? List.of() : List.of(new Command.SwitchSensor(sensor, true)),
-                    bySensor(command, id -> new Command.SwitchSensor(id, command.on())));
-        }
-
-        @Override
-        public CommandRole visit(Command.InjectFault command) {
-            String sensor = command.sensor();
-            return new CommandRole(
-                    new Lane.SensorLane(sensor),
-                    ChangedProperty.FAULT,
-                    List.of(new Command.ClearFault(sensor, command.fault()), new Command.ClearFaults(sensor)),
-                    bySensor(command, id -> new Command.InjectFault(id, command.fault())));
-        }
-
-        @Override
-        public CommandRole visit(Command.ClearFault command) {
-            return moment(new Lane.SensorLane(command.sensor()), ChangedProperty.FAULT, command);
-        }
-
-        @Override
-        public CommandRole visit(Command.ClearFaults command) {
-            return moment(new Lane.SensorLane(command.sensor()), ChangedProperty.FAULT, command);
-        }
-
-        @Override
-        public CommandRole visit(Command.InjectMotorFault command) {
-            MotorSide side = command.motor();
-            return new CommandRole(
-                    new Lane.MotorLane(side),
-                    ChangedProperty.FAULT,
-                    List.of(new Command.ClearMotorFault(side, command.fault()), new Command.ClearMotorFaults(side)),
-                    other -> other instanceof Lane.MotorLane motors
-                            ? new Command.InjectMotorFault(motors.side(), command.fault())
-                            : command);
-        }
-
-        @Override
-        public CommandRole visit(Command.ClearMotorFault command) {
-            return moment(new Lane.MotorLane(command.motor()), ChangedProperty.FAULT, command);
-        }
-
-        @Override
-        public CommandRole visit(Command.ClearMotorFaults command) {
-            return moment(new Lane.MotorLane(command.motor()), ChangedProperty.FAULT, command);
-        }
-
-        @Override
-        public CommandRole visit(Command.ConfigureSensor command) {
-            return moment(new Lane.SensorLane(command.sensor().id()), ChangedProperty.SETTING, command);
-        }
-
-        @Override
-        public CommandRole visit(Command.SetPlatform command) {
-            return moment(Lane.OTHER, ChangedProperty.SETTING, command);
-        }
-
-        @Override
-        public CommandRole visit(Command.ConfigureController command) {
-            return moment(Lane.OTHER, ChangedProperty.SETTING, command);
-        }
-
-        @Override
-        public CommandRole visit(Command.MoveObstacle command) {
-            return moment(Lane.OTHER, ChangedProperty.OBSTACLE, command);
-        }
-
-        @Override
-        public CommandRole visit(Command.PlaceObstacle command) {
-            return moment(Lane.OTHER, ChangedProperty.OBSTACLE, command);
-        }
-
-        @Override
-        public CommandRole visit(Command.RemoveObstacle command) {
-            return moment(Lane.OTHER, ChangedProperty.OBSTACLE, command);
-        }
+    /** Returns the role of a command about a sensor, of which {@code copy} makes one about another sensor. */
+    private static CommandRole ofSensor(
+            Command command,
+            String sensor,
+            ChangedProperty effect,
+            List<Command> endings,
+            Function<String, Command> copy) {
+        return new CommandRole(
+                new Lane.SensorLane(sensor),
+                effect,
+                endings,
+                lane -> lane instanceof Lane.SensorLane other ? copy.apply(other.id()) : command);
     }
 }

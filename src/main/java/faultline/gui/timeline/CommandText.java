@@ -3,103 +3,55 @@ package faultline.gui.timeline;
 import faultline.gui.panel.ControllerText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
+import faultline.gui.text.NumberText;
 import faultline.gui.text.ReadingText;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
 import faultline.world.Command;
-import java.util.Locale;
 
 /** Describes commands in the user's language. */
-public class CommandText implements Command.Visitor<String> {
+public final class CommandText {
 
-    private static final CommandText INSTANCE = new CommandText();
-
-    CommandText() {}
+    private CommandText() {}
 
     /** Returns what a command does, as one sentence. */
     public static String format(Command command) {
-        return command.accept(INSTANCE);
+        return command.match(new Command.CommandCases<>(
+                switchSensor -> Messages.get(switchSensor.on() ? "command.on" : "command.off", switchSensor.sensor()),
+                configureSensor -> Messages.get(
+                        "command.tune",
+                        configureSensor.sensor().id(),
+                        NumberText.format("%.2f", configureSensor.sensor().range()),
+                        NumberText.format(
+                                "%.1f", Math.toDegrees(configureSensor.sensor().cone()))),
+                injectFault ->
+                        Messages.get("command.inject", injectFault.sensor(), ReadingText.format(injectFault.fault())),
+                clearFault ->
+                        Messages.get("command.clear", clearFault.sensor(), ReadingText.format(clearFault.fault())),
+                clearFaults -> Messages.get("command.clearAll", clearFaults.sensor()),
+                injectMotorFault -> motorText("command.inject", injectMotorFault.motor(), injectMotorFault.fault()),
+                clearMotorFault -> motorText("command.clear", clearMotorFault.motor(), clearMotorFault.fault()),
+                clearMotorFaults -> Messages.get("command.clearAll", MotorFaultText.motors(clearMotorFaults.motor())),
+                moveObstacle -> Messages.get(
+                        "command.move",
+                        moveObstacle.obstacle(),
+                        NumberText.format("%.3f", moveObstacle.pose().x()),
+                        NumberText.format("%.3f", moveObstacle.pose().y()),
+                        NumberText.format(
+                                "%.1f", Math.toDegrees(moveObstacle.pose().heading()))),
+                placeObstacle ->
+                        Messages.get("command.put", placeObstacle.obstacle().id()),
+                removeObstacle -> Messages.get("command.remove", removeObstacle.obstacle()),
+                setPlatform -> Messages.get(
+                        "command.platform",
+                        NumberText.format("%.3f", setPlatform.length()),
+                        NumberText.format("%.3f", setPlatform.width()),
+                        NumberText.format("%.2f", setPlatform.speed())),
+                configureController ->
+                        Messages.get("command.controller", ControllerText.format(configureController.controller()))));
     }
 
-    @Override
-    public String visit(Command.SwitchSensor command) {
-        return Messages.get(command.on() ? "command.on" : "command.off", command.sensor());
-    }
-
-    @Override
-    public String visit(Command.ConfigureSensor command) {
-        return Messages.get(
-                "command.tune",
-                command.sensor().id(),
-                number("%.2f", command.sensor().range()),
-                number("%.1f", Math.toDegrees(command.sensor().cone())));
-    }
-
-    @Override
-    public String visit(Command.InjectFault command) {
-        return Messages.get("command.inject", command.sensor(), ReadingText.format(command.fault()));
-    }
-
-    @Override
-    public String visit(Command.ClearFault command) {
-        return Messages.get("command.clear", command.sensor(), ReadingText.format(command.fault()));
-    }
-
-    @Override
-    public String visit(Command.ClearFaults command) {
-        return Messages.get("command.clearAll", command.sensor());
-    }
-
-    @Override
-    public String visit(Command.InjectMotorFault command) {
-        return Messages.get(
-                "command.inject", MotorFaultText.motors(command.motor()), MotorFaultText.format(command.fault()));
-    }
-
-    @Override
-    public String visit(Command.ClearMotorFault command) {
-        return Messages.get(
-                "command.clear", MotorFaultText.motors(command.motor()), MotorFaultText.format(command.fault()));
-    }
-
-    @Override
-    public String visit(Command.ClearMotorFaults command) {
-        return Messages.get("command.clearAll", MotorFaultText.motors(command.motor()));
-    }
-
-    @Override
-    public String visit(Command.MoveObstacle command) {
-        return Messages.get(
-                "command.move",
-                command.obstacle(),
-                number("%.3f", command.pose().x()),
-                number("%.3f", command.pose().y()),
-                number("%.1f", Math.toDegrees(command.pose().heading())));
-    }
-
-    @Override
-    public String visit(Command.PlaceObstacle command) {
-        return Messages.get("command.put", command.obstacle().id());
-    }
-
-    @Override
-    public String visit(Command.RemoveObstacle command) {
-        return Messages.get("command.remove", command.obstacle());
-    }
-
-    @Override
-    public String visit(Command.SetPlatform command) {
-        return Messages.get(
-                "command.platform",
-                number("%.3f", command.length()),
-                number("%.3f", command.width()),
-                number("%.2f", command.speed()));
-    }
-
-    @Override
-    public String visit(Command.ConfigureController command) {
-        return Messages.get("command.controller", ControllerText.format(command.controller()));
-    }
-
-    private static String number(String format, double value) {
-        return String.format(Locale.ROOT, format, value);
+    private static String motorText(String key, MotorSide motor, MotorFault fault) {
+        return Messages.get(key, MotorFaultText.motors(motor), MotorFaultText.format(fault));
     }
 }

@@ -23,11 +23,8 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/**
- * Adds the fields for the details of a command to a form: a fault, the pose of a move, or the controller. Each method
- * returns what reads the command from its fields, or nothing if a value is invalid.
- */
-final class DetailFields implements Command.SetupVisitor<Supplier<Optional<Command>>> {
+/** Adds the fields for the details of a command to a form: a fault, the pose of a move, or the controller. */
+final class DetailFields {
 
     /** The row of the start, between the details and the fields of a controller; the end is in the next one. */
     static final int TIMES_ROW = 5;
@@ -50,6 +47,22 @@ final class DetailFields implements Command.SetupVisitor<Supplier<Optional<Comma
         this.lane = lane;
         this.robot = robot;
         this.tick = tick;
+    }
+
+    /** Adds the fields of a command, and returns what reads it from them; it returns nothing if a value is invalid. */
+    Supplier<Optional<Command>> add(Command command) {
+        if (command instanceof Command.InjectFault injected) {
+            return addFault(injected);
+        }
+        if (command instanceof Command.InjectMotorFault injected) {
+            return addMotorFault(injected);
+        }
+        if (command instanceof Command.MoveObstacle moved) {
+            return addPose(moved);
+        }
+        return command instanceof Command.ConfigureController configured
+                ? addController(configured)
+                : () -> Optional.of(command);
     }
 
     /** Returns a field for a number, which is at least 0 initially. */
@@ -76,8 +89,7 @@ final class DetailFields implements Command.SetupVisitor<Supplier<Optional<Comma
         form.add(new JLabel(unit), FormConstraints.fillCell(2, row));
     }
 
-    @Override
-    public Supplier<Optional<Command>> visit(Command.InjectFault command) {
+    private Supplier<Optional<Command>> addFault(Command.InjectFault command) {
         FaultFields<FaultKind, Fault> fault = FaultFields.forSensors();
         lane.addActionListener(event -> updateRange(fault));
         updateRange(fault);
@@ -93,16 +105,14 @@ final class DetailFields implements Command.SetupVisitor<Supplier<Optional<Comma
         }
     }
 
-    @Override
-    public Supplier<Optional<Command>> visit(Command.InjectMotorFault command) {
+    private Supplier<Optional<Command>> addMotorFault(Command.InjectMotorFault command) {
         FaultFields<MotorFaultKind, MotorFault> fault = FaultFields.forMotors();
         fault.setFault(command.fault().kind(), command.fault().value(), 0);
         fault.addTo(form, FIRST_ROW, 0);
         return () -> fault.commitFault().map(valid -> new Command.InjectMotorFault(command.motor(), valid));
     }
 
-    @Override
-    public Supplier<Optional<Command>> visit(Command.MoveObstacle command) {
+    private Supplier<Optional<Command>> addPose(Command.MoveObstacle command) {
         Pose old = command.pose();
         double oldDegrees = Math.toDegrees(old.heading());
         NumberSpinner x = addPoseField(FIRST_ROW, "timeline.x", "m", old.x());
@@ -127,8 +137,7 @@ final class DetailFields implements Command.SetupVisitor<Supplier<Optional<Comma
     }
 
     /** Adds the fields of a controller in two columns. */
-    @Override
-    public Supplier<Optional<Command>> visit(Command.ConfigureController command) {
+    private Supplier<Optional<Command>> addController(Command.ConfigureController command) {
         List<JComponent> sections = controllerForm.sections();
         JPanel columns = new JPanel(new GridLayout(1, 2));
         columns.add(column(sections.get(0), sections.get(1)));
@@ -153,34 +162,5 @@ final class DetailFields implements Command.SetupVisitor<Supplier<Optional<Comma
     private void setController(ControllerSpec.BuiltIn changed) {
         controller = changed;
         controllerForm.setController(changed, robot, tick);
-    }
-
-    @Override
-    public Supplier<Optional<Command>> visitTimed(Command command) {
-        return withoutDetails(command);
-    }
-
-    @Override
-    public Supplier<Optional<Command>> visit(Command.ConfigureSensor command) {
-        return withoutDetails(command);
-    }
-
-    @Override
-    public Supplier<Optional<Command>> visit(Command.PlaceObstacle command) {
-        return withoutDetails(command);
-    }
-
-    @Override
-    public Supplier<Optional<Command>> visit(Command.RemoveObstacle command) {
-        return withoutDetails(command);
-    }
-
-    @Override
-    public Supplier<Optional<Command>> visit(Command.SetPlatform command) {
-        return withoutDetails(command);
-    }
-
-    private static Supplier<Optional<Command>> withoutDetails(Command command) {
-        return () -> Optional.of(command);
     }
 }

@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import faultline.engine.recording.RunEvent;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
+import faultline.world.Command;
 
 /** The kinds of events that the event log tells apart, without reading and without colour by their marks. */
 public enum EventKind {
@@ -29,8 +30,6 @@ public enum EventKind {
     /** The run differs from the reference run. */
     DIVERGENCE("event.ghost", Glyph.FORK, false);
 
-    private static final RunEvent.EventVisitor<EventKind> FINDER = new KindFinder();
-
     private final String key;
     private final Glyph mark;
     private final boolean warning;
@@ -41,9 +40,16 @@ public enum EventKind {
         this.warning = warning;
     }
 
-    /** Returns the kind of an event. */
     public static EventKind of(RunEvent event) {
-        return event.accept(FINDER);
+        return event.match(new RunEvent.EventCases<>(
+                stateChanged -> TRANSITION,
+                alignmentTimed -> TIMING,
+                healthChanged -> healthChanged.health().isTrusted() ? TRUST : DISTRUST,
+                rungChanged -> RUNG,
+                commandExecuted -> ofExecuted(commandExecuted.command()),
+                commandRefused -> REFUSAL,
+                collided -> COLLISION,
+                diverged -> DIVERGENCE));
     }
 
     /** Returns the name of the kind in the user's language. */
@@ -61,50 +67,11 @@ public enum EventKind {
         return warning;
     }
 
-    private static final class KindFinder implements RunEvent.EventVisitor<EventKind> {
-
-        @Override
-        public EventKind visit(RunEvent.StateChanged event) {
-            return TRANSITION;
+    private static EventKind ofExecuted(Command command) {
+        CommandRole role = CommandRole.of(command);
+        if (role.effect() != CommandRole.ChangedProperty.FAULT) {
+            return COMMAND;
         }
-
-        @Override
-        public EventKind visit(RunEvent.AlignmentTimed event) {
-            return TIMING;
-        }
-
-        @Override
-        public EventKind visit(RunEvent.HealthChanged event) {
-            return event.health().isTrusted() ? TRUST : DISTRUST;
-        }
-
-        @Override
-        public EventKind visit(RunEvent.RungChanged event) {
-            return RUNG;
-        }
-
-        @Override
-        public EventKind visit(RunEvent.CommandExecuted event) {
-            CommandRole role = CommandRole.of(event.command());
-            if (role.effect() != CommandRole.ChangedProperty.FAULT) {
-                return COMMAND;
-            }
-            return role.isFaultStart() ? FAULT : REPAIR;
-        }
-
-        @Override
-        public EventKind visit(RunEvent.CommandRefused event) {
-            return REFUSAL;
-        }
-
-        @Override
-        public EventKind visit(RunEvent.Collided event) {
-            return COLLISION;
-        }
-
-        @Override
-        public EventKind visit(RunEvent.Diverged event) {
-            return DIVERGENCE;
-        }
+        return role.isFaultStart() ? FAULT : REPAIR;
     }
 }

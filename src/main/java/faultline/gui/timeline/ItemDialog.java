@@ -38,7 +38,7 @@ final class ItemDialog {
         if (item.isInterval()) {
             addLaneField();
         }
-        details = item.command().accept(new DetailFields(form, lane, robot, tick));
+        details = new DetailFields(form, lane, robot, tick).add(item.command());
         addTimeFields();
     }
 
@@ -63,14 +63,8 @@ final class ItemDialog {
     }
 
     /**
-     * Shows the dialog and waits for the answer.
-     *
-     * @param parent the component behind the dialog
-     * @param lanes the lanes to choose from
-     * @param item the initial values
-     * @param robot the robot
-     * @param tick the length of a tick, the shortest interval, seconds
-     * @return the item with other values, empty if cancelled
+     * Shows the dialog for an item in one of some lanes, waits for the answer, and returns the item with other values;
+     * empty if cancelled. The length of a tick, seconds, is the shortest interval.
      */
     static Optional<TimelineItem> showDialog(
             Component parent, List<Lane> lanes, TimelineItem item, RobotSpec robot, double tick) {

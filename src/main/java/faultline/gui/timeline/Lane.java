@@ -13,11 +13,7 @@ public sealed interface Lane {
     /** Returns the name that the window shows. */
     String label();
 
-    /**
-     * The lane of a sensor.
-     *
-     * @param id the id of the sensor
-     */
+    /** The lane of a sensor, by its id. */
     record SensorLane(String id) implements Lane {
         @Override
         public String label() {
@@ -25,11 +21,7 @@ public sealed interface Lane {
         }
     }
 
-    /**
-     * The lane of the motors of a side.
-     *
-     * @param side the side
-     */
+    /** The lane of the motors of a side. */
     record MotorLane(MotorSide side) implements Lane {
         @Override
         public String label() {

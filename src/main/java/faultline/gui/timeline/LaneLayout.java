@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * The places of lanes and items: see {@link Lane}. Items of a lane that overlap in time lie one below the other, in
@@ -42,13 +43,8 @@ final class LaneLayout {
     private final int[] nextInRow;
 
     /**
-     * Creates a layout.
-     *
-     * @param lanes the lanes, from the top
-     * @param items the items
-     * @param axis the times
-     * @param top the y coordinate of the first lane, pixels
-     * @param rowHeight the height of a lane without overlapping items, pixels
+     * Creates a layout, given the y coordinate of the first lane and the height of a lane without overlapping items,
+     * pixels.
      */
     LaneLayout(List<Lane> lanes, List<TimelineItem> items, TimeAxis axis, int top, int rowHeight) {
         this.lanes = List.copyOf(lanes);
@@ -62,7 +58,6 @@ final class LaneLayout {
         rows = new int[items.size()];
         nextInRow = new int[items.size()];
         rowCounts = assignRows();
-        linkRows();
         tops = new int[lanes.size() + 1];
         tops[0] = top;
         for (int lane = 0; lane < lanes.size(); lane++) {
@@ -71,47 +66,38 @@ final class LaneLayout {
     }
 
     /**
-     * Gives each item the first row of its lane that is free from its start on, or the one that is free next if the
-     * lane has no more rows. Returns the number of rows of each lane.
+     * Gives each interval the first row of its lane that is free from its start on, or the one that is free next if the
+     * lane has no more rows, and finds the next item of each one's row. Returns the number of rows of each lane.
      */
     private int[] assignRows() {
         int[] counts = new int[lanes.size()];
         Arrays.fill(counts, 1);
-        int[][] last = new int[lanes.size()][MAX_ROWS];
-        for (int[] row : last) {
-            Arrays.fill(row, NONE);
-        }
+        Arrays.fill(nextInRow, NONE);
+        int[][] lastInterval = emptyRows();
+        int[][] last = emptyRows();
         IntStream.range(0, items.size())
-                .filter(index -> items.get(index).isInterval())
                 .boxed()
                 .sorted(Comparator.comparingDouble(index -> items.get(index).start()))
                 .forEach(index -> {
                     int lane = laneOfItem[index];
-                    int row = freeRow(last[lane], items.get(index).start());
-                    last[lane][row] = index;
-                    rows[index] = row;
-                    counts[lane] = Math.max(counts[lane], row + 1);
+                    if (items.get(index).isInterval()) {
+                        rows[index] =
+                                freeRow(lastInterval[lane], items.get(index).start());
+                        lastInterval[lane][rows[index]] = index;
+                        counts[lane] = Math.max(counts[lane], rows[index] + 1);
+                    }
+                    if (last[lane][rows[index]] != NONE) {
+                        nextInRow[last[lane][rows[index]]] = index;
+                    }
+                    last[lane][rows[index]] = index;
                 });
         return counts;
     }
 
-    /** Finds the next item of each one's row, by the start. */
-    private void linkRows() {
-        Arrays.fill(nextInRow, NONE);
-        int[][] last = new int[lanes.size()][MAX_ROWS];
-        for (int[] row : last) {
-            Arrays.fill(row, NONE);
-        }
-        IntStream.range(0, items.size())
-                .boxed()
-                .sorted(Comparator.comparingDouble(index -> items.get(index).start()))
-                .forEach(index -> {
-                    int[] lane = last[laneOfItem[index]];
-                    if (lane[rows[index]] != NONE) {
-                        nextInRow[lane[rows[index]]] = index;
-                    }
-                    lane[rows[index]] = index;
-                });
+    private int[][] emptyRows() {
+        int[][] empty = new int[lanes.size()][MAX_ROWS];
+        Stream.of(empty).forEach(row -> Arrays.fill(row, NONE));
+        return empty;
     }
 
     /** Returns the first row whose last item has ended, or else the one whose last item ends first. */
@@ -135,12 +121,7 @@ final class LaneLayout {
         END
     }
 
-    /**
-     * An item under the mouse.
-     *
-     * @param index the index of the item
-     * @param part its part
-     */
+    /** An item under the mouse: its index and the part. */
     record ItemHit(int index, ItemPart part) {}
 
     /** Returns whether this is the layout of these very lists. */
@@ -163,12 +144,10 @@ final class LaneLayout {
         return lanes;
     }
 
-    /** Returns the items. */
     List<TimelineItem> items() {
         return items;
     }
 
-    /** Returns the times. */
     TimeAxis axis() {
         return axis;
     }
@@ -231,12 +210,8 @@ final class LaneLayout {
     }
 
     /**
-     * Returns where the label of an interval is drawn: on its bar, or after it if only there is room for all of it.
-     *
-     * @param index the index of the interval
-     * @param textWidth the width of the label, pixels
-     * @param padding the space on either side of the label, pixels
-     * @param right the x coordinate of the right edge of the lanes, pixels
+     * Returns where the label of an interval is drawn: on its bar, or after it if only there is room for all of it. All
+     * lengths are in pixels; {@code right} is the right edge of the lanes.
      */
     LabelRoom labelRoom(int index, double textWidth, double padding, double right) {
         Rectangle2D bar = bounds(index);
@@ -248,12 +223,7 @@ final class LaneLayout {
         return textWidth > onBar.width() && textWidth <= after.width() ? after : onBar;
     }
 
-    /**
-     * The horizontal room of a label, pixels.
-     *
-     * @param left the x coordinate of its left edge
-     * @param right that of its right edge
-     */
+    /** The x coordinates of the edges of a label, pixels. */
     record LabelRoom(double left, double right) {
 
         double width() {

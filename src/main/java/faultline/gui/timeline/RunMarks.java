@@ -31,14 +31,7 @@ final class RunMarks {
         this.dt = dt;
     }
 
-    /**
-     * Returns the marks, later ones over earlier ones.
-     *
-     * @param frame the newest frame
-     * @param items the items of the time line
-     * @param end the last tick of the scenario
-     * @param dt the length of a tick, seconds
-     */
+    /** Returns the marks of the newest frame, later ones over earlier ones, up to the last tick of the scenario. */
     static List<SliderMark> of(SessionFrame frame, List<TimelineItem> items, long end, double dt) {
         RunMarks result = new RunMarks(frame, dt);
         EventLog log = frame.recording().events();

@@ -3,11 +3,8 @@ package faultline.gui.timeline;
 import faultline.paint.chart.Axis;
 
 /**
- * The horizontal axis of the time line, from time 0.
- *
- * @param left the x coordinate of time 0, pixels
- * @param right the x coordinate of the end, pixels
- * @param end the time at the end, seconds
+ * The horizontal axis of the time line, from time 0: the x coordinates of its ends, pixels, and the time at its end,
+ * seconds.
  */
 record TimeAxis(double left, double right, double end) {
 

@@ -23,13 +23,7 @@ public final class TimelineEditor {
     /** The item that the last undo or redo restored, until a view has selected it; null for none. */
     private TimelineItem restored;
 
-    /**
-     * Creates an editor.
-     *
-     * @param workspace the workspace with the scenario
-     * @param run the controller of the run, which simulates the scenario again
-     * @param undo the controller that records the changes
-     */
+    /** Creates an editor of the scenario of a workspace. */
     public TimelineEditor(Workspace workspace, RunController run, UndoController undo) {
         this.workspace = workspace;
         this.run = run;
@@ -106,11 +100,8 @@ public final class TimelineEditor {
     }
 
     /**
-     * A change of the timeline.
-     *
-     * @param target the changed object; changes of one target may be merged
-     * @param before the selection after an undo, null for none
-     * @param after the selection after a redo, null for none
+     * A change of the timeline, and the selections after an undo and a redo, null for none. Changes of one target may
+     * be merged.
      */
     private record TimelineChange(Object target, TimelineItem before, TimelineItem after) {}
 

@@ -8,10 +8,7 @@ import java.util.List;
 
 /**
  * An item of the time line: a fault or a sensor that is switched off, for an interval, or a command at one moment.
- *
- * @param command the command at the start
- * @param start the start, seconds
- * @param end the end, seconds; infinite if it lasts to the end of the run, equal to the start for a moment
+ * Times are in seconds; the end is infinite if it lasts to the end of the run, and equal to the start for a moment.
  */
 public record TimelineItem(Command command, double start, double end) {
 
@@ -35,7 +32,6 @@ public record TimelineItem(Command command, double start, double end) {
         return Double.isInfinite(end);
     }
 
-    /** Returns the lane of this item. */
     public Lane lane() {
         return role().lane();
     }

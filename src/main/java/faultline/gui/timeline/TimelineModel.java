@@ -25,13 +25,7 @@ public final class TimelineModel {
     private final List<TimedCommand> commands;
     private final List<PairedCommands> pairs = new ArrayList<>();
     private final List<TimelineItem> items;
-    /**
-     * An item and the indices of its commands.
-     *
-     * @param item the item
-     * @param first the index of its first command
-     * @param last the index of the command that ends it, or {@link #NONE}
-     */
+    /** An item, the index of its first command, and that of the command that ends it, or {@link #NONE}. */
     private record PairedCommands(TimelineItem item, int first, int last) {
 
         PairedCommands endedBy(TimedCommand later, int index) {
@@ -50,7 +44,6 @@ public final class TimelineModel {
         items = pairs.stream().map(PairedCommands::item).toList();
     }
 
-    /** Returns the model of a timeline. */
     public static TimelineModel of(List<TimedCommand> commands) {
         return new TimelineModel(commands);
     }
@@ -85,7 +78,6 @@ public final class TimelineModel {
         return items;
     }
 
-    /** Returns the commands. */
     public List<TimedCommand> commands() {
         return commands;
     }

@@ -45,11 +45,8 @@ public final class TimelinePanel extends JPanel {
     private transient List<Object> markedState = List.of();
 
     /**
-     * Creates a time line without a run.
-     *
-     * @param jump receives the tick to go to
-     * @param preview receives keyframes while the thumb is dragged
-     * @param editor changes the scenario's timeline
+     * Creates a time line without a run. {@code jump} receives the tick to go to, and {@code preview} keyframes while
+     * the thumb is dragged.
      */
     public TimelinePanel(LongConsumer jump, Consumer<Frame> preview, TimelineEditor editor) {
         super(new BorderLayout(0, 1));
@@ -83,7 +80,6 @@ public final class TimelinePanel extends JPanel {
         return editor.model().items();
     }
 
-    /** Returns the lanes. */
     public LaneView lanes() {
         return lanes;
     }
@@ -95,11 +91,8 @@ public final class TimelinePanel extends JPanel {
     }
 
     /**
-     * Shows the current tick and the last one.
-     *
-     * @param end the last tick
-     * @param scenarioEnd the last tick of the scenario's duration
-     * @param dt the length of a tick, seconds
+     * Shows the current tick, the last one and that of the scenario's duration; {@code dt} is the length of a tick,
+     * seconds.
      */
     public void setFrame(SessionFrame frame, long end, long scenarioEnd, double dt) {
         bar.setFrame(frame, end, dt);

@@ -2,39 +2,26 @@ package faultline.gui.timeline;
 
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
+import faultline.gui.text.NumberText;
 import faultline.gui.text.ReadingText;
 import faultline.world.Command;
-import java.util.Locale;
 
 /** Describes the items of the time line in the user's language. */
 final class TimelineText {
 
-    private static final CommandText LABELS = new Labels();
-
     private TimelineText() {}
 
-    /** Describes commands, those that begin an interval without their sensor or motors. */
-    private static final class Labels extends CommandText {
-
-        @Override
-        public String visit(Command.InjectFault command) {
-            return ReadingText.format(command.fault());
-        }
-
-        @Override
-        public String visit(Command.InjectMotorFault command) {
-            return MotorFaultText.format(command.fault());
-        }
-
-        @Override
-        public String visit(Command.SwitchSensor command) {
-            return command.on() ? super.visit(command) : Messages.get("timeline.off");
-        }
-    }
-
-    /** Returns a short name: the fault, or what the command does. */
+    /** Returns a short name without the sensor or motors: the fault, or what the command does. */
     static String label(TimelineItem item) {
-        return item.command().accept(LABELS);
+        if (item.command() instanceof Command.InjectFault injected) {
+            return ReadingText.format(injected.fault());
+        }
+        if (item.command() instanceof Command.InjectMotorFault injected) {
+            return MotorFaultText.format(injected.fault());
+        }
+        return item.command() instanceof Command.SwitchSensor switched && !switched.on()
+                ? Messages.get("timeline.off")
+                : CommandText.format(item.command());
     }
 
     /** Returns the label with its sensor or motors. */
@@ -62,14 +49,10 @@ final class TimelineText {
     /** Returns the times, for example "20.00 – 40.00 s". */
     static String times(TimelineItem item) {
         if (!item.isInterval()) {
-            return seconds(item.start()) + " s";
+            return NumberText.format("%.2f", item.start()) + " s";
         }
         return item.isOpen()
-                ? Messages.get("timeline.from", seconds(item.start()))
-                : seconds(item.start()) + " – " + seconds(item.end()) + " s";
-    }
-
-    private static String seconds(double time) {
-        return String.format(Locale.ROOT, "%.2f", time);
+                ? Messages.get("timeline.from", NumberText.format("%.2f", item.start()))
+                : NumberText.format("%.2f", item.start()) + " – " + NumberText.format("%.2f", item.end()) + " s";
     }
 }

@@ -6,7 +6,6 @@ import faultline.paint.scene.CornerChoice.Corner;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.LayoutManager;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
@@ -18,7 +17,7 @@ import javax.swing.JComponent;
  * a fitted world is shown below it; in a view that the user has chosen, it goes to the lower edge if the robot is at
  * the upper one. The card of the tour is in a corner, which it leaves only when the robot comes near.
  */
-final class CanvasOverlays implements LayoutManager {
+final class CanvasOverlays extends StatelessLayout {
 
     private final SimulationCanvas canvas;
     private final JComponent banner;
@@ -36,7 +35,6 @@ final class CanvasOverlays implements LayoutManager {
         canvas.add(banner);
     }
 
-    /** Adds the card of the tour. */
     void addCard(TourCard newCard) {
         card = newCard;
         canvas.add(card);
@@ -79,20 +77,5 @@ final class CanvasOverlays implements LayoutManager {
     @Override
     public Dimension preferredLayoutSize(Container parent) {
         return new Dimension();
-    }
-
-    @Override
-    public Dimension minimumLayoutSize(Container parent) {
-        return new Dimension();
-    }
-
-    @Override
-    public void addLayoutComponent(String name, Component part) {
-        // All parts are known.
-    }
-
-    @Override
-    public void removeLayoutComponent(Component part) {
-        // No component is ever removed.
     }
 }

@@ -112,7 +112,7 @@ final class MainPanel extends JPanel {
     }
 
     private void addCanvasListeners() {
-        canvas.tools().addNoteListener(statusBar::showNote);
+        canvas.tools().listeners().addNoteListener(statusBar::showNote);
         canvas.tools()
                 .addSensorListener(sensor ->
                         sensor.ifPresentOrElse(controlPanel::selectSensor, controlPanel::clearSensorSelection));

@@ -37,6 +37,7 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.gallery.Gallery;
 import faultline.gui.properties.ScenarioActions;
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineEditor;
@@ -216,7 +217,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void installCanvasListeners() {
-        canvas.tools().addMenuListener(at -> {
+        canvas.tools().listeners().addMenuListener(at -> {
             MenuTarget target = canvas.tools().targetAt(at);
             JPopupMenu popup = new JPopupMenu();
             if (target == MenuTarget.SENSOR) {
@@ -227,7 +228,7 @@ public final class MainWindow extends JFrame {
             Menus.addCanvasItems(popup, actionRegistry, target);
             popup.show(canvas, at.x, at.y);
         });
-        canvas.tools().addStartListener(pose -> workspace
+        canvas.tools().listeners().addStartListener(pose -> workspace
                 .scenario()
                 .ifPresent(open -> scenarioEditor.moveStart(open.setup().start(), pose)));
     }
@@ -275,7 +276,6 @@ public final class MainWindow extends JFrame {
         });
     }
 
-    /** Returns all actions. */
     ActionRegistry actions() {
         return actionRegistry;
     }
@@ -325,8 +325,8 @@ public final class MainWindow extends JFrame {
         new Gallery(
                         this,
                         fileController::openShipped,
-                        preferences.isGalleryShownAtStart(),
-                        preferences::setGalleryShownAtStart,
+                        preferences.get(Preference.GALLERY_SHOWN),
+                        shown -> preferences.set(Preference.GALLERY_SHOWN, shown),
                         this::startTour)
                 .setVisible(true);
     }

@@ -7,6 +7,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.text.AngleText;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.RefreshSteps;
@@ -14,7 +15,6 @@ import faultline.gui.theme.SeparatorBorder;
 import faultline.gui.theme.UiText;
 import faultline.world.Snapshot;
 import java.awt.EventQueue;
-import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -79,11 +79,11 @@ final class StatusBar extends JPanel {
                         : world.collision().isPresent()
                                 ? "status.collided"
                                 : status.running() ? "status.running" : "status.paused"));
-        time.setStatusText(format("t %.3f s", world.time()));
-        tick.setStatusText(format("tick %d", world.tick()));
+        time.setStatusText(NumberText.format("t %.3f s", world.time()));
+        tick.setStatusText(NumberText.format("tick %d", world.tick()));
         pace.setStatusText(
                 status.achievedSpeed() > 0
-                        ? format("%.2f× ", status.achievedSpeed()) + Messages.get("status.realTime")
+                        ? NumberText.format("%.2f× ", status.achievedSpeed()) + Messages.get("status.realTime")
                         : "–");
         state.setStatusText(StateText.name(frame.telemetry().state()));
         pose.setStatusText(poseText(world.pose()));
@@ -91,7 +91,7 @@ final class StatusBar extends JPanel {
     }
 
     private static String poseText(Pose pose) {
-        return format("x %.3f  y %.3f  θ %s°", pose.x(), pose.y(), AngleText.degrees(pose.heading(), 1));
+        return NumberText.format("x %.3f  y %.3f  θ %s°", pose.x(), pose.y(), AngleText.degrees(pose.heading(), 1));
     }
 
     /** Shows permanently why the run failed, or temporarily why a command was refused. */
@@ -139,15 +139,14 @@ final class StatusBar extends JPanel {
     void showCursor(Vector2 at) {
         cursorPoint = at;
         cursor.setStatusText(
-                at == null ? "" : Messages.get("status.at", format("%.2f", at.x()), format("%.2f", at.y())));
+                at == null
+                        ? ""
+                        : Messages.get(
+                                "status.at", NumberText.format("%.2f", at.x()), NumberText.format("%.2f", at.y())));
     }
 
     /** Shows the scale of the canvas in pixels per metre. */
     void showScale(double pixelsPerMetre) {
-        scale.setStatusText(format("%.0f px/m", pixelsPerMetre));
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
+        scale.setStatusText(NumberText.format("%.0f px/m", pixelsPerMetre));
     }
 }

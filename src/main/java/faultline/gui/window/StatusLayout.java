@@ -14,7 +14,7 @@ import java.util.stream.Stream;
  * hidden, the last one first, so that those before them never move. Components that are not optional get the remaining
  * width.
  */
-final class StatusLayout extends BarLayout {
+final class StatusLayout extends StatelessLayout {
 
     private final int unscaledGap;
     private final Predicate<Component> optional;

@@ -11,7 +11,7 @@ import java.util.List;
  * Lays out components side by side at their preferred sizes, centred in their row, and continues in another row where
  * the width is too small. The preferred height is that for the present width.
  */
-final class ToolBarLayout extends BarLayout {
+final class ToolBarLayout extends StatelessLayout {
 
     private static final int ROW_GAP = 4;
 

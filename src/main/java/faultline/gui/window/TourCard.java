@@ -38,12 +38,7 @@ final class TourCard extends JPanel {
     /** The width where there is room, at the normal text size, pixels. */
     private static final int WIDTH = 420;
 
-    /**
-     * A step of the tour.
-     *
-     * @param key the end of the keys of its texts
-     * @param target the control to use
-     */
+    /** A step of the tour: the end of the keys of its texts, and the control to use. */
     record TourStep(String key, JComponent target) {}
 
     private final transient List<TourStep> steps;

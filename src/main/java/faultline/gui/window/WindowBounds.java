@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import java.awt.Dimension;
 import java.awt.Frame;
@@ -7,6 +8,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 
@@ -42,9 +44,12 @@ final class WindowBounds {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         window.setMinimumSize(
                 new Dimension(Math.min(MIN_SIZE.width, screen.width), Math.min(MIN_SIZE.height, screen.height)));
-        Rectangle bounds = preferences.bounds().filter(WindowBounds::isOnScreen).orElseGet(() -> centred(screen));
+        Rectangle bounds = preferences
+                .get(Preference.BOUNDS)
+                .filter(WindowBounds::isOnScreen)
+                .orElseGet(() -> centred(screen));
         window.setBounds(bounds);
-        if (preferences.isMaximised()) {
+        if (preferences.get(Preference.MAXIMISED)) {
             maximise(bounds);
         }
         window.addComponentListener(new ComponentAdapter() {
@@ -59,9 +64,9 @@ final class WindowBounds {
             }
         });
         restoreDivider();
-        preferences.dockHeight().ifPresent(mainPanel::setDockHeight);
+        preferences.get(Preference.DOCK_HEIGHT).ifPresent(mainPanel::setDockHeight);
         preferences
-                .chartWidth()
+                .get(Preference.CHART_WIDTH)
                 .ifPresent(width -> mainPanel.instruments().split().place(size -> width));
     }
 
@@ -118,18 +123,22 @@ final class WindowBounds {
 
     private void restoreDivider() {
         window.validate();
-        mainPanel.setPanelWidth(
-                preferences.panelWidth().orElse(mainPanel.controlPanel().defaultWidth()));
+        mainPanel.setPanelWidth(preferences
+                .get(Preference.PANEL_WIDTH)
+                .orElse(mainPanel.controlPanel().defaultWidth()));
     }
 
     /** Stores the bounds for the next window. */
     void save() {
         if (confirmedBounds != null) {
-            preferences.setBounds(confirmedBounds);
+            preferences.set(Preference.BOUNDS, Optional.of(confirmedBounds));
         }
-        preferences.setMaximised((window.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH);
-        preferences.setPanelWidth(mainPanel.panelWidth());
-        preferences.setDock(
-                mainPanel.dockHeight(), mainPanel.instruments().split().getDividerLocation());
+        preferences.set(
+                Preference.MAXIMISED, (window.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH);
+        preferences.set(Preference.PANEL_WIDTH, Optional.of(mainPanel.panelWidth()));
+        preferences.set(Preference.DOCK_HEIGHT, Optional.of(mainPanel.dockHeight()));
+        preferences.set(
+                Preference.CHART_WIDTH,
+                Optional.of(mainPanel.instruments().split().getDividerLocation()));
     }
 }

@@ -3,12 +3,14 @@ package faultline.gui.window;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
+import java.util.Optional;
 import javax.swing.JFrame;
 
 /** The parts of the window that the user shows and hides: the instruments, the control panel and the time line. */
@@ -31,9 +33,9 @@ final class WindowParts {
     /** Creates the actions that show and hide the parts. */
     WindowParts(WindowPreferences preferences) {
         this.preferences = preferences;
-        controlPanel = UiAction.toggle("controlPanel", preferences.isPanelShown(), this::setPanelShown)
+        controlPanel = UiAction.toggle("controlPanel", preferences.get(Preference.PANEL_SHOWN), this::setPanelShown)
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F9));
-        timeline = UiAction.toggle("timeline", preferences.isTimelineShown(), this::setTimelineShown)
+        timeline = UiAction.toggle("timeline", preferences.get(Preference.TIMELINE_SHOWN), this::setTimelineShown)
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_T));
     }
 
@@ -46,8 +48,8 @@ final class WindowParts {
     /** Shows the parts of the contents of a window that the user has chosen. */
     void install(JFrame window, MainPanel contents) {
         mainPanel = contents;
-        mainPanel.setPanelShown(preferences.isPanelShown());
-        mainPanel.timeline().setLanesShown(preferences.isTimelineShown());
+        mainPanel.setPanelShown(preferences.get(Preference.PANEL_SHOWN));
+        mainPanel.timeline().setLanesShown(preferences.get(Preference.TIMELINE_SHOWN));
         RefreshSteps.add(window.getRootPane(), root -> showDockByDefault(window));
         window.addComponentListener(new ComponentAdapter() {
             @Override
@@ -60,7 +62,7 @@ final class WindowParts {
     /** Shows the instruments as the user has chosen, otherwise in a window that is high enough. */
     private void showDockByDefault(JFrame window) {
         if (!dockChosen) {
-            boolean shown = preferences.dockShown().orElse(window.getHeight() >= minHeightWithDock());
+            boolean shown = preferences.get(Preference.DOCK_SHOWN).orElse(window.getHeight() >= minHeightWithDock());
             mainPanel.setDockShown(shown);
             instruments.setOn(shown);
         }
@@ -90,16 +92,16 @@ final class WindowParts {
     private void setDockShown(boolean shown) {
         dockChosen = true;
         mainPanel.setDockShown(shown);
-        preferences.setDockShown(shown);
+        preferences.set(Preference.DOCK_SHOWN, Optional.of(shown));
     }
 
     private void setPanelShown(boolean shown) {
         mainPanel.setPanelShown(shown);
-        preferences.setPanelShown(shown);
+        preferences.set(Preference.PANEL_SHOWN, shown);
     }
 
     private void setTimelineShown(boolean shown) {
         mainPanel.timeline().setLanesShown(shown);
-        preferences.setTimelineShown(shown);
+        preferences.set(Preference.TIMELINE_SHOWN, shown);
     }
 }

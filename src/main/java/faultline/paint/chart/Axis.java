@@ -129,7 +129,6 @@ public record Axis(String label, double low, double high, boolean logarithmic, L
         return NiceSteps.atLeast(span / MAX_INTERVALS);
     }
 
-    /** Returns the label of a tick of this axis. */
     String tickLabel(double tick) {
         return rows.isEmpty() ? formatTick(tick) : rows.get((int) tick);
     }

@@ -48,14 +48,7 @@ public final class ChartPainter {
         this.painter = new PlotPainter(surface, new Plot(plotArea, chart.x(), chart.y()));
     }
 
-    /**
-     * Paints a chart.
-     *
-     * @param surface the target
-     * @param chart the chart
-     * @param area filled by the chart, its title and the labels of its axes
-     * @param style its colours
-     */
+    /** Paints a chart with its title and the labels of its axes into an area. */
     public static void paint(Surface surface, Chart chart, PixelRectangle area, ChartStyle style) {
         new ChartPainter(surface, chart, area, style).paint();
     }
@@ -96,7 +89,7 @@ public final class ChartPainter {
         SeriesPainter seriesPainter = new SeriesPainter(painter, style);
         chart.series().stream()
                 .filter(series -> series instanceof Series.Cells == maps)
-                .forEach(series -> series.accept(seriesPainter));
+                .forEach(seriesPainter::paint);
     }
 
     private void paintLabels() {

@@ -21,12 +21,8 @@ public final class Histogram {
     private Histogram() {}
 
     /**
-     * Returns the chart of some values.
-     *
-     * @param title above the chart
-     * @param quantity the quantity of the values, with the unit
-     * @param frequency the quantity that the bars count
-     * @param values all finite
+     * Returns the chart of some finite values, given its title, the quantity of the values with its unit, and that
+     * which the bars count.
      */
     public static Chart chart(String title, String quantity, String frequency, double[] values) {
         double high = Arrays.stream(values).max().orElse(0);

@@ -10,6 +10,7 @@ import faultline.paint.surface.TextStyle;
 import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
 /** The names of a chart's series with a sample of each, in rows above the data. */
 final class Legend {
@@ -30,9 +31,9 @@ final class Legend {
     Legend(List<Series> allSeries, ChartStyle style, double width) {
         this.style = style;
         textStyle = TextStyle.plain(11, style.palette().text());
-        ItemList items = new ItemList();
-        allSeries.forEach(series -> series.accept(items));
-        rows = LegendRows.of(items.items, LegendItem::name, textStyle::estimateWidth, width);
+        List<LegendItem> items = new ArrayList<>();
+        allSeries.forEach(series -> addItems(series, items));
+        rows = LegendRows.of(items, LegendItem::name, textStyle::estimateWidth, width);
     }
 
     /** Returns the height of all rows, pixels. */
@@ -48,53 +49,40 @@ final class Legend {
         return PlotPainter.corners(new PixelRectangle(left.x(), left.y() - 5, LegendRows.SAMPLE_WIDTH, 10), 0, 1, 1, 0);
     }
 
-    /** Collects the items of the series that it visits. */
-    private final class ItemList implements Series.SeriesVisitor {
-
-        private final List<LegendItem> items = new ArrayList<>();
-
-        private void add(Series series, ItemSample sample) {
+    private void addItems(Series series, List<LegendItem> items) {
+        Consumer<ItemSample> add = sample -> {
             if (!series.name().isEmpty()) {
                 items.add(new LegendItem(series.name(), sample));
             }
-        }
-
-        @Override
-        public void visit(Series.Line line) {
-            add(line, (surface, left) -> {
-                Vector2 right = left.plus(new Vector2(LegendRows.SAMPLE_WIDTH, 0));
-                surface.draw(Shapes.polyline(List.of(left, right)), style.lineStyle(line.styleIndex()));
-            });
-        }
-
-        @Override
-        public void visit(Series.Points points) {
-            Vector2 middle = new Vector2(LegendRows.SAMPLE_WIDTH / 2, 0);
-            add(points, (surface, left) -> MarkerPainter.paint(surface, left.plus(middle), points.styleIndex(), style));
-        }
-
-        @Override
-        public void visit(Series.Band band) {
-            Color colour = ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2);
-            add(band, (surface, left) -> surface.fill(Shapes.polygon(box(left)), colour));
-        }
-
-        @Override
-        public void visit(Series.Cells cells) {
-            for (int i = 0; i < cells.names().size(); i++) {
-                Color colour = style.classes().get(i);
-                items.add(new LegendItem(cells.names().get(i), (surface, left) -> {
+        };
+        series.match(new Series.SeriesCases(
+                line -> add.accept((surface, left) -> {
+                    Vector2 right = left.plus(new Vector2(LegendRows.SAMPLE_WIDTH, 0));
+                    surface.draw(Shapes.polyline(List.of(left, right)), style.lineStyle(line.styleIndex()));
+                }),
+                points -> add.accept((surface, left) -> {
+                    Vector2 middle = left.plus(new Vector2(LegendRows.SAMPLE_WIDTH / 2, 0));
+                    MarkerPainter.paint(surface, middle, points.styleIndex(), style);
+                }),
+                band -> add.accept((surface, left) -> {
+                    Color colour = ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2);
                     surface.fill(Shapes.polygon(box(left)), colour);
-                    surface.draw(
-                            Shapes.polygon(box(left)),
-                            LineStyle.solid(style.palette().text(), 0.6));
+                }),
+                cells -> addClasses(cells, items),
+                note -> {
+                    // A text explains itself.
                 }));
-            }
-        }
+    }
 
-        @Override
-        public void visit(Series.Note note) {
-            // A text explains itself.
+    private void addClasses(Series.Cells cells, List<LegendItem> items) {
+        for (int i = 0; i < cells.names().size(); i++) {
+            Color colour = style.classes().get(i);
+            items.add(new LegendItem(cells.names().get(i), (surface, left) -> {
+                surface.fill(Shapes.polygon(box(left)), colour);
+                surface.draw(
+                        Shapes.polygon(box(left)),
+                        LineStyle.solid(style.palette().text(), 0.6));
+            }));
         }
     }
 }

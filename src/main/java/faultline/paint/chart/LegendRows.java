@@ -9,12 +9,8 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
 /**
- * The entries of a legend, each a sample and a name, in rows of a limited width. All lengths are in pixels.
- *
- * @param rows the entries, from the top
- * @param name returns the name of an entry
- * @param textWidth measures a name
- * @param <E> the type of the entries
+ * The entries of a legend, each a sample and a name, in rows of a limited width, from the top. All lengths are in
+ * pixels.
  */
 public record LegendRows<E>(List<List<E>> rows, Function<E, String> name, ToDoubleFunction<String> textWidth) {
 
@@ -26,11 +22,7 @@ public record LegendRows<E>(List<List<E>> rows, Function<E, String> name, ToDoub
     /** The distance from the middle of a line of text down to its baseline, as a share of its size. */
     private static final double BASELINE = 4.0 / 11;
 
-    /**
-     * Paints the sample of an entry.
-     *
-     * @param <E> the type of the entries
-     */
+    /** Paints the sample of an entry. */
     @FunctionalInterface
     public interface SamplePainter<E> {
 

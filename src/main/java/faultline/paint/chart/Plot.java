@@ -3,13 +3,7 @@ package faultline.paint.chart;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.PixelRectangle;
 
-/**
- * The rectangle of a chart in which its data lie, and its axes: the one place where values become pixels.
- *
- * @param area the rectangle
- * @param horizontal the axis along its width
- * @param vertical the axis along its height, upwards
- */
+/** The rectangle of a chart in which its data lie, and its axes: the one place where values become pixels. */
 public record Plot(PixelRectangle area, Axis horizontal, Axis vertical) {
 
     /** Returns the x coordinate of a value on the horizontal axis, pixels. */

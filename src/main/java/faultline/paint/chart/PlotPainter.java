@@ -15,9 +15,6 @@ import java.util.List;
 /**
  * Paints the parts that all charts share: grid lines, the labels of ticks, lines that are clipped at the plot, and
  * series.
- *
- * @param surface the target
- * @param plot the rectangle and the axes
  */
 public record PlotPainter(Surface surface, Plot plot) {
 

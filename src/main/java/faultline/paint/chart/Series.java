@@ -2,6 +2,7 @@ package faultline.paint.chart;
 
 import faultline.geometry.Vector2;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * A series of a chart, in the values of its axes. A name that is not empty appears in the legend; the style index
@@ -12,26 +13,16 @@ public sealed interface Series {
     /** Returns the name in the legend; empty for a series without an entry. */
     String name();
 
-    /** Calls the method of a visitor for this series. */
-    void accept(SeriesVisitor visitor);
+    /** Calls the function for this kind of series. */
+    void match(SeriesCases cases);
 
-    /** An operation with one method for each kind of series. */
-    interface SeriesVisitor {
-        /** Visits a line. */
-        void visit(Line line);
-
-        /** Visits points. */
-        void visit(Points points);
-
-        /** Visits a band. */
-        void visit(Band band);
-
-        /** Visits the cells of a map. */
-        void visit(Cells cells);
-
-        /** Visits a text. */
-        void visit(Note note);
-    }
+    /** A function for each kind of series. */
+    record SeriesCases(
+            Consumer<Line> line,
+            Consumer<Points> points,
+            Consumer<Band> band,
+            Consumer<Cells> cells,
+            Consumer<Note> note) {}
 
     /**
      * A line.
@@ -46,26 +37,20 @@ public sealed interface Series {
         }
 
         @Override
-        public void accept(SeriesVisitor visitor) {
-            visitor.visit(this);
+        public void match(SeriesCases cases) {
+            cases.line.accept(this);
         }
     }
 
-    /**
-     * Single points.
-     *
-     * @param name the name in the legend
-     * @param points the points, in any order
-     * @param styleIndex the style index, from 0
-     */
+    /** Single points in any order, with the name in the legend and the style index, from 0. */
     record Points(String name, List<Vector2> points, int styleIndex) implements Series {
         public Points {
             points = List.copyOf(points);
         }
 
         @Override
-        public void accept(SeriesVisitor visitor) {
-            visitor.visit(this);
+        public void match(SeriesCases cases) {
+            cases.points.accept(this);
         }
     }
 
@@ -84,8 +69,8 @@ public sealed interface Series {
         }
 
         @Override
-        public void accept(SeriesVisitor visitor) {
-            visitor.visit(this);
+        public void match(SeriesCases cases) {
+            cases.band.accept(this);
         }
     }
 
@@ -108,21 +93,16 @@ public sealed interface Series {
         }
 
         @Override
-        public void accept(SeriesVisitor visitor) {
-            visitor.visit(this);
+        public void match(SeriesCases cases) {
+            cases.cells.accept(this);
         }
     }
 
-    /**
-     * A text at a point.
-     *
-     * @param name the text
-     * @param position the position of its start
-     */
+    /** A text that begins at a point. */
     record Note(String name, Vector2 position) implements Series {
         @Override
-        public void accept(SeriesVisitor visitor) {
-            visitor.visit(this);
+        public void match(SeriesCases cases) {
+            cases.note.accept(this);
         }
     }
 }

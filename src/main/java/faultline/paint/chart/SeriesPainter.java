@@ -5,40 +5,24 @@ import faultline.paint.surface.Shapes;
 import faultline.paint.surface.TextStyle;
 import java.util.List;
 
-/**
- * Paints the series of a chart in the colours of a style.
- *
- * @param painter the painter of the plot
- * @param style the style
- */
-record SeriesPainter(PlotPainter painter, ChartStyle style) implements Series.SeriesVisitor {
+/** Paints the series of a chart in the colours of a style. */
+record SeriesPainter(PlotPainter painter, ChartStyle style) {
 
-    @Override
-    public void visit(Series.Line line) {
-        painter.paintLine(line.points(), style.lineStyle(line.styleIndex()));
+    void paint(Series series) {
+        series.match(new Series.SeriesCases(
+                line -> painter.paintLine(line.points(), style.lineStyle(line.styleIndex())),
+                points -> painter.paintMarkers(points.points(), points.styleIndex(), style),
+                band -> painter.paintBand(
+                        band.upper(), band.lower(), ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2)),
+                this::paintCells,
+                note -> painter.surface()
+                        .drawText(
+                                note.name(),
+                                painter.plot().toPicture(note.position()),
+                                TextStyle.plain(11, style.palette().text()))));
     }
 
-    @Override
-    public void visit(Series.Points points) {
-        painter.paintMarkers(points.points(), points.styleIndex(), style);
-    }
-
-    @Override
-    public void visit(Series.Band band) {
-        painter.paintBand(band.upper(), band.lower(), ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2));
-    }
-
-    @Override
-    public void visit(Series.Note note) {
-        painter.surface()
-                .drawText(
-                        note.name(),
-                        painter.plot().toPicture(note.position()),
-                        TextStyle.plain(11, style.palette().text()));
-    }
-
-    @Override
-    public void visit(Series.Cells cells) {
+    private void paintCells(Series.Cells cells) {
         double height = 1.0 / cells.rows().size();
         for (int row = 0; row < cells.rows().size(); row++) {
             List<Integer> classes = cells.rows().get(row);

@@ -83,7 +83,6 @@ public final class StateDiagramLayout {
         return small + Math.max(0, Math.min(1, share)) * (full - small);
     }
 
-    /** Returns the box of a state. */
     public Rectangle2D box(FollowerState state) {
         int row = ROWS.get(0).contains(state) ? 0 : 1;
         int column = ROWS.get(row).indexOf(state);
@@ -92,14 +91,7 @@ public final class StateDiagramLayout {
         return new Rectangle2D.Double(x, y, boxWidth, boxHeight);
     }
 
-    /**
-     * The line of an arrow.
-     *
-     * @param shaft from box to box
-     * @param tip its end
-     * @param direction the direction of the tip, a unit vector
-     * @param middle the position of its number
-     */
+    /** The line of an arrow from box to box, its tip with a unit vector, and the position of its number. */
     public record ArrowRoute(Path2D shaft, Vector2 tip, Vector2 direction, Vector2 middle) {
 
         /** Paints the arrow; the length of its head in pixels. */

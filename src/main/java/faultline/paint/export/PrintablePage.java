@@ -6,11 +6,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.print.PageFormat;
 import java.awt.print.Printable;
 
-/**
- * A picture on one page of paper, centred and as large as possible.
- *
- * @param request the picture
- */
+/** A picture on one page of paper, centred and as large as possible. */
 public record PrintablePage(RenderRequest request) implements Printable {
 
     @Override

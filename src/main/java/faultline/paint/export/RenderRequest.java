@@ -15,14 +15,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * A complete description of the picture of a frame. It can be rendered on any thread, as pixels of any resolution or as
- * SVG.
- *
- * @param frame the frame
- * @param camera the part of the world and the size of the picture
- * @param palette the colours; {@link Palette#LIGHT} for files
- * @param painter the layers and the texts
- * @param references the reference runs to show
+ * A complete description of the picture of a frame: the part of the world, the layers and texts, and the reference runs
+ * to show. It can be rendered on any thread, as pixels of any resolution or as SVG.
  */
 public record RenderRequest(
         Frame frame, Camera camera, Palette palette, ScenePainter painter, List<ReferenceOverlay> references) {

@@ -51,7 +51,6 @@ final class CollisionPainter {
         context.fill(Shapes.circle(dot.plus(new Vector2(DOT_RADIUS, 0)), DOT_RADIUS), colour);
     }
 
-    /** Returns the lines of the badge. */
     static List<String> badgeLines(Collision collision, SceneLabels labels) {
         List<String> lines = new ArrayList<>();
         lines.add(labels.collision()

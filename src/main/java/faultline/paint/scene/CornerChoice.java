@@ -54,11 +54,8 @@ public final class CornerChoice {
     }
 
     /**
-     * Returns the place of a box in an area.
-     *
-     * @param area the area whose corners are chosen, pixels
-     * @param box a box, of which only the size is used
-     * @param avoided the areas that should stay visible
+     * Returns the place of a box, of which only the size is used, in a corner of an area. The avoided areas should stay
+     * visible. All are in pixels.
      */
     public Rectangle2D place(Rectangle2D area, Rectangle2D box, List<Rectangle2D> avoided) {
         if (overlap(corner, area, box, avoided) > 0) {

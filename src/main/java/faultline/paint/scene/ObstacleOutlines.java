@@ -17,47 +17,27 @@ import java.util.List;
 /** Converts obstacles to shapes of {@link java.awt.geom}, in metres. */
 public final class ObstacleOutlines {
 
-    private static final ObstacleShape.ShapeVisitor<Shape> OUTLINE = new ObstacleShape.ShapeVisitor<>() {
-        @Override
-        public Shape visit(ObstacleShape.RectangleShape shape) {
-            return centred(new Rectangle2D.Double(), shape.width(), shape.height());
-        }
-
-        @Override
-        public Shape visit(ObstacleShape.CircleShape shape) {
-            return centred(new Ellipse2D.Double(), 2 * shape.radius(), 2 * shape.radius());
-        }
-
-        @Override
-        public Shape visit(ObstacleShape.EllipseShape shape) {
-            return centred(new Ellipse2D.Double(), 2 * shape.rx(), 2 * shape.ry());
-        }
-
-        @Override
-        public Shape visit(ObstacleShape.PolygonShape shape) {
-            Path2D path = polyline(shape.points());
-            path.closePath();
-            return path;
-        }
-
-        @Override
-        public Shape visit(ObstacleShape.WallShape shape) {
-            return polyline(shape.points());
-        }
-
-        @Override
-        public Shape visit(ObstacleShape.PlanShape shape) {
-            Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
-            shape.rings().forEach(ring -> path.append(Shapes.polygon(ring), false));
-            return path;
-        }
-    };
+    private static final ObstacleShape.ShapeCases<Shape> OUTLINE = new ObstacleShape.ShapeCases<>(
+            rectangle -> centred(new Rectangle2D.Double(), rectangle.width(), rectangle.height()),
+            circle -> centred(new Ellipse2D.Double(), 2 * circle.radius(), 2 * circle.radius()),
+            ellipse -> centred(new Ellipse2D.Double(), 2 * ellipse.rx(), 2 * ellipse.ry()),
+            polygon -> {
+                Path2D path = polyline(polygon.points());
+                path.closePath();
+                return path;
+            },
+            wall -> polyline(wall.points()),
+            plan -> {
+                Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
+                plan.rings().forEach(ring -> path.append(Shapes.polygon(ring), false));
+                return path;
+            });
 
     private ObstacleOutlines() {}
 
     /** Returns the outline of a shape in its own frame; open for a wall, closed for all others. */
     public static Shape localShape(ObstacleShape shape) {
-        return shape.accept(OUTLINE);
+        return shape.match(OUTLINE);
     }
 
     private static Shape centred(RectangularShape shape, double width, double height) {
@@ -72,7 +52,6 @@ public final class ObstacleOutlines {
         return path;
     }
 
-    /** Returns the outline of an obstacle in the world. */
     public static Shape worldShape(Obstacle obstacle) {
         return RigidMotion.poseTransform(obstacle.pose()).createTransformedShape(localShape(obstacle.shape()));
     }

@@ -18,9 +18,6 @@ import java.awt.geom.Rectangle2D;
 /**
  * Paints an obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour with a
  * heavier outline, a glossy one with a bright line along its edge.
- *
- * @param named whether obstacles are painted with their names
- * @param font the font of the names
  */
 public record ObstaclePainter(boolean named, Font font) {
 

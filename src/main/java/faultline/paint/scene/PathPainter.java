@@ -39,12 +39,7 @@ public final class PathPainter {
         return new PaintedSection(line.next, (double) line.cost / DRAW_COST);
     }
 
-    /**
-     * A section of a path that was painted.
-     *
-     * @param endIndex the index after its last point
-     * @param cost the number of drawn points that it cost
-     */
+    /** A painted section of a path: the index after its last point, and the number of drawn points that it cost. */
     public record PaintedSection(int endIndex, double cost) {}
 
     /** Paints the rest of a path from a point, and on to the robot's current position. */

@@ -60,7 +60,6 @@ public final class PlanView {
         world.obstacles().forEach(this::drawObstacle);
     }
 
-    /** Draws an obstacle. */
     public void drawObstacle(Obstacle obstacle) {
         ObstaclePainter.paintShape(context, obstacle);
     }

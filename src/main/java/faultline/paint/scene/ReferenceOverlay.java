@@ -5,20 +5,12 @@ import faultline.geometry.Pose;
 import java.util.List;
 
 /**
- * A reference run, shown beside the run in the frame.
- *
- * @param run its path
- * @param caption its description and the comparison, line by line, for the corner of the picture
- * @param marks the moments to mark on the path
+ * A reference run, shown beside the run in the frame, with moments marked on its path and lines of text for the corner
+ * of the picture.
  */
 public record ReferenceOverlay(ReferenceRun run, List<String> caption, List<Mark> marks) {
 
-    /**
-     * A mark on the path.
-     *
-     * @param tick the tick at whose end the position is shown
-     * @param label the text beside it
-     */
+    /** A text on the path, at the position at the end of a tick. */
     public record Mark(long tick, String label) {}
 
     public ReferenceOverlay {

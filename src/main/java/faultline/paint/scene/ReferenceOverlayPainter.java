@@ -62,15 +62,7 @@ public final class ReferenceOverlayPainter {
                 CornerChoice.Corner.LOWER_LEFT, CornerChoice.Corner.UPPER_RIGHT, CornerChoice.Corner.LOWER_RIGHT);
     }
 
-    /**
-     * Paints the marks, and the caption in a corner that hides neither robot.
-     *
-     * @param context the target
-     * @param reference the reference run
-     * @param world the world of the run beside it
-     * @param corner chooses the corner
-     * @param covered the areas that hide parts of the picture, pixels
-     */
+    /** Paints the marks, and the caption in a corner that hides neither robot nor the covered areas, pixels. */
     public static void paintAnnotations(
             DrawContext context,
             ReferenceOverlay reference,

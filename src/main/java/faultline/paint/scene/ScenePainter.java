@@ -13,9 +13,6 @@ import java.util.stream.Collectors;
 /**
  * Paints a frame in three parts, one on top of the other: the background with the static obstacles, the path, and
  * everything that changes. Callers that paint many frames may cache the first two.
- *
- * @param layers the layers to show
- * @param labels the texts in the picture
  */
 public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
 

@@ -14,11 +14,6 @@ import java.awt.geom.Rectangle2D;
 /**
  * A surface with a camera, colours and a font. All shapes are in pixels of the picture, so that lines keep their width
  * at any zoom.
- *
- * @param surface the target
- * @param camera from the world to the picture
- * @param palette the colours
- * @param font the font of labels
  */
 public record DrawContext(Surface surface, Camera camera, Palette palette, Font font) {
 

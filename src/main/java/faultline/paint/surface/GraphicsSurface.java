@@ -14,9 +14,8 @@ import java.awt.geom.AffineTransform;
 import java.util.List;
 
 /**
- * A surface of pixels, or a printer's page.
- *
- * @param graphics its user space is the picture; its rendering hints, colour, font and stroke are changed
+ * A surface of pixels, or a printer's page. The user space of the graphics is the picture; its hints, colour, font and
+ * stroke are changed.
  */
 public record GraphicsSurface(Graphics2D graphics) implements Surface {
 

@@ -14,12 +14,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * The image of a text with a halo. Images are cached, because painting letters and halo takes fifty times as long as
- * copying an image. They are aligned to whole device pixels, which keeps the letters sharp.
- *
- * @param image the text with its halo
- * @param left from the left edge of the image to the start of the baseline, device pixels
- * @param baseline from the upper edge of the image to the baseline, device pixels
+ * The image of a text with a halo, and the start of the text's baseline in it, device pixels. Images are cached,
+ * because painting letters and halo takes fifty times as long as copying an image. They are aligned to whole device
+ * pixels, which keeps the letters sharp.
  */
 record LabelSprite(BufferedImage image, int left, int baseline) {
 

@@ -5,11 +5,8 @@ import java.awt.Color;
 import java.util.List;
 
 /**
- * The style of a line. Solid lines have round ends, broken ones have flat ends.
- *
- * @param colour may be translucent
- * @param width pixels, positive
- * @param dash its dash pattern
+ * The style of a line; the width is in pixels, and the colour may be translucent. Solid lines have round ends, broken
+ * ones have flat ends.
  */
 public record LineStyle(Color colour, double width, DashPattern dash) {
 
@@ -23,7 +20,6 @@ public record LineStyle(Color colour, double width, DashPattern dash) {
         return new LineStyle(colour, other, dash);
     }
 
-    /** Returns the stroke of this style. */
     public BasicStroke stroke() {
         List<Double> lengths = dash.lengths();
         if (lengths.isEmpty()) {

@@ -27,7 +27,6 @@ public final class Shapes {
         return path;
     }
 
-    /** Returns a circle. */
     public static Ellipse2D circle(Vector2 centre, double radius) {
         return new Ellipse2D.Double(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius);
     }

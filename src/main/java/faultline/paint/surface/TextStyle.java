@@ -36,7 +36,6 @@ public record TextStyle(double size, Color colour, Anchor anchor, boolean bold, 
         return new TextStyle(size, colour, other, bold, horizontal);
     }
 
-    /** Returns this style in bold. */
     public TextStyle withBold() {
         return new TextStyle(size, colour, anchor, true, horizontal);
     }

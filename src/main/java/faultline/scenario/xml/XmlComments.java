@@ -22,11 +22,8 @@ public final class XmlComments {
     public static final XmlComments NONE = new XmlComments(List.of());
 
     /**
-     * A comment.
-     *
-     * @param index the index, from 0, in the order of the file
-     * @param anchor the path of the next element in the same parent; if there is none, the parent's path and a slash
-     * @param text the text between the comment's delimiters
+     * The text of a comment, its index in the file, from 0, and the path of the next element in the same parent; if
+     * there is none, the parent's path and a slash.
      */
     record XmlComment(int index, String anchor, String text) {}
 

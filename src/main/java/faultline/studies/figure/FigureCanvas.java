@@ -76,11 +76,4 @@ public final class FigureCanvas {
     public static String panelTitle(int index, String title) {
         return "(" + (char) ('a' + index) + ") " + title;
     }
-
-    /** Draws a chart on a separate picture, with a caption. */
-    public static SvgSurface drawChart(Chart chart, int width, int height, String caption) {
-        FigureCanvas canvas = new FigureCanvas(width, height, caption);
-        canvas.addChart(chart, new PixelRectangle(0, 4, width, height - 8));
-        return canvas.surface;
-    }
 }

@@ -2,7 +2,9 @@ package faultline.studies.figure;
 
 import faultline.io.AtomicFile;
 import faultline.io.LinkResolver;
+import faultline.paint.chart.Chart;
 import faultline.paint.export.PngImage;
+import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.SvgSurface;
 import faultline.paint.surface.SvgTheme;
 import java.awt.image.BufferedImage;
@@ -11,12 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/**
- * The target of figures.
- *
- * @param path an existing folder
- * @param appearance the appearance of the pictures
- */
+/** An existing folder for figures, and the appearance of the pictures. */
 public record FigureFolder(Path path, SvgTheme appearance) {
 
     /** Returns the folder at a path, which is created if necessary. */
@@ -29,9 +26,17 @@ public record FigureFolder(Path path, SvgTheme appearance) {
         write(name + ".svg", surface.toSvg(appearance));
     }
 
-    /** Writes a table. */
     public void writeCsv(String name, CsvTable table) throws IOException {
         write(name + ".csv", table.toCsv());
+    }
+
+    /** Writes a chart with a caption below it, and the table of its values. */
+    public void writeChart(String name, CsvTable table, Chart chart, int width, int height, String caption)
+            throws IOException {
+        FigureCanvas canvas = new FigureCanvas(width, height, caption);
+        canvas.addChart(chart, new PixelRectangle(0, 4, width, height - 8));
+        writeSvg(name, canvas.surface());
+        writeCsv(name, table);
     }
 
     /** Writes a bitmap. Its letters depend on the fonts of the machine, so these files may differ between machines. */

@@ -20,23 +20,24 @@ class WindowPreferencesTest {
 
     @Test
     void storedPreferencesAreRestored() {
-        preferences.setThemeChoice(ThemeChoice.DARK);
-        preferences.setBounds(new Rectangle(-20, 30, 1200, 800));
-        preferences.setPanelWidth(410);
-        assertEquals(ThemeChoice.DARK, preferences.themeChoice());
-        assertEquals(Optional.of(new Rectangle(-20, 30, 1200, 800)), preferences.bounds());
-        assertEquals(Optional.of(410), preferences.panelWidth());
+        preferences.set(Preference.THEME, ThemeChoice.DARK);
+        preferences.set(Preference.BOUNDS, Optional.of(new Rectangle(-20, 30, 1200, 800)));
+        preferences.set(Preference.PANEL_WIDTH, Optional.of(410));
+        assertEquals(ThemeChoice.DARK, preferences.get(Preference.THEME));
+        assertEquals(Optional.of(new Rectangle(-20, 30, 1200, 800)), preferences.get(Preference.BOUNDS));
+        assertEquals(Optional.of(410), preferences.get(Preference.PANEL_WIDTH));
     }
 
     @Test
     void lengthsGrowWithTheTextSize() {
-        preferences.setPanelWidth(440);
-        preferences.setDock(200, 300);
+        preferences.set(Preference.PANEL_WIDTH, Optional.of(440));
+        preferences.set(Preference.DOCK_HEIGHT, Optional.of(200));
+        preferences.set(Preference.CHART_WIDTH, Optional.of(300));
         TextSize.LARGEST.install();
         try {
-            assertEquals(Optional.of(660), preferences.panelWidth());
-            assertEquals(Optional.of(300), preferences.dockHeight());
-            assertEquals(Optional.of(450), preferences.chartWidth());
+            assertEquals(Optional.of(660), preferences.get(Preference.PANEL_WIDTH));
+            assertEquals(Optional.of(300), preferences.get(Preference.DOCK_HEIGHT));
+            assertEquals(Optional.of(450), preferences.get(Preference.CHART_WIDTH));
         } finally {
             TextSize.NORMAL.install();
         }
@@ -44,34 +45,35 @@ class WindowPreferencesTest {
 
     @Test
     void howObstaclesSnapIsKept() {
-        assertFalse(preferences.isGridSnapped());
-        preferences.setSnap(true, false);
-        assertTrue(preferences.isGridSnapped());
-        assertFalse(preferences.isAngleSnapped());
+        assertFalse(preferences.get(Preference.SNAP_GRID));
+        preferences.set(Preference.SNAP_GRID, true);
+        preferences.set(Preference.SNAP_ANGLE, false);
+        assertTrue(preferences.get(Preference.SNAP_GRID));
+        assertFalse(preferences.get(Preference.SNAP_ANGLE));
     }
 
     @Test
     void damagedPreferencesAreIgnored() {
         store.putAll(Map.of("theme", "PINK", "bounds", "1 2 x 4", "divider", "-5"));
-        assertEquals(ThemeChoice.LIGHT, preferences.themeChoice());
-        assertEquals(Optional.empty(), preferences.bounds());
-        assertEquals(Optional.empty(), preferences.panelWidth());
+        assertEquals(ThemeChoice.LIGHT, preferences.get(Preference.THEME));
+        assertEquals(Optional.empty(), preferences.get(Preference.BOUNDS));
+        assertEquals(Optional.empty(), preferences.get(Preference.PANEL_WIDTH));
     }
 
     @Test
     void nonPersistentPreferencesKeepNothing() {
         WindowPreferences none = WindowPreferences.nonPersistent();
-        none.setThemeChoice(ThemeChoice.DARK);
-        assertEquals(ThemeChoice.LIGHT, none.themeChoice());
-        assertEquals(Optional.empty(), none.bounds());
+        none.set(Preference.THEME, ThemeChoice.DARK);
+        assertEquals(ThemeChoice.LIGHT, none.get(Preference.THEME));
+        assertEquals(Optional.empty(), none.get(Preference.BOUNDS));
     }
 
     @Test
     void aMaximisedWindowIsRememberedBesideItsBounds() {
-        assertFalse(preferences.isMaximised());
-        preferences.setBounds(new Rectangle(10, 30, 1200, 800));
-        preferences.setMaximised(true);
-        assertTrue(preferences.isMaximised());
-        assertEquals(Optional.of(new Rectangle(10, 30, 1200, 800)), preferences.bounds());
+        assertFalse(preferences.get(Preference.MAXIMISED));
+        preferences.set(Preference.BOUNDS, Optional.of(new Rectangle(10, 30, 1200, 800)));
+        preferences.set(Preference.MAXIMISED, true);
+        assertTrue(preferences.get(Preference.MAXIMISED));
+        assertEquals(Optional.of(new Rectangle(10, 30, 1200, 800)), preferences.get(Preference.BOUNDS));
     }
 }

@@ -175,8 +175,8 @@ class CommandRoleTest {
     void theDialogHasFieldsForTheDetailsThatItCanChangeAndReturnsUnchangedOnesToTheBit() {
         for (Row row : ROWS) {
             JPanel form = callOnEdt(() -> new JPanel(new GridBagLayout()));
-            Optional<Command> read = callOnEdt(() -> row.command()
-                    .accept(new DetailFields(form, new JComboBox<>(), RobotSpec.DEFAULT, 0.01))
+            Optional<Command> read = callOnEdt(() -> new DetailFields(form, new JComboBox<>(), RobotSpec.DEFAULT, 0.01)
+                    .add(row.command())
                     .get());
             assertEquals(row.details(), NumberSpinner.findIn(form).findAny().isPresent(), row.toString());
             assertEquals(Optional.of(row.command()), read);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import faultline.gui.EdtChecker;
+import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Theme;
 import java.awt.Frame;
@@ -49,8 +50,8 @@ class MaximisedRobotTest {
             waitForWidth(driver, 1111);
             driver.choose("quit");
         }
-        assertFalse(memory.isMaximised());
-        assertEquals(777, memory.bounds().orElseThrow().height);
+        assertFalse(memory.get(Preference.MAXIMISED));
+        assertEquals(777, memory.get(Preference.BOUNDS).orElseThrow().height);
     }
 
     /** Waits until a window is as wide as the screen but for borders. */

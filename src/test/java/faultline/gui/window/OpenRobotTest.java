@@ -207,8 +207,7 @@ class OpenRobotTest {
         JList<?> list =
                 ComponentFinder.findAll(gallery, JList.class).findFirst().orElseThrow();
         driver.robot().waitFor("an example is there", () -> list.getModel().getSize() > 0);
-        JTextArea description =
-                ComponentFinder.find(gallery, JTextArea.class, Messages.get("gallery.description"));
+        JTextArea description = ComponentFinder.find(gallery, JTextArea.class, Messages.get("gallery.description"));
         JTextField search = ComponentFinder.find(gallery, JTextField.class, "Search");
         runOnEdt(() -> search.setText("nowhere"));
         assertEquals("No example matches. Change the search or the group.", callOnEdt(description::getText));

@@ -17,13 +17,9 @@ public final class BackBuffer {
     private BufferedImage image;
 
     /**
-     * Paints through the buffer at the resolution of the device. At a fractional scale (1.25, 1.5) the component may
-     * start within a device pixel; the buffer is drawn on whole ones.
-     *
-     * @param graphics the target; only its clip is painted
-     * @param width the width of the component, pixels
-     * @param height the height of the component, pixels
-     * @param painter receives a graphics with the same user space
+     * Paints a component, whose size is in pixels, through the buffer at the resolution of the device, within the clip.
+     * At a fractional scale (1.25, 1.5) the component may start within a device pixel; the buffer is drawn on whole
+     * ones.
      */
     public void paint(Graphics2D graphics, int width, int height, Consumer<Graphics2D> painter) {
         AffineTransform device = graphics.getTransform();

@@ -17,12 +17,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The ground and the still obstacles on it. Its first piece is everything beneath the obstacles.
- *
- * @param world its size and enclosure are painted, nothing else
- * @param obstacles the still obstacles, in drawing order
- * @param marked the ids of the obstacles that are marked as selected
- * @param painter paints all of it
+ * The ground and the still obstacles on it, in drawing order, some of which are marked as selected. Its first piece is
+ * everything beneath the obstacles.
  */
 public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> marked, ScenePainter painter)
         implements LayerContent<GroundLayer> {

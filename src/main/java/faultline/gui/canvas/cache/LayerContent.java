@@ -20,13 +20,8 @@ interface LayerContent<C extends LayerContent<C>> {
     int pieceCount();
 
     /**
-     * Paints pieces until the budget is spent; those outside the clip cost next to nothing.
-     *
-     * @param context the drawing context
-     * @param clip the clip of the context, pixels
-     * @param from the index of the first piece
-     * @param budget the budget of the frame, not spent
-     * @return the index of the first piece that was not painted
+     * Paints pieces from an index on until the budget is spent, and returns the index of the first that was not
+     * painted. Pieces outside the clip, pixels, cost next to nothing.
      */
     int paint(DrawContext context, Rectangle clip, int from, FrameBudget budget);
 
@@ -37,10 +32,8 @@ interface LayerContent<C extends LayerContent<C>> {
     Optional<Patch> patchSince(C earlier, Camera camera);
 
     /**
-     * An update of an image.
-     *
-     * @param parts the parts to paint, pixels; they may overlap
-     * @param from the first piece that the image lacks; 0 to clear the parts and paint all pieces
+     * The parts of an image to paint, pixels, which may overlap, and the first piece that it lacks; 0 to clear the
+     * parts and paint all pieces.
      */
     record Patch(List<Rectangle> parts, int from) {}
 }

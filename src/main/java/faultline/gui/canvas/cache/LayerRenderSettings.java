@@ -7,11 +7,7 @@ import java.awt.Rectangle;
 import java.util.Optional;
 
 /**
- * The settings with which the content of a layer is rendered to an image.
- *
- * @param camera the mapping from the world to the canvas
- * @param palette the colours
- * @param deviceScale device pixels per pixel
+ * The settings with which the content of a layer is rendered to an image; the scale is that of device pixels per pixel.
  */
 public record LayerRenderSettings(Camera camera, Palette palette, double deviceScale) {
 

@@ -12,9 +12,6 @@ import java.util.Optional;
 /**
  * A path, point by point. Points are added to its image in batches, because a changed image must be sent to the screen
  * as a whole; the few points since the last batch are painted with each frame.
- *
- * @param path the path so far
- * @param style the line style
  */
 public record PathLayer(RobotPath path, PathStyle style) implements LayerContent<PathLayer> {
 

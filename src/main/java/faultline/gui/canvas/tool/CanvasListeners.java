@@ -13,14 +13,17 @@ public final class CanvasListeners {
     private final List<Consumer<Point>> menus = new ArrayList<>();
     private final List<Consumer<Pose>> starts = new ArrayList<>();
 
+    /** Adds a listener for sentences that say why something was not done. */
     public void addNoteListener(Consumer<String> listener) {
         notes.add(listener);
     }
 
+    /** Adds a listener for positions on the canvas at which the user requests a menu. */
     public void addMenuListener(Consumer<Point> listener) {
         menus.add(listener);
     }
 
+    /** Lets the user move the robot before the run has started, to start poses where there is room for it. */
     public void addStartListener(Consumer<Pose> listener) {
         starts.add(listener);
     }

@@ -1,6 +1,5 @@
 package faultline.gui.canvas.tool;
 
-import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.IdGenerator;
 import faultline.gui.edit.PointShapes;
@@ -222,21 +221,8 @@ public final class CanvasTools {
         context.model().sensor().addListener(listener);
     }
 
-    /** Adds a listener that is called with a sentence that says why something was not done. */
-    public void addNoteListener(Consumer<String> listener) {
-        context.listeners().addNoteListener(listener);
-    }
-
-    /** Adds a listener that is called with a position on the canvas when the user requests a menu. */
-    public void addMenuListener(Consumer<Point> listener) {
-        context.listeners().addMenuListener(listener);
-    }
-
-    /**
-     * Lets the user move the robot before the run has started, and adds a listener that is called with a new start
-     * pose, where there is room for the robot.
-     */
-    public void addStartListener(Consumer<Pose> listener) {
-        context.listeners().addStartListener(listener);
+    /** Returns the listeners for notes, menus and start poses. */
+    public CanvasListeners listeners() {
+        return context.listeners();
     }
 }

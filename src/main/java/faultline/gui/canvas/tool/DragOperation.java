@@ -41,13 +41,7 @@ public sealed interface DragOperation {
                 .toList();
     }
 
-    /**
-     * Moves obstacles without rotating them.
-     *
-     * @param grabbed the obstacle under the mouse, which snaps
-     * @param obstacles all obstacles in their state at the start
-     * @param grabPoint the point of the press, metres
-     */
+    /** Moves obstacles, given in their state at the start, without rotating them. The one under the mouse snaps. */
     record Move(Obstacle grabbed, List<Obstacle> obstacles, Vector2 grabPoint) implements DragOperation {
 
         public Move {
@@ -81,11 +75,8 @@ public sealed interface DragOperation {
     }
 
     /**
-     * Rotates obstacles about their common centre. The heading of a single obstacle snaps; for several, the angle of
-     * the turn snaps.
-     *
-     * @param obstacles the obstacles in their state at the start, at least one
-     * @param grabPoint the point of the press, metres
+     * Rotates obstacles, given in their state at the start, about their common centre. The heading of a single obstacle
+     * snaps; for several, the angle of the turn snaps.
      */
     record Rotate(List<Obstacle> obstacles, Vector2 grabPoint) implements DragOperation {
 
@@ -112,10 +103,8 @@ public sealed interface DragOperation {
     }
 
     /**
-     * Changes the size of an obstacle or one of its corners.
-     *
-     * @param obstacle the obstacle at the start
-     * @param handle the index of the handle in {@link ShapeHandles#positions}
+     * Changes the size of an obstacle or one of its corners by the handle with an index in
+     * {@link ShapeHandles#positions}.
      */
     record Resize(Obstacle obstacle, int handle) implements DragOperation {
 
@@ -137,13 +126,7 @@ public sealed interface DragOperation {
         }
     }
 
-    /**
-     * Moves a way-point of an obstacle.
-     *
-     * @param start the obstacle at the start
-     * @param index the index of the way-point
-     * @param current supplies the present obstacle, which may be moving
-     */
+    /** Moves a way-point of an obstacle, which may be moving itself. */
     record MoveWaypoint(Obstacle start, int index, Supplier<Obstacle> current) implements DragOperation {
 
         @Override
@@ -173,12 +156,7 @@ public sealed interface DragOperation {
         }
     }
 
-    /**
-     * Changes the range of a sensor by the arc of its cone.
-     *
-     * @param spec the sensor at the start
-     * @param current supplies the present sensor; the robot may be driving
-     */
+    /** Changes the range of a sensor by the arc of its cone; the robot may be driving. */
     record ChangeRange(SensorSpec spec, Supplier<SensorSnapshot> current) implements DragOperation {
 
         @Override
@@ -198,12 +176,7 @@ public sealed interface DragOperation {
         }
     }
 
-    /**
-     * Changes the field of view of a sensor by an edge of its cone.
-     *
-     * @param spec the sensor at the start
-     * @param current supplies the present sensor; the robot may be driving
-     */
+    /** Changes the field of view of a sensor by an edge of its cone; the robot may be driving. */
     record ChangeCone(SensorSpec spec, Supplier<SensorSnapshot> current) implements DragOperation {
 
         /** In a narrower cone the two edges are too close for the mouse; a field of the panel can set such a cone. */

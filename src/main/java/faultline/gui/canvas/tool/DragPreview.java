@@ -5,11 +5,8 @@ import faultline.world.Obstacle;
 import java.util.List;
 
 /**
- * The effect of a drag at a position of the mouse.
- *
- * @param commands the commands that do it
- * @param obstacles the changed obstacles; empty if the drag changes something else
- * @param valueText the changed value, in the user's language
+ * The effect of a drag at a position of the mouse: commands, changed obstacles, and the changed value in the user's
+ * language.
  */
 public record DragPreview(List<Command> commands, List<Obstacle> obstacles, String valueText) {
 

@@ -1,11 +1,12 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
+import faultline.gui.edit.ShapeHandles;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import faultline.paint.scene.InteractionPainter;
 import faultline.paint.surface.DrawContext;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -61,15 +62,11 @@ public final class MeasureTool implements Tool {
             Vector2 offset = to.minus(start);
             return Messages.get(
                     "value.measure",
-                    metres(offset.length()),
-                    String.format(Locale.ROOT, "%.1f", Math.toDegrees(offset.angle())),
-                    metres(offset.x()),
-                    metres(offset.y()));
+                    ShapeHandles.formatMetres(offset.length()),
+                    NumberText.format("%.1f", Math.toDegrees(offset.angle())),
+                    ShapeHandles.formatMetres(offset.x()),
+                    ShapeHandles.formatMetres(offset.y()));
         });
-    }
-
-    private static String metres(double length) {
-        return String.format(Locale.ROOT, "%.3f", length);
     }
 
     @Override

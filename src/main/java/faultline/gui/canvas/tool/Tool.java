@@ -31,7 +31,6 @@ public interface Tool {
         finish();
     }
 
-    /** Removes the last point. */
     default void removeLastPoint() {}
 
     /** Returns whether the tool is done, so that the mouse selects and moves again. */

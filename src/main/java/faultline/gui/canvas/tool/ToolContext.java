@@ -7,14 +7,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.util.List;
 
-/**
- * The objects that tools work on.
- *
- * @param model the frame and the selection
- * @param viewport the view
- * @param editor sends commands
- * @param listeners the listeners of the canvas
- */
+/** The objects that tools work on. */
 public record ToolContext(CanvasModel model, Viewport viewport, UndoController editor, CanvasListeners listeners) {
 
     /** Places and selects an obstacle if there is room for it; returns whether there is. */

@@ -39,7 +39,7 @@ class CanvasMouseTest {
         made.setSize(600, 440);
         made.setFrame(SampleFrames.frameOf(
                 new Pose(1, 1, 0), new Obstacle("box", new ObstacleShape.RectangleShape(0.8, 0.5), new Pose(4, 2, 0))));
-        made.tools().addMenuListener(menus::add);
+        made.tools().listeners().addMenuListener(menus::add);
         return made;
     });
 

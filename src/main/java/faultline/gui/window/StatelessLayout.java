@@ -5,8 +5,8 @@ import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.LayoutManager;
 
-/** A layout of a bar that may be as narrow as its window and needs no names or state of its components. */
-abstract class BarLayout implements LayoutManager {
+/** A layout that may be as narrow as its window and needs no names or state of its components. */
+abstract class StatelessLayout implements LayoutManager {
 
     @Override
     public Dimension minimumLayoutSize(Container bar) {

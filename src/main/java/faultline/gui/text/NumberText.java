@@ -1,0 +1,14 @@
+package faultline.gui.text;
+
+import java.util.Locale;
+
+/** Formats numbers for users. They have a decimal point in every language. */
+public final class NumberText {
+
+    private NumberText() {}
+
+    /** Returns a text with a pattern of {@link String#format}. */
+    public static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}
