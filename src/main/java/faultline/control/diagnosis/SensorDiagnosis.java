@@ -38,6 +38,7 @@ public final class SensorDiagnosis {
     private EvidenceGrid grid;
     private SensorInspection inspection;
     private TrustAssessment assessment;
+    private SpinComparison spin;
     private HealthReport report;
     private double[] lastReadings = {};
 
@@ -79,10 +80,23 @@ public final class SensorDiagnosis {
         lastReadings = observation.readings();
         testSignals();
         learnCurvature();
+        if (spin.update(lastReadings)) {
+            compareSpin();
+        }
         untilInspection -= dt;
         while (untilInspection < STEP / 2 && sensors.length > 0) {
             inspection.inspectAll(lastReadings, robot.width() / 2, reckoning.turned() / dt, time, tick);
             untilInspection += STEP * sensors.length * inspection.rate().interval();
+        }
+    }
+
+    /** Compares the sensors after a spin, unless it may have been a scan with few of them. */
+    private void compareSpin() {
+        if (assessment.allTrusted()) {
+            int wrong = spin.wrongAhead();
+            if (wrong != SpinComparison.NONE) {
+                assessment.addDrift(wrong);
+            }
         }
     }
 
@@ -129,6 +143,7 @@ public final class SensorDiagnosis {
             }
         }
         wallLine = new WallLine(sensors);
+        spin = same ? spin : new SpinComparison(sensors, reckoning);
         assessment = same ? assessment : new TrustAssessment(sensors);
         inspection.refit(sensors, wallLine, assessment);
     }

@@ -1,0 +1,100 @@
+package faultline.control.diagnosis;
+
+import java.util.Arrays;
+
+/**
+ * The distances from the centre of a spin that one sensor measures in all directions. A straight wall is nearest to a
+ * cone either inside it or at one of its borders; there, the slope of the distances over the direction shows the angle
+ * to the wall, so that the distance does not depend on where the sensor is mounted.
+ */
+final class SpinProfile {
+
+    /** The angle between two directions, radians. */
+    static final double STEP = StrictMath.toRadians(2);
+
+    /** The number of directions. */
+    static final int DIRECTIONS = 180;
+
+    /** Distances that differ by more than this from a line through their neighbours are of an edge, metres. */
+    private static final double MAX_BEND = 0.02;
+
+    /** The maximum slope, because a turn is not known exactly, metres per radian. */
+    private static final double MAX_SLOPE = 2;
+
+    /** Up to this relative slope the wall may be nearest inside the cone, 1 per radian. */
+    private static final double INSIDE = 0.1;
+
+    /** The measured distances; not a number if nothing was seen. */
+    private final double[] measured = new double[DIRECTIONS];
+    /** The direction of a measurement relative to the middle of its step, in steps. */
+    private final double[] offsets = new double[DIRECTIONS];
+
+    private final double[] distances = new double[DIRECTIONS];
+
+    /** Forgets all measurements. */
+    void clear() {
+        Arrays.fill(measured, Double.NaN);
+    }
+
+    /**
+     * Adds a measurement.
+     *
+     * @param direction the direction of the sensor's axis, radians
+     * @param distance the reading, moved to the centre of the spin, metres; not a number if nothing was seen
+     */
+    void add(double direction, double distance) {
+        double steps = direction / STEP;
+        double whole = Math.floor(steps);
+        int index = Math.floorMod((int) whole, DIRECTIONS);
+        measured[index] = distance;
+        offsets[index] = steps - whole - 0.5;
+    }
+
+    /** Computes the distances from the centre, by a sensor with a cone. */
+    void compute(MountedCone cone) {
+        double cos = StrictMath.cos(cone.bearing());
+        double sin = StrictMath.sin(cone.bearing());
+        double ahead = cone.x() * cos + cone.y() * sin;
+        double aside = cone.y() * cos - cone.x() * sin;
+        double halfCos = StrictMath.cos(cone.half());
+        double halfSin = StrictMath.sin(cone.half());
+        for (int i = 0; i < DIRECTIONS; i++) {
+            if (Double.isNaN(measured[i])) {
+                distances[i] = Double.NaN;
+                continue;
+            }
+            double slope = slope(i);
+            double tan = slope / (measured[i] + ahead);
+            double border = Math.max(-1, Math.min(1, tan / INSIDE));
+            // For a wall at an angle u beyond the border, tan u is the relative slope. Not a number if the slope is
+            // not.
+            distances[i] = measured[i]
+                    - slope * STEP * offsets[i]
+                    + ahead * (1 + Math.abs(border) * (halfCos - 1) - Math.abs(tan) * halfSin)
+                    - aside * (border * halfSin + tan * halfCos);
+        }
+    }
+
+    /** Returns the slope at a direction, metres per radian; not a number at an edge or if a neighbour is missing. */
+    private double slope(int index) {
+        int before = neighbour(index, -1);
+        int after = neighbour(index, 1);
+        int beforeIndex = Math.floorMod(index + before, DIRECTIONS);
+        int afterIndex = Math.floorMod(index + after, DIRECTIONS);
+        double back = offsets[index] - offsets[beforeIndex] - before;
+        double forth = offsets[afterIndex] - offsets[index] + after;
+        double slope = (measured[afterIndex] - measured[beforeIndex]) / (back + forth);
+        double bend = measured[index] - measured[beforeIndex] - slope * back;
+        return Math.abs(bend) < MAX_BEND && Math.abs(slope) < MAX_SLOPE * STEP ? slope / STEP : Double.NaN;
+    }
+
+    /** Returns the steps to the next measurement, one or two. */
+    private int neighbour(int index, int step) {
+        return Double.isNaN(measured[Math.floorMod(index + step, DIRECTIONS)]) ? 2 * step : step;
+    }
+
+    /** Returns the distance from the centre in a direction, metres; not a number if it is not known. */
+    double distance(int index) {
+        return distances[index];
+    }
+}

@@ -1,0 +1,100 @@
+package faultline.control.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Angles;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class SpinComparisonTest {
+
+    private static final double DT = 0.01;
+    private static final double WALL = 0.45;
+    private static final int FRONT = 0;
+    private static final RobotSpec ROBOT = RobotSpec.DEFAULT.withMotor(new MotorSpec(0, 0.1, 6));
+
+    private final DeadReckoning reckoning = new DeadReckoning();
+    private final InspectedSensor[] sensors = IntStream.range(0, 8)
+            .mapToObj(i -> new InspectedSensor(i, MountedCone.of(ROBOT.sensors().get(i), 1)))
+            .toArray(InspectedSensor[]::new);
+    private final SpinComparison comparison = new SpinComparison(sensors, reckoning);
+    private final double[] errors = new double[8];
+
+    /** Returns the distance to a wall whose foot is in a direction, seen from the start, radians. */
+    private double reading(MountedCone cone, double foot) {
+        double relative = Angles.normalize(foot - reckoning.heading());
+        double ahead = WALL
+                - (reckoning.x() * Math.cos(foot) + reckoning.y() * Math.sin(foot))
+                - (cone.x() * Math.cos(relative) + cone.y() * Math.sin(relative));
+        double beyond = Math.abs(Angles.normalize(relative - cone.bearing())) - cone.half();
+        double distance = beyond < 0 ? ahead : beyond > 1.4 ? Reading.NOTHING : ahead / Math.cos(beyond);
+        return distance < cone.range() ? distance : Reading.NOTHING;
+    }
+
+    /** Drives in an inner corner, and returns whether a spin has ended. */
+    private boolean drive(double leftVolts, double rightVolts, int ticks, double footAhead) {
+        boolean ended = false;
+        for (int i = 0; i < ticks; i++) {
+            reckoning.advance(ROBOT, leftVolts, rightVolts, DT, 1);
+            double[] readings = new double[8];
+            for (InspectedSensor sensor : sensors) {
+                readings[sensor.index()] = errors[sensor.index()]
+                        + Math.min(reading(sensor.cone(), Math.PI / 2), reading(sensor.cone(), footAhead));
+            }
+            ended |= comparison.update(readings);
+        }
+        return ended;
+    }
+
+    /** Spins right by 120 degrees, and returns what is wrong. */
+    private int spin(double footAhead) {
+        assertFalse(drive(0.942, -0.942, 200, footAhead));
+        assertTrue(drive(3, 3, 10, footAhead));
+        return comparison.wrongAhead();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0.035", "0, -0.035", "-25, 0.035", "-25, -0.035", "40, 0.035", "40, -0.035"})
+    void anErrorOfTheSensorAheadIsFoundInACorner(double footAhead, double error) {
+        errors[FRONT] = error;
+        assertEquals(FRONT, spin(Math.toRadians(footAhead)));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0", "-25, 0", "40, 0", "0, 0.015", "0, -0.015", "40, 0.015", "0, 0.3"})
+    void aSmallErrorOrAnotherSurfaceIsNotFound(double footAhead, double error) {
+        errors[FRONT] = error;
+        assertEquals(SpinComparison.NONE, spin(Math.toRadians(footAhead)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7})
+    void theSensorAheadIsNotBlamedForAnother(int other) {
+        errors[other] = 0.05;
+        assertEquals(SpinComparison.NONE, spin(0));
+    }
+
+    @Test
+    void anArcIsNoSpin() {
+        assertFalse(drive(2.5, 3.5, 100, 0));
+    }
+
+    @Test
+    void aSecondSpinForgetsTheFirst() {
+        errors[FRONT] = 0.05;
+        assertEquals(FRONT, spin(0));
+        errors[FRONT] = 0;
+        drive(-3, -3, 10, 0);
+        drive(-0.942, 0.942, 200, 0);
+        drive(3, 3, 10, 0);
+        assertEquals(SpinComparison.NONE, comparison.wrongAhead());
+    }
+}
