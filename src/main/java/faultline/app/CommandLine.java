@@ -24,6 +24,9 @@ final class CommandLine {
         int run(List<String> arguments) throws UsageException, ScenarioException, IOException;
     }
 
+    /** The option that shows all commands, also after one of them. */
+    private static final String HELP = "--help";
+
     /** The implementations of the commands; the classes of commands that are not used are not loaded. */
     private final Map<String, Handler> handlers = new LinkedHashMap<>();
 
@@ -41,7 +44,7 @@ final class CommandLine {
         handlers.put("serve", arguments -> new ProtocolCommands(output).serve(arguments));
         handlers.put("controller", arguments -> new ProtocolCommands(output).controller(arguments));
         handlers.put("import", arguments -> new ImportCommand(output).run(arguments));
-        handlers.put("--help", arguments -> println(HelpText.help()));
+        handlers.put(HELP, arguments -> println(HelpText.help()));
         handlers.put("--version", arguments -> println(HelpText.version()));
         handlers.put("--window", arguments -> new WindowCommand(output).runWithDialogs(arguments));
         handlers.put("--startup-time", arguments -> new WindowCommand(output).measureStartup(arguments));
@@ -110,6 +113,9 @@ final class CommandLine {
         }
         String first = args.get(0);
         if (handlers.containsKey(first)) {
+            if (args.contains(HELP)) {
+                return println(HelpText.help());
+            }
             return handlers.get(first).run(args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {

@@ -304,6 +304,13 @@ class CommandLineTest {
     }
 
     @Test
+    void helpIsShownAfterACommandToo() {
+        CommandResult help = command("run", "--help");
+        assertEquals(0, help.code);
+        assertEquals(command("--help").out, help.out);
+    }
+
+    @Test
     void helpNamesEveryCommandAndOption() {
         CommandResult help = command("--help");
         assertEquals(0, help.code);

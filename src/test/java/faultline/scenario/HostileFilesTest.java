@@ -134,7 +134,7 @@ class HostileFilesTest {
     @Test
     void deepNestingEndsAtOnce() throws IOException {
         assertEquals(
-                "file.xml:1:101: the elements are nested too deep; expected 20",
+                "file.xml:1:101: the elements are nested too deep; expected at most 20",
                 problemIn(OPEN + "<a>".repeat(1_000_000)));
     }
 
@@ -162,7 +162,7 @@ class HostileFilesTest {
     @Test
     void hundredsOfThousandsOfElementsAreReportedInOneLine() throws IOException {
         assertEquals(
-                "the file has too many elements; expected 300000",
+                "the file has too many elements; expected at most 300000",
                 problemIn(OPEN + "<world width=\"6\" height=\"4\">" + "<b/>".repeat(400_000))
                         .split(": ", 2)[1]);
         StringBuilder circles = new StringBuilder(OPEN + "<world width=\"6\" height=\"4\">");
@@ -170,7 +170,7 @@ class HostileFilesTest {
             circles.append("<circle id=\"c").append(i).append("\" x=\"3\" y=\"3\" radius=\"0.1\"/>");
         }
         assertEquals(
-                "<world> has too many obstacles and points; expected 100000 in total",
+                "<world> has too many obstacles and points; expected at most 100000 in total",
                 problemIn(circles + "</world><robot x=\"1\" y=\"1\"/></scenario>")
                         .split(": ", 2)[1]);
     }

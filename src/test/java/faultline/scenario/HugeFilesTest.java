@@ -94,7 +94,7 @@ class HugeFilesTest {
             assertEquals(Problems.MAX_LISTED + 1, problemsOf(wrongAttributes()).size());
             assertEquals(Problems.MAX_LISTED + 1, problemsOf(wrongFaults()).size());
             assertEquals(
-                    "<robot> has too many sensors; expected 1000",
+                    "<robot> has too many sensors; expected at most 1000",
                     problemsOf(sensors(250_000)).get(0).message().toString());
             assertEquals(List.of(), problemsOf(puts()));
             System.out.println("checked");
@@ -124,7 +124,7 @@ class HugeFilesTest {
     void aRobotHasAThousandSensorsAtMost() {
         assertEquals(List.of(), problemsOf(sensors(1000)));
         assertEquals(
-                "<robot> has too many sensors; expected 1000",
+                "<robot> has too many sensors; expected at most 1000",
                 problemsOf(sensors(1001)).get(0).message().toString());
     }
 

@@ -6,6 +6,7 @@ import faultline.gui.text.Messages;
 import faultline.io.AtomicFile;
 import java.awt.Component;
 import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
@@ -36,6 +37,10 @@ final class ExportTask {
         this.onFailed = onFailed;
         monitor = new ProgressMonitor(
                 parent, Messages.get("export.writing", String.valueOf(file.getFileName())), "", 0, MAX_PROGRESS);
+        if (GraphicsEnvironment.isHeadless()) {
+            // Without a display, its dialog, which a slow export opens, would end the task.
+            monitor.setMillisToDecideToPopup(Integer.MAX_VALUE);
+        }
     }
 
     /** Starts the task, and keeps the program from exiting before it has ended. */

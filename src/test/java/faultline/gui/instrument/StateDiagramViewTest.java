@@ -191,7 +191,7 @@ class StateDiagramViewTest {
     void theStrategyIsNamedUnlessAllSensorsAreTrusted() {
         assertEquals("", strategy("ALL"));
         assertEquals("", strategy(""), "a controller without a diagnosis");
-        assertEquals("4 of 6: two sensors, local map · ", strategy("TWO"));
+        assertEquals("4 of 6: two sensors, map · ", strategy("TWO"));
     }
 
     @Test

@@ -78,7 +78,7 @@ class MessagesTest {
     @Test
     void aRungThatIsNoneOfTheLadderKeepsTheNameThatItsControllerGivesIt() {
         assertEquals("Two sensors", HealthText.rung("TWO"));
-        assertEquals("5 of 6: one sensor, local map", HealthText.rungPosition("ONE"));
+        assertEquals("5 of 6: one sensor, map", HealthText.rungPosition("ONE"));
         assertEquals("limp", HealthText.rung("limp"));
         assertEquals("limp", HealthText.rungPosition("limp"));
     }
