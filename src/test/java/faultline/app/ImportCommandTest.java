@@ -57,8 +57,8 @@ class ImportCommandTest {
             --out x.xml --resolution 0           | --resolution is "0"; expected a number of metres from 0.000001 to 100000
             --out x.xml --resolution 1e-400      | --resolution is "1e-400"; expected a number of metres from 0.000001 to 100000
             --out x.xml --resolution 1 --unknown no | --unknown is "no"; expected free or wall
-            --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1"; expected a whole number of cells
-            --out x.xml --resolution 1 --smooth -1 | --smooth is "-1"; expected a number of cells, 0 or more
+            --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1"; expected a whole number from 0 to 999999999
+            --out x.xml --resolution 1 --smooth -1 | --smooth is "-1"; expected a number of cells from 0 to 100000
             --out x.xml --resolution 1 --start 1,2 | --start is "1,2"; expected x,y,heading in metres and degrees
             """)
     void badUsageIsReported(String arguments, String sentence) throws Exception {

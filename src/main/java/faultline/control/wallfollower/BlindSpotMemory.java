@@ -16,6 +16,9 @@ final class BlindSpotMemory {
     /** A turn of more than this makes the place of an object uncertain, radians. */
     private static final double MAX_TURN = StrictMath.PI / 2;
 
+    /** If the next cone begins within this angle of an edge, there is no blind spot, radians. */
+    private static final double MIN_GAP = StrictMath.toRadians(10);
+
     private final TrackedPlace left = new TrackedPlace();
     private final TrackedPlace right = new TrackedPlace();
 
@@ -60,18 +63,31 @@ final class BlindSpotMemory {
         }
     }
 
-    /** Processes a reading after some motion, which is small. */
-    void update(SensorView sensor, double rolled, double turn) {
+    /**
+     * Processes a reading after some motion, which is small.
+     *
+     * @param sensor the sensor
+     * @param toTheLeft the next sensor to the left, {@link SensorView#NONE} if there is none
+     * @param toTheRight the next sensor to the right
+     * @param rolled the distance rolled, metres
+     * @param turn the turn, radians
+     */
+    void update(SensorView sensor, SensorView toTheLeft, SensorView toTheRight, double rolled, double turn) {
         left.advance(rolled, turn);
         right.advance(rolled, turn);
         if (sensor.detects()) {
-            place(left, sensor, sensor.halfCone(), rolled, turn);
-            place(right, sensor, -sensor.halfCone(), rolled, turn);
+            place(left, sensor, toTheLeft, sensor.halfCone(), rolled, turn);
+            place(right, sensor, toTheRight, -sensor.halfCone(), rolled, turn);
         }
     }
 
-    /** Places the object at an edge if the motion carries it outwards there. */
-    private void place(TrackedPlace target, SensorView sensor, double edge, double rolled, double turn) {
+    /** Places the object at an edge if the motion carries it outwards there, into a blind spot. */
+    private static void place(
+            TrackedPlace target, SensorView sensor, SensorView next, double edge, double rolled, double turn) {
+        double gap = Math.abs(next.bearing() - sensor.bearing() - edge) - next.halfCone();
+        if (next.present() && gap < MIN_GAP) {
+            return;
+        }
         Vector2 fromMount = Vector2.direction(sensor.bearing() + edge).times(sensor.reading());
         Vector2 place = sensor.mountPosition().plus(fromMount);
         Vector2 motion = new Vector2(turn * place.y() - rolled, -turn * place.x());

@@ -87,8 +87,8 @@ final class StateEstimate {
         frontNoise.update(currentFront.reading());
         frontMemory.update(currentFront, odometer.deltaDistance(), odometer.deltaHeading(), robot().width() / 2);
         front = frontMemory.withRememberedRange(currentFront);
-        frontLeftMemory.update(frontLeft, odometer.deltaDistance(), odometer.deltaHeading());
-        leftMemory.update(left, odometer.deltaDistance(), odometer.deltaHeading());
+        frontLeftMemory.update(frontLeft, left, currentFront, odometer.deltaDistance(), odometer.deltaHeading());
+        leftMemory.update(left, SensorView.NONE, frontLeft, odometer.deltaDistance(), odometer.deltaHeading());
     }
 
     /**

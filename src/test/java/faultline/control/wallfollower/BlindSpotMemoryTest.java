@@ -21,7 +21,7 @@ class BlindSpotMemoryTest {
     }
 
     private void detect(double reading, double rolled, double turn) {
-        memory.update(view(reading), rolled, turn);
+        memory.update(view(reading), SensorView.NONE, SensorView.NONE, rolled, turn);
     }
 
     private void loseTarget(double rolled, double turn) {
@@ -87,6 +87,14 @@ class BlindSpotMemoryTest {
         detect(0.5, 0, 0.001);
         turn(0.9 * QUARTER_TURN);
         turn(-0.2 * QUARTER_TURN);
+        assertEquals(Reading.NOTHING, memory.distanceAfter(0));
+    }
+
+    @Test
+    void betweenConesThatNearlyMeetThereIsNoBlindSpot() {
+        SensorView next =
+                new SensorView(Vector2.ZERO, QUARTER_TURN - 2 * Math.asin(0.6), Math.asin(0.6), 0.8, 0.7, true);
+        memory.update(view(0.5), SensorView.NONE, next, 0, 0.001);
         assertEquals(Reading.NOTHING, memory.distanceAfter(0));
     }
 
