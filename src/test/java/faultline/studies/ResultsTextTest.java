@@ -210,8 +210,8 @@ class ResultsTextTest {
                         .where("cone_deg", "20")
                         .numbers("collisions")
                         .sum());
-        assertEquals(1 / 5.0, share("8"), 0.04, "one in five");
-        assertEquals(3 / 8.0, share("2"), 0.04, "three in eight");
+        assertEquals(1 / 7.0, share("8"), 0.02, "one in seven");
+        assertEquals(1 / 3.0, share("2"), 0.02, "one in three");
     }
 
     private static double share(String cone) {

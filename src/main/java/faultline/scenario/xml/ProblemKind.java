@@ -43,19 +43,19 @@ public enum ProblemKind implements Message.Template {
     /** A command does not contain exactly one obstacle. */
     OBSTACLE_COUNT("<put> contains {0} obstacles; expected one of {1}"),
     /** The file has too many elements. */
-    TOO_MANY_ELEMENTS("the file has too many elements; expected {0}"),
+    TOO_MANY_ELEMENTS("the file has too many elements; expected at most {0}"),
     /** The elements are nested too deep. */
-    TOO_DEEP("the elements are nested too deep; expected {0}"),
+    TOO_DEEP("the elements are nested too deep; expected at most {0}"),
     /** Two elements have the same id. */
     DUPLICATE_ID("id of <{0}> is \"{1}\", which the element in line {2} already has; expected unique ids"),
     /** The world has too many obstacles and points. */
-    TOO_MANY_PARTS("<world> has too many obstacles and points; expected {0} in total"),
+    TOO_MANY_PARTS("<world> has too many obstacles and points; expected at most {0} in total"),
     /** The robot has too many sensors. */
-    TOO_MANY_SENSORS("<robot> has too many sensors; expected {0}"),
+    TOO_MANY_SENSORS("<robot> has too many sensors; expected at most {0}"),
     /** An obstacle has the id of the enclosing wall. */
     RESERVED_ID("id of <{0}> is \"{1}\"; expected another id, because this is the name of the wall around the world"),
     /** Too many obstacles move. */
-    TOO_MANY_MOVING("<{0}> \"{1}\" is moving obstacle number {2}; expected {3} (maxMoving of <world>)"),
+    TOO_MANY_MOVING("<{0}> \"{1}\" is moving obstacle number {2}; expected at most {3} (maxMoving of <world>)"),
     /** The file is not in the encoding that it names. */
     ENCODING("the bytes are not text in the encoding that the file names; expected UTF-8"),
     /** The XML parser failed for another reason. */
