@@ -55,6 +55,24 @@ class StateEstimateTest {
                 List.of(estimate.left(), estimate.frontLeft(), estimate.frontRight(), estimate.right()));
     }
 
+    /** The sensor is a corner of the body, so its distance from the centre is the radius of the robot's circle. */
+    @Test
+    void whatTheFrontLeftSensorSeesWithinThreeCentimetresIsNear() {
+        for (double reading : new double[] {0.001, 0.029, 0.033, 0.2}) {
+            Observation observation = Observations.observation(0, Map.of("front-left", reading));
+            assertEquals(
+                    reading < 0.03,
+                    estimate(observation, WallSide.LEFT).isNearSideObjectWithinTurningCircle(),
+                    "at " + reading);
+        }
+    }
+
+    @Test
+    void nothingThatWasLostIsNearAtFirst() {
+        StateEstimate estimate = estimate(ALL_DIRECTIONS, WallSide.LEFT);
+        assertEquals(false, estimate.isLostWallWithinTurningCircle());
+    }
+
     @Test
     void theDistanceFromTheCentreIsThatOfTheMountAndTheReadingButNotWithinTheBody() {
         StateEstimate estimate = estimate(ALL_DIRECTIONS, WallSide.LEFT);
