@@ -2,10 +2,12 @@ package faultline;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -63,6 +65,12 @@ public final class JavaProcess {
             throw new IOException(mainClass + " wrote nothing");
         }
         return process;
+    }
+
+    /** Returns what a process writes until it ends; one that does not end within five minutes is killed. */
+    public static String output(Process process) throws IOException {
+        CompletableFuture.delayedExecutor(5, TimeUnit.MINUTES).execute(process::destroyForcibly);
+        return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     }
 
     /** Sends a signal to a process, such as {@code -STOP}; not on Windows. */

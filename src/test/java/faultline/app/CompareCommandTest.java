@@ -117,7 +117,7 @@ class CompareCommandTest {
         ProcessBuilder builder = JavaProcess.builder("faultline.app.Main", List.of(args));
         builder.command().add(1, "-Djava.awt.headless=true");
         Process process = builder.start();
-        String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String out = JavaProcess.output(process);
         String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
         return new CommandResult(process.waitFor(), out, err);
     }
@@ -157,7 +157,7 @@ class CompareCommandTest {
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "needs a shell")
     void aShellUnderstandsTheQuotedWordsOfACommand(String word) throws Exception {
         Process shell = new ProcessBuilder("sh", "-c", "printf %s " + ShellText.quoted(word)).start();
-        assertEquals(word, new String(shell.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertEquals(word, JavaProcess.output(shell));
         assertEquals(0, shell.waitFor());
     }
 

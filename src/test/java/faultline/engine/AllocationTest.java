@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import com.sun.management.ThreadMXBean;
+import faultline.JavaProcess;
 import faultline.control.ControllerSpec;
 import faultline.geometry.Pose;
 import faultline.world.WorldSpec;
 import java.io.File;
 import java.lang.management.ManagementFactory;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -89,7 +89,7 @@ class AllocationTest {
                 Probe.class.getName()));
         command.addAll(List.of(arguments));
         Process probe = new ProcessBuilder(command).redirectErrorStream(true).start();
-        return new String(probe.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        return JavaProcess.output(probe);
     }
 
     @Test

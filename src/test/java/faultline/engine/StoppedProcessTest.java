@@ -11,7 +11,6 @@ import faultline.control.Telemetry;
 import faultline.robot.RobotSpec;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -71,6 +70,6 @@ class StoppedProcessTest {
         exchange.getOutputStream().write('.');
         exchange.getOutputStream().close();
         assertTrue(exchange.waitFor(60, TimeUnit.SECONDS));
-        assertEquals("e", new String(exchange.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertEquals("e", JavaProcess.output(exchange));
     }
 }

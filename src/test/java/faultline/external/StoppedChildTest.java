@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.JavaProcess;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -60,6 +59,6 @@ class StoppedChildTest {
         exchange.getOutputStream().write('.');
         exchange.getOutputStream().close();
         assertTrue(exchange.waitFor(60, TimeUnit.SECONDS));
-        assertEquals("e", new String(exchange.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertEquals("e", JavaProcess.output(exchange));
     }
 }

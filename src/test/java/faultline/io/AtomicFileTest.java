@@ -299,7 +299,7 @@ class AtomicFileTest {
     void noTemporaryFileIsCreatedWhileTheProcessEnds() throws Exception {
         Process process = JavaProcess.builder(EndingWriter.class.getName(), List.of(folder.toString()))
                 .start();
-        String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String output = JavaProcess.output(process);
         assertEquals(0, process.waitFor());
         assertEquals(folder.resolve("second.txt") + ": the file cannot be written there", output.strip());
         assertEquals(List.of(), files());

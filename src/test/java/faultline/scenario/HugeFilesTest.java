@@ -106,7 +106,7 @@ class HugeFilesTest {
         ProcessBuilder builder = JavaProcess.builder(FileCheck.class.getName(), List.of());
         builder.command().add(1, "-Xmx512m");
         Process process = builder.redirectErrorStream(true).start();
-        assertEquals("checked\n", new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertEquals("checked\n", JavaProcess.output(process));
         assertEquals(0, process.waitFor());
     }
 

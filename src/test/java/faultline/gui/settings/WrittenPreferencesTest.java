@@ -9,7 +9,6 @@ import faultline.gui.Await;
 import faultline.gui.settings.WindowPreferences.PreferenceStore;
 import java.awt.EventQueue;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -173,7 +172,7 @@ class WrittenPreferencesTest {
             Process process = JavaProcess.builder(Quitting.class.getName(), List.of(userRoot.toString(), next))
                     .redirectError(ProcessBuilder.Redirect.DISCARD)
                     .start();
-            themes.add(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+            themes.add(JavaProcess.output(process));
         }
         assertEquals(List.of("", "DARK", "LIGHT"), themes);
     }

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.JavaProcess;
 import faultline.app.Main;
 import faultline.scenario.ManyObstacles;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -46,9 +45,7 @@ class ManyObstaclesRobotTest {
         Path file = Files.writeString(folder.resolve("many.xml"), ManyObstacles.text());
         Process process = JavaProcess.builder(FirstPicture.class.getName(), List.of("--startup-time", file.toString()))
                 .start();
-        List<String> lines = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8)
-                .lines()
-                .toList();
+        List<String> lines = JavaProcess.output(process).lines().toList();
         assertEquals(0, process.waitFor());
         assertTrue(lines.get(0).matches("startup_s: \\d+\\.\\d\\d"), lines.toString());
         double seconds = Long.parseLong(lines.get(1)) / 1000.0;
