@@ -53,8 +53,12 @@ public final class EvidenceGrid {
         }
     }
 
+    private final int sources;
+    /** For each source, the moments of all cells: a mark writes many cells of one source. */
     private final int[] free;
+    /** For each cell, the moments of all sources: a test reads one cell of many sources. */
     private final int[] hit;
+
     /** The latest moment in each row of each source. */
     private final int[] lastFreeInRow;
 
@@ -62,6 +66,7 @@ public final class EvidenceGrid {
     private final SectorRows sector = new SectorRows();
 
     EvidenceGrid(int sources) {
+        this.sources = sources;
         this.free = new int[PLANE * sources];
         this.hit = new int[PLANE * sources];
         this.lastFreeInRow = new int[SIZE * sources];
@@ -105,9 +110,9 @@ public final class EvidenceGrid {
 
     /** Returns whether some of the sources asked have seen a surface in a cell since a moment. */
     boolean isHit(int column, int row, int since, int asked) {
-        int cell = cell(column, row);
+        int first = cell(column, row) * sources;
         for (int rest = asked; rest != 0; rest &= rest - 1) {
-            if (hit[Integer.numberOfTrailingZeros(rest) * PLANE + cell] >= since) {
+            if (hit[first + Integer.numberOfTrailingZeros(rest)] >= since) {
                 return true;
             }
         }
@@ -125,7 +130,35 @@ public final class EvidenceGrid {
      * @return whether some may have been seen since then
      */
     public boolean findLastFree(int column, int row, int since, int asked, int[] latest) {
-        return findLast(free, lastFreeInRow, column, row, since, asked, latest);
+        Arrays.fill(latest, Integer.MIN_VALUE);
+        int recent = recent(lastFreeInRow, row, since, asked);
+        for (int rest = recent; rest != 0; rest &= rest - 1) {
+            int line = Integer.numberOfTrailingZeros(rest) * SIZE + (row & WRAP);
+            raise(latest, line * SIZE, column & WRAP);
+        }
+        return recent != 0;
+    }
+
+    private void raise(int[] latest, int base, int start) {
+        int beforeWrap = Math.min(latest.length, SIZE - start);
+        for (int i = 0; i < beforeWrap; i++) {
+            latest[i] = Math.max(latest[i], free[base + start + i]);
+        }
+        for (int i = beforeWrap; i < latest.length; i++) {
+            latest[i] = Math.max(latest[i], free[base - beforeWrap + i]);
+        }
+    }
+
+    /** Returns those of some sources that have marked a cell of a row since a moment, a bit for each. */
+    private static int recent(int[] lastInRow, int row, int since, int asked) {
+        int found = 0;
+        for (int rest = asked; rest != 0; rest &= rest - 1) {
+            int source = Integer.numberOfTrailingZeros(rest);
+            if (lastInRow[source * SIZE + (row & WRAP)] >= since) {
+                found |= 1 << source;
+            }
+        }
+        return found;
     }
 
     /**
@@ -139,36 +172,23 @@ public final class EvidenceGrid {
      * @return whether there may be surfaces seen since then
      */
     public boolean findLastHit(int column, int row, int since, int asked, int[] latest) {
-        return findLast(hit, lastHitInRow, column, row, since, asked, latest);
-    }
-
-    private static boolean findLast(
-            int[] stamps, int[] lastInRow, int column, int row, int since, int asked, int[] latest) {
         Arrays.fill(latest, Integer.MIN_VALUE);
-        boolean found = false;
-        for (int rest = asked; rest != 0; rest &= rest - 1) {
-            int line = Integer.numberOfTrailingZeros(rest) * SIZE + (row & WRAP);
-            if (lastInRow[line] >= since) {
-                raise(latest, stamps, line * SIZE, column & WRAP);
-                found = true;
+        int recent = recent(lastHitInRow, row, since, asked);
+        if (recent == 0) {
+            return false;
+        }
+        for (int i = 0; i < latest.length; i++) {
+            int first = cell(column + i, row) * sources;
+            for (int rest = recent; rest != 0; rest &= rest - 1) {
+                latest[i] = Math.max(latest[i], hit[first + Integer.numberOfTrailingZeros(rest)]);
             }
         }
-        return found;
-    }
-
-    private static void raise(int[] latest, int[] stamps, int base, int start) {
-        int beforeWrap = Math.min(latest.length, SIZE - start);
-        for (int i = 0; i < beforeWrap; i++) {
-            latest[i] = Math.max(latest[i], stamps[base + start + i]);
-        }
-        for (int i = beforeWrap; i < latest.length; i++) {
-            latest[i] = Math.max(latest[i], stamps[base - beforeWrap + i]);
-        }
+        return true;
     }
 
     /** Records that a source saw a surface in a cell. */
     void markHit(int source, int column, int row, int moment) {
-        hit[source * PLANE + cell(column, row)] = moment;
+        hit[cell(column, row) * sources + source] = moment;
         lastHitInRow[source * SIZE + (row & WRAP)] = moment;
     }
 
