@@ -184,7 +184,11 @@ final class SignalCheck {
     }
 
     private static double faded(double count, double step, int readings) {
-        return count == 0 ? 0 : count * StrictMath.pow(1 - step, readings);
+        return count == 0 || readings == 0 ? count : count * remaining(1 - step, readings);
+    }
+
+    private static double remaining(double share, int readings) {
+        return readings == 1 ? share : StrictMath.pow(share, readings);
     }
 
     /** Records that the reading has changed. */

@@ -99,9 +99,6 @@ final class SpinComparison {
     /** Returns the sensor ahead that is wrong by the last spin, or {@link #NONE}. */
     int wrongAhead() {
         for (InspectedSensor sensor : sensors) {
-            profiles[sensor.index()].compute(sensor.cone());
-        }
-        for (InspectedSensor sensor : sensors) {
             boolean looksAhead =
                     Math.abs(sensor.cone().bearing()) < sensor.cone().half();
             if (looksAhead && isWrong(sensor.index())) {
@@ -145,6 +142,8 @@ final class SpinComparison {
         if (one == other || sensors[one].cone().half() != sensors[other].cone().half()) {
             return Double.NaN;
         }
+        profiles[one].compute(sensors[one].cone());
+        profiles[other].compute(sensors[other].cone());
         int count = 0;
         for (int i = 0; i < SpinProfile.DIRECTIONS; i++) {
             double by = profiles[one].distance(i) - profiles[other].distance(i);

@@ -30,10 +30,13 @@ final class SpinProfile {
     private final double[] offsets = new double[DIRECTIONS];
 
     private final double[] distances = new double[DIRECTIONS];
+    /** Whether the distances are those of all measurements. */
+    private boolean computed;
 
     /** Forgets all measurements. */
     void clear() {
         Arrays.fill(measured, Double.NaN);
+        computed = false;
     }
 
     /**
@@ -48,10 +51,15 @@ final class SpinProfile {
         int index = Math.floorMod((int) whole, DIRECTIONS);
         measured[index] = distance;
         offsets[index] = steps - whole - 0.5;
+        computed = false;
     }
 
-    /** Computes the distances from the centre, by a sensor with a cone. */
+    /** Computes the distances from the centre, by a sensor with a cone, unless they are known. */
     void compute(MountedCone cone) {
+        if (computed) {
+            return;
+        }
+        computed = true;
         double cos = StrictMath.cos(cone.bearing());
         double sin = StrictMath.sin(cone.bearing());
         double ahead = cone.x() * cos + cone.y() * sin;
@@ -79,8 +87,8 @@ final class SpinProfile {
     private double slope(int index) {
         int before = neighbour(index, -1);
         int after = neighbour(index, 1);
-        int beforeIndex = Math.floorMod(index + before, DIRECTIONS);
-        int afterIndex = Math.floorMod(index + after, DIRECTIONS);
+        int beforeIndex = wrap(index + before);
+        int afterIndex = wrap(index + after);
         double back = offsets[index] - offsets[beforeIndex] - before;
         double forth = offsets[afterIndex] - offsets[index] + after;
         double slope = (measured[afterIndex] - measured[beforeIndex]) / (back + forth);
@@ -90,7 +98,12 @@ final class SpinProfile {
 
     /** Returns the steps to the next measurement, one or two. */
     private int neighbour(int index, int step) {
-        return Double.isNaN(measured[Math.floorMod(index + step, DIRECTIONS)]) ? 2 * step : step;
+        return Double.isNaN(measured[wrap(index + step)]) ? 2 * step : step;
+    }
+
+    /** Returns the index of a direction that is less than a turn outside the indices. */
+    private static int wrap(int index) {
+        return index < 0 ? index + DIRECTIONS : index < DIRECTIONS ? index : index - DIRECTIONS;
     }
 
     /** Returns the distance from the centre in a direction, metres; not a number if it is not known. */
