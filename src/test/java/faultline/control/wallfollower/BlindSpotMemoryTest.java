@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.geometry.Vector2;
 import faultline.sensor.Reading;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * A sensor in the robot's middle that looks to the left, with a cone of twice the angle whose sine is 0.6: an object at
@@ -98,9 +100,22 @@ class BlindSpotMemoryTest {
         assertEquals(Reading.NOTHING, memory.distanceAfter(0));
     }
 
-    @Test
-    void whatIsForgottenIsGone() {
-        detect(0.5, 0, 0.001);
+    /**
+     * An object ahead is carried out of the cone by a turn of more than 1.6 times the distance, in radians per metre.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.0015, Infinity", "0.0017, 0.5"})
+    void onABendItIsLostToTheFrontOnlyIfTheRobotTurnsFaster(double turn, double distance) {
+        detect(0.5, 0.001, turn);
+        loseTarget(0, 0);
+        assertEquals(distance, memory.distanceAfter(0), 1e-12);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0.001", "0.001, 0"})
+    void whatIsForgottenIsGone(double rolled, double turn) {
+        detect(0.5, rolled, turn);
+        assertEquals(0.5, memory.distanceAfter(0), 1e-12, "it may be lost to the front or the rear");
         memory.clear();
         assertEquals(Reading.NOTHING, memory.distanceAfter(0));
     }

@@ -1,6 +1,8 @@
 package faultline.control.wallfollower;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.control.Observation;
@@ -12,6 +14,8 @@ import faultline.robot.RobotSpec;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class StateEstimateTest {
 
@@ -71,6 +75,52 @@ class StateEstimateTest {
     void nothingThatWasLostIsNearAtFirst() {
         StateEstimate estimate = estimate(ALL_DIRECTIONS, WallSide.LEFT);
         assertEquals(false, estimate.isLostWallWithinTurningCircle());
+    }
+
+    private final Odometer odometer = new Odometer();
+    private final StateEstimate turning = new StateEstimate(ControllerSpec.WallFollowing.DEFAULT, odometer);
+
+    /** Processes what the robot sees after a tick in which it turns to the left on the spot. */
+    private void turnAndSee(int tick, Map<String, Double> readings) {
+        odometer.advance(Observations.LAG_FREE_ROBOT, -6, 6, Observations.DT, 1);
+        turning.update(Observations.observation(tick, readings));
+    }
+
+    @Test
+    void whatATurnCarriesOutOfTheFrontLeftConeIsNearUntilItIsForgotten() {
+        turnAndSee(0, Map.of("front-left", 0.02));
+        turnAndSee(1, Map.of());
+        assertTrue(turning.isNearSideObjectWithinTurningCircle());
+        assertFalse(turning.isLostWallWithinTurningCircle());
+        turning.clearFrontMemory();
+        assertFalse(turning.isNearSideObjectWithinTurningCircle());
+    }
+
+    @Test
+    void aWallThatATurnCarriesOutOfTheLeftConeIsNearUntilItIsForgotten() {
+        turnAndSee(0, Map.of("left", 0.08));
+        turnAndSee(1, Map.of());
+        assertTrue(turning.isLostWallWithinTurningCircle());
+        assertFalse(turning.isNearSideObjectWithinTurningCircle());
+        turning.clearFrontMemory();
+        assertFalse(turning.isLostWallWithinTurningCircle());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.05, false", "0.11, false"})
+    void whatIsNearerThanTheCornersOrFartherThanTheCircleIsNotInTheWay(double reading, boolean inTheWay) {
+        turnAndSee(0, Map.of("left", reading));
+        turnAndSee(1, Map.of());
+        assertEquals(inTheWay, turning.isLostWallWithinTurningCircle());
+    }
+
+    @Test
+    void withoutASensorBesideTheWallTheDistanceIsThatOfTheBody() {
+        RobotSpec wide =
+                new RobotSpec(0.25, 0.30, 0.18, 0.3, 100, RobotSpec.DEFAULT.motor(), DriveScale.NONE, List.of());
+        StateEstimate estimate = estimate(Observations.observation(0, wide, Map.of()), WallSide.LEFT);
+        assertEquals(0.4, estimate.centreDistance(0.25), 1e-12);
+        assertEquals(2 * wide.motor().maxSpeed() / 0.18, estimate.turnRate(), 1e-12, "the motors are the limit");
     }
 
     @Test
