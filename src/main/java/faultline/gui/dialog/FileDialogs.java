@@ -97,6 +97,11 @@ final class FileDialogs {
         return Optional.empty();
     }
 
+    /** Creates a chooser that shows a folder and that Escape closes. */
+    static JFileChooser createChooser(File folder) {
+        return new EscapableFileChooser(folder);
+    }
+
     private JFileChooser createChooser(String action, String extension) {
         String filter = filterName(action, extension);
         return createChooser(action, filter, extensions(filter).toArray(String[]::new));
