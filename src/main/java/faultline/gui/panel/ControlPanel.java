@@ -47,6 +47,7 @@ import javax.swing.SwingUtilities;
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL_STEP = 16;
+    private static final int SCROLL_MARGIN = 4;
     /** The property of the focus manager that changes with the focus. */
     private static final String FOCUS = "permanentFocusOwner";
     /** The width that fits the sensor rows and the scroll bar, pixels at the normal text size. */
@@ -110,11 +111,20 @@ public final class ControlPanel extends JPanel {
 
     /** Scrolls to the field that has the focus, which Tab may have moved out of sight. */
     private void showFocused(PropertyChangeEvent event) {
-        if (event.getNewValue() instanceof JComponent field
-                && SwingUtilities.isDescendingFrom(field, this)
-                && field.getParent() instanceof JComponent parent) {
-            // A text field would scroll only its own text.
-            parent.scrollRectToVisible(field.getBounds());
+        if (event.getNewValue() instanceof JComponent focused && SwingUtilities.isDescendingFrom(focused, this)) {
+            scrollTo(focused);
+        }
+    }
+
+    /** Scrolls to a field with its frame, and to a number with the arrows beside it. */
+    static void scrollTo(JComponent focused) {
+        Container spinner = SwingUtilities.getAncestorOfClass(JSpinner.class, focused);
+        Component field = spinner == null ? focused : spinner;
+        // A text field would scroll only its own text.
+        if (field.getParent() instanceof JComponent parent) {
+            Rectangle shown = field.getBounds();
+            shown.grow(SCROLL_MARGIN, SCROLL_MARGIN);
+            parent.scrollRectToVisible(shown);
         }
     }
 

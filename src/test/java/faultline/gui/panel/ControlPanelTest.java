@@ -43,6 +43,7 @@ import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.JViewport;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingUtilities;
@@ -203,6 +204,24 @@ class ControlPanelTest {
                 TextSize.NORMAL.install();
             });
         }
+    }
+
+    @Test
+    void aFieldThatGetsTheFocusScrollsIntoViewWithItsFrame() {
+        runOnEdt(() -> {
+            panel.setSize(panel.defaultWidth(), 300);
+            layOut(panel);
+            JSpinner last = ComponentFinder.findAll(panel, JSpinner.class)
+                    .filter(JSpinner::isEnabled)
+                    .reduce((first, second) -> second)
+                    .orElseThrow();
+            JViewport viewport = (JViewport) SwingUtilities.getAncestorOfClass(JViewport.class, last);
+            assertEquals(0, viewport.getViewPosition().y);
+            ControlPanel.scrollTo(((JSpinner.DefaultEditor) last.getEditor()).getTextField());
+            assertTrue(viewport.getViewPosition().y > 0, "it was out of view");
+            Rectangle shown = SwingUtilities.convertRectangle(last.getParent(), last.getBounds(), viewport);
+            assertTrue(new Rectangle(viewport.getSize()).contains(shown), shown + " in " + viewport.getSize());
+        });
     }
 
     @Test
