@@ -6,6 +6,7 @@ import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
+import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
 import faultline.robot.RobotSpec;
@@ -32,6 +33,7 @@ import javax.swing.BoxLayout;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
@@ -80,6 +82,8 @@ public final class ControlPanel extends JPanel {
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
         UiText.name(tabs, "panel");
+        KeyBindings.bind(tabs, "PAGE_UP", () -> scrollByPage(-1));
+        KeyBindings.bind(tabs, "PAGE_DOWN", () -> scrollByPage(1));
         addTab(
                 "panel.robot",
                 new TitledSection(robot),
@@ -144,6 +148,14 @@ public final class ControlPanel extends JPanel {
         World world = new World(nothing, RobotSpec.DEFAULT, new Pose(0, 0, 0), SimulationSetup.DEFAULT_TICK, 0);
         world.sense();
         return world.snapshot();
+    }
+
+    /** Scrolls the tab that shows, which may have no control that a key could reach. */
+    private void scrollByPage(int direction) {
+        if (tabs.getSelectedComponent() instanceof JScrollPane scroll) {
+            JScrollBar bar = scroll.getVerticalScrollBar();
+            bar.setValue(bar.getValue() + direction * bar.getBlockIncrement(direction));
+        }
     }
 
     /** Adds a tab with the key of its name and its sections from top to bottom. */

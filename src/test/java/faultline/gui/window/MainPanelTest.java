@@ -40,6 +40,8 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineEditor;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -208,11 +210,14 @@ class MainPanelTest {
     @ParameterizedTest
     @CsvSource({"ENGLISH, false", "POLISH, false", "ENGLISH, true", "POLISH, true"})
     void onASmallScreenWithLargeTextEveryTabOfTheControlPanelWrapsInsteadOfScrollingSideways(
-            Language language, boolean instruments) {
+            Language language, boolean instruments) throws ScenarioException {
         try {
             build(TextSize.LARGEST, language);
             // The instruments are hidden by default on a screen of this height.
             runOnEdt(() -> mainPanel.setDockShown(instruments));
+            Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
+            runOnEdt(() ->
+                    mainPanel.setRun(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, office, 100));
             ControlPanel panel = mainPanel.controlPanel();
             JTabbedPane tabs = callOnEdt(() -> ComponentFinder.findAll(panel, JTabbedPane.class)
                     .findFirst()
