@@ -5,6 +5,7 @@ import faultline.gui.document.ControllerSelection;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.io.File;
@@ -17,6 +18,7 @@ import javax.swing.JComboBox;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 
 /** Asks for a controller: the scenario's own, the name of one in Java, or a command. */
 final class ControllerDialog {
@@ -66,6 +68,14 @@ final class ControllerDialog {
 
     /** Shows the dialog and waits for the answer; empty if cancelled. */
     Optional<ControllerSelection> showDialog(Component parent) {
+        JPanel panel = createPanel();
+        field.getEditor().selectAll();
+        boolean accepted =
+                FormDialog.showDialog(parent, title, panel, field.getEditor().getEditorComponent());
+        return accepted ? Optional.of(selected()) : Optional.empty();
+    }
+
+    JPanel createPanel() {
         JPanel panel = new JPanel(new BorderLayout(GAP, GAP));
         JLabel label = new JLabel(Messages.get("chooseController.label"));
         label.setLabelFor(field);
@@ -74,11 +84,12 @@ final class ControllerDialog {
         panel.add(label, BorderLayout.NORTH);
         panel.add(field, BorderLayout.CENTER);
         panel.add(browse, BorderLayout.LINE_END);
-        panel.add(new JLabel(Messages.get("chooseController.help", EXAMPLE)), BorderLayout.SOUTH);
-        field.getEditor().selectAll();
-        boolean accepted =
-                FormDialog.showDialog(parent, title, panel, field.getEditor().getEditorComponent());
-        return accepted ? Optional.of(selected()) : Optional.empty();
+        JTextArea help = UiText.wrappedText();
+        // Its lines are as long as its sentences.
+        help.setLineWrap(false);
+        help.setText(Messages.get("chooseController.help", EXAMPLE));
+        panel.add(help, BorderLayout.SOUTH);
+        return panel;
     }
 
     private ControllerSelection selected() {

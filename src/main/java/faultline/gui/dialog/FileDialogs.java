@@ -4,6 +4,7 @@ import faultline.gui.document.FileNames;
 import faultline.gui.properties.FloorPlanFiles;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.EmptyToolTips;
+import faultline.gui.theme.ScreenFit;
 import java.awt.Component;
 import java.io.File;
 import java.nio.file.Files;
@@ -147,8 +148,8 @@ final class FileDialogs {
         return has ? file : file.resolveSibling(name + "." + extension);
     }
 
-    /** A file chooser that Escape closes wherever the focus is. */
-    private static final class EscapableFileChooser extends JFileChooser {
+    /** A file chooser that Escape closes wherever the focus is, and that fits on the screen. */
+    static final class EscapableFileChooser extends JFileChooser {
         EscapableFileChooser(File folder) {
             super(folder);
         }
@@ -157,6 +158,8 @@ final class FileDialogs {
         protected JDialog createDialog(Component parent) {
             JDialog dialog = super.createDialog(parent);
             EmptyToolTips.disable(dialog);
+            ScreenFit.pack(dialog);
+            dialog.setLocationRelativeTo(parent);
             dialog.getRootPane()
                     .registerKeyboardAction(
                             event -> cancelSelection(),

@@ -3,10 +3,13 @@ package faultline.gui.dialog;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +17,8 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** What the dialog of the controllers offers. */
 class ControllerDialogTest {
@@ -22,8 +27,12 @@ class ControllerDialogTest {
     private Path folder;
 
     @AfterEach
-    void speakEnglish() {
-        runOnEdt(() -> Messages.setLanguage(Language.ENGLISH));
+    void restoreChoices() {
+        runOnEdt(() -> {
+            Messages.setLanguage(Language.ENGLISH);
+            TextSize.NORMAL.install();
+            Theme.LIGHT.install();
+        });
     }
 
     private Path startFolder(ControllerSelection now, Path scenario) {
@@ -60,6 +69,22 @@ class ControllerDialogTest {
     @Test
     void filesAreChosenInTheWorkingDirectoryIfNoFileIsOpen() {
         assertEquals(Path.of("").toAbsolutePath(), startFolder(ControllerSelection.SCENARIO, null));
+    }
+
+    /** The screen has 800 pixels, of which the frame and the borders of the dialog take less than 100. */
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void withTheLargestTextItFitsOnASmallScreen(Language language) {
+        int width = callOnEdt(() -> {
+            Messages.setLanguage(language);
+            TextSize.LARGEST.install();
+            Theme.LIGHT.install();
+            return new ControllerDialog("Controller", ControllerSelection.SCENARIO, null)
+                    .createPanel()
+                    .getPreferredSize()
+                    .width;
+        });
+        assertTrue(width <= 700, width + " pixels");
     }
 
     @Test
