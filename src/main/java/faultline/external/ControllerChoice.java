@@ -24,7 +24,8 @@ public final class ControllerChoice {
     /** The name of the built-in wall follower, which uses the settings of the scenario if it has any. */
     public static final String WALL_FOLLOWER = "wall-follower";
 
-    private static final String NONE = "none";
+    /** The name of the controller that lets the robot stand still. */
+    public static final String NONE = "none";
 
     private ControllerChoice() {}
 

@@ -66,8 +66,8 @@ public final class BatchActions {
     void openRun(Scenario run) {
         files.runIfChangesHandled(() -> {
             controllers.select(ControllerSelection.SCENARIO);
-            files.openGeneratedWithoutAsking(run);
-            note.accept(Messages.get("batch.opened"));
+            // Opening removes the notes about the scenario before.
+            files.openGeneratedWithoutAsking(run, () -> note.accept(Messages.get("batch.opened")));
         });
     }
 

@@ -1,6 +1,7 @@
 package faultline.gui.batch;
 
 import faultline.campaign.report.CampaignCell;
+import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import java.util.HashSet;
@@ -10,7 +11,6 @@ import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
-import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
@@ -59,7 +59,7 @@ final class ResultTabs {
 
     private void addTab(String key, JComponent view) {
         if (view instanceof JScrollPane scroll) {
-            scroll.setBorder(BorderFactory.createEmptyBorder());
+            scroll.setBorder(new FocusRing.FocusBorder(false));
         }
         UiText.addTab(tabs, key, view);
     }

@@ -3,9 +3,12 @@ package faultline.gui.dialog;
 import faultline.external.ControllerChoice;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.panel.FormDialog;
+import faultline.gui.panel.NamedChoice;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.io.File;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +18,7 @@ import javax.swing.JComboBox;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 
 /** Asks for a controller: the scenario's own, the name of one in Java, or a command. */
 final class ControllerDialog {
@@ -25,12 +29,15 @@ final class ControllerDialog {
     private final JComboBox<String> field = new JComboBox<>();
     private final List<Path> jars = new ArrayList<>();
     private final String title;
+    private final Path scenario;
 
-    /** Creates a dialog with a title that shows a selection. */
-    ControllerDialog(String title, ControllerSelection now) {
+    /** Creates a dialog with a title that shows a selection, given the open file, null for none. */
+    ControllerDialog(String title, ControllerSelection now, Path scenario) {
         this.title = title;
+        this.scenario = scenario;
         jars.addAll(now.jars());
         field.setEditable(true);
+        field.setRenderer(NamedChoice.rendererOf(ControllerDialog::nameOf));
         field.setPrototypeDisplayValue(EXAMPLE.repeat(2));
         // The text has the focus, not the combo box.
         for (Component part : List.of(field, field.getEditor().getEditorComponent())) {
@@ -50,8 +57,25 @@ final class ControllerDialog {
         field.setSelectedItem(selected);
     }
 
+    /** Returns the name of a built-in controller with the text that chooses it, or only the text of another one. */
+    static String nameOf(Object choice) {
+        return switch (String.valueOf(choice)) {
+            case ControllerChoice.WALL_FOLLOWER -> Messages.get("controller.kind.FOLLOWER") + " (" + choice + ")";
+            case ControllerChoice.NONE -> Messages.get("controller.kind.NONE") + " (" + choice + ")";
+            default -> String.valueOf(choice);
+        };
+    }
+
     /** Shows the dialog and waits for the answer; empty if cancelled. */
     Optional<ControllerSelection> showDialog(Component parent) {
+        JPanel panel = createPanel();
+        field.getEditor().selectAll();
+        boolean accepted =
+                FormDialog.showDialog(parent, title, panel, field.getEditor().getEditorComponent());
+        return accepted ? Optional.of(selected()) : Optional.empty();
+    }
+
+    JPanel createPanel() {
         JPanel panel = new JPanel(new BorderLayout(GAP, GAP));
         JLabel label = new JLabel(Messages.get("chooseController.label"));
         label.setLabelFor(field);
@@ -60,11 +84,12 @@ final class ControllerDialog {
         panel.add(label, BorderLayout.NORTH);
         panel.add(field, BorderLayout.CENTER);
         panel.add(browse, BorderLayout.LINE_END);
-        panel.add(new JLabel(Messages.get("chooseController.help", EXAMPLE)), BorderLayout.SOUTH);
-        field.getEditor().selectAll();
-        boolean accepted =
-                FormDialog.showDialog(parent, title, panel, field.getEditor().getEditorComponent());
-        return accepted ? Optional.of(selected()) : Optional.empty();
+        JTextArea help = UiText.wrappedText();
+        // Its lines are as long as its sentences.
+        help.setLineWrap(false);
+        help.setText(Messages.get("chooseController.help", EXAMPLE));
+        panel.add(help, BorderLayout.SOUTH);
+        return panel;
     }
 
     private ControllerSelection selected() {
@@ -73,10 +98,23 @@ final class ControllerDialog {
     }
 
     private void chooseFile(Component parent) {
-        JFileChooser chooser = new JFileChooser();
+        JFileChooser chooser = FileDialogs.createChooser(startFolder());
+        chooser.setDialogTitle(Messages.get("chooseController.file.title"));
         if (chooser.showOpenDialog(parent) == JFileChooser.APPROVE_OPTION) {
             useFile(chooser.getSelectedFile().toPath());
         }
+    }
+
+    /**
+     * Returns the folder of the file that the field names last, or else of the jar that was added last, or else of the
+     * open scenario, or else the working directory.
+     */
+    File startFolder() {
+        List<Path> named = ControllerChoice.files(selected().text());
+        Path file = !named.isEmpty()
+                ? named.get(named.size() - 1)
+                : !jars.isEmpty() ? jars.get(jars.size() - 1) : scenario == null ? Path.of("scenario") : scenario;
+        return file.toAbsolutePath().getParent().toFile();
     }
 
     /** Adds the controllers of a jar, or makes the command that starts a program. */

@@ -48,8 +48,9 @@ public final class FileController {
         actions.add(UiAction.of("open", this::open)
                 .withAccelerator(menuShortcut(KeyEvent.VK_O))
                 .withIcon(Glyph.OPEN));
-        actions.add(
-                UiAction.of("importPlan", () -> fileDialogs.chooseFloorPlan().ifPresent(this::importPlan)));
+        actions.add(UiAction.of(
+                "importPlan",
+                () -> runIfChangesHandled(() -> fileDialogs.chooseFloorPlan().ifPresent(this::importPlan))));
         actions.add(UiAction.of("revert", this::revert));
         actions.add(UiAction.of("save", this::save)
                 .withAccelerator(menuShortcut(KeyEvent.VK_S))
@@ -90,15 +91,17 @@ public final class FileController {
 
     /** Opens a file that was dropped on the window, or imports it if it is a floor plan. */
     public void open(Path file) {
-        if (FloorPlanFiles.isFloorPlan(file)) {
-            importPlan(file);
-        } else {
-            runIfChangesHandled(() -> documentStore.open(file));
-        }
+        runIfChangesHandled(() -> {
+            if (FloorPlanFiles.isFloorPlan(file)) {
+                importPlan(file);
+            } else {
+                documentStore.open(file);
+            }
+        });
     }
 
     private void importPlan(Path file) {
-        ImportForm.showDialog(parent, file).ifPresent(this::openNew);
+        ImportForm.showDialog(parent, file).ifPresent(this::openNewWithoutAsking);
     }
 
     /** Opens a scenario that is part of the program. */
@@ -106,13 +109,17 @@ public final class FileController {
         runIfChangesHandled(() -> documentStore.openShipped(name));
     }
 
-    public void openNew(Scenario scenario) {
-        runIfChangesHandled(() -> documentStore.create(scenario));
+    /** Opens a new scenario and discards unsaved changes. */
+    public void openNewWithoutAsking(Scenario scenario) {
+        documentStore.create(scenario);
     }
 
-    /** Opens a generated scenario, which does not count as unsaved; discards unsaved changes. */
-    public void openGeneratedWithoutAsking(Scenario scenario) {
-        documentStore.openGenerated(scenario);
+    /**
+     * Opens a generated scenario, which does not count as unsaved; discards unsaved changes. {@code then} runs when it
+     * is open.
+     */
+    public void openGeneratedWithoutAsking(Scenario scenario, Runnable then) {
+        documentStore.openGenerated(scenario, then);
     }
 
     /**

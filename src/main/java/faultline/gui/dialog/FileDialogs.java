@@ -4,6 +4,7 @@ import faultline.gui.document.FileNames;
 import faultline.gui.properties.FloorPlanFiles;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.EmptyToolTips;
+import faultline.gui.theme.ScreenFit;
 import java.awt.Component;
 import java.io.File;
 import java.nio.file.Files;
@@ -97,6 +98,11 @@ final class FileDialogs {
         return Optional.empty();
     }
 
+    /** Creates a chooser that shows a folder and that Escape closes. */
+    static JFileChooser createChooser(File folder) {
+        return new EscapableFileChooser(folder);
+    }
+
     private JFileChooser createChooser(String action, String extension) {
         String filter = filterName(action, extension);
         return createChooser(action, filter, extensions(filter).toArray(String[]::new));
@@ -142,8 +148,8 @@ final class FileDialogs {
         return has ? file : file.resolveSibling(name + "." + extension);
     }
 
-    /** A file chooser that Escape closes wherever the focus is. */
-    private static final class EscapableFileChooser extends JFileChooser {
+    /** A file chooser that Escape closes wherever the focus is, and that fits on the screen. */
+    static final class EscapableFileChooser extends JFileChooser {
         EscapableFileChooser(File folder) {
             super(folder);
         }
@@ -152,6 +158,8 @@ final class FileDialogs {
         protected JDialog createDialog(Component parent) {
             JDialog dialog = super.createDialog(parent);
             EmptyToolTips.disable(dialog);
+            ScreenFit.pack(dialog);
+            dialog.setLocationRelativeTo(parent);
             dialog.getRootPane()
                     .registerKeyboardAction(
                             event -> cancelSelection(),

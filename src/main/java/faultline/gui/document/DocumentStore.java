@@ -43,9 +43,12 @@ public final class DocumentStore {
         start(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, null, scenario));
     }
 
-    /** Opens a generated scenario that has no file; it does not count as changed. */
-    public void openGenerated(Scenario scenario) {
-        start(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, scenario, scenario));
+    /** Opens a generated scenario that has no file; it does not count as changed. {@code then} runs when it is open. */
+    public void openGenerated(Scenario scenario, Runnable then) {
+        start(
+                Path.of(FileNames.forScenario(scenario.name())),
+                () -> new ScenarioDocument(null, scenario, scenario),
+                then);
     }
 
     /**
@@ -79,12 +82,19 @@ public final class DocumentStore {
     }
 
     private void start(Path name, Callable<ScenarioDocument> loader) {
+        start(name, loader, () -> {});
+    }
+
+    private void start(Path name, Callable<ScenarioDocument> loader, Runnable then) {
         WorkspaceTask task = new WorkspaceTask(TaskKind.OPEN, name);
-        workspace.start(task, () -> {
-            ScenarioDocument document = loader.call();
-            task.progress().throwIfCancelled();
-            return OpenDocument.start(document, workspace);
-        });
+        workspace.start(
+                task,
+                () -> {
+                    ScenarioDocument document = loader.call();
+                    task.progress().throwIfCancelled();
+                    return OpenDocument.start(document, workspace);
+                },
+                then);
     }
 
     /** Returns the scenario that a file holds, null if there is no file or it cannot be read. */

@@ -72,9 +72,21 @@ public final class Workspace implements AutoCloseable {
 
     /** Starts a task that makes a document to replace the open one. It cancels the active task. */
     void start(WorkspaceTask newTask, Callable<OpenDocument> maker) {
+        start(newTask, maker, () -> {});
+    }
+
+    /** Starts a task as {@link #start(WorkspaceTask, Callable)}; {@code then} runs after its document is open. */
+    void start(WorkspaceTask newTask, Callable<OpenDocument> maker, Runnable then) {
         cancelActiveTask();
         task = newTask;
-        BackgroundTasks.run(maker, made -> taskDone(newTask, made), failure -> taskFailed(newTask, failure));
+        BackgroundTasks.run(
+                maker,
+                made -> {
+                    if (taskDone(newTask, made)) {
+                        then.run();
+                    }
+                },
+                failure -> taskFailed(newTask, failure));
     }
 
     /** Cancels the active task without other effects. */
@@ -100,10 +112,11 @@ public final class Workspace implements AutoCloseable {
         }
     }
 
-    private void taskDone(WorkspaceTask ended, OpenDocument made) {
+    /** Opens the document of a task, and returns false if the task has been cancelled. */
+    private boolean taskDone(WorkspaceTask ended, OpenDocument made) {
         if (!ended.progress().isActive()) {
             made.session().close();
-            return;
+            return false;
         }
         if (ended.kind() == TaskKind.RESTART) {
             // The scenario may have been saved to another file in the meantime.
@@ -115,6 +128,7 @@ public final class Workspace implements AutoCloseable {
         fire(WorkspaceListener::sessionStarted);
         fire(WorkspaceListener::titleChanged);
         finishTask();
+        return true;
     }
 
     private void fireStarted(TaskKind kind) {

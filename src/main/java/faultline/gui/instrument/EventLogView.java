@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.panel.RowTable;
+import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
@@ -10,9 +11,9 @@ import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.Graphics;
+import java.awt.Insets;
 import java.awt.Point;
 import java.util.function.LongConsumer;
-import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
@@ -39,7 +40,7 @@ public final class EventLogView extends JPanel {
         table.onOpen(row -> jump.accept(events.eventAt(row).tick()));
         KeyBindings.bind(table, "ESCAPE", table::clearSelection);
         scroll.setColumnHeaderView(table.getTableHeader());
-        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.setBorder(new FocusRing.FocusBorder(false));
         add(scroll, BorderLayout.CENTER);
     }
 
@@ -47,10 +48,11 @@ public final class EventLogView extends JPanel {
     @Override
     public void doLayout() {
         super.doLayout();
-        int headings = table.getTableHeader().getPreferredSize().height;
-        int rows = (getHeight() - headings) / table.getRowHeight();
+        Insets border = scroll.getInsets();
+        int outside = border.top + table.getTableHeader().getPreferredSize().height + border.bottom;
+        int rows = (getHeight() - outside) / table.getRowHeight();
         if (rows > 0) {
-            scroll.setSize(getWidth(), headings + rows * table.getRowHeight());
+            scroll.setSize(getWidth(), outside + rows * table.getRowHeight());
         }
     }
 

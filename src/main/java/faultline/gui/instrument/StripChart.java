@@ -2,6 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
+import faultline.gui.action.ContextMenu;
 import faultline.gui.action.ScrolledMenuLayout;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
@@ -58,7 +59,7 @@ public final class StripChart extends JPanel {
             view.setRange(automaticRange());
         });
         name(add, "strip.add");
-        add.addActionListener(event -> createAdditionsMenu().show(add, 0, add.getHeight()));
+        add.addActionListener(event -> ContextMenu.show(createAdditionsMenu(), add, 0, add.getHeight()));
         name(freeze, "strip.hold");
         freeze.addActionListener(event -> view.setFrozen(freeze.isSelected()));
         name(fitValues, "strip.fit");
@@ -146,7 +147,8 @@ public final class StripChart extends JPanel {
         ScrolledMenuLayout.install(menu);
         if (choice.getSelectedItem() instanceof SignalGroup signal) {
             for (ChartLine line : SignalGroup.additions(signal, groups)) {
-                JCheckBoxMenuItem item = new JCheckBoxMenuItem(line.name(), isAdded(line));
+                JCheckBoxMenuItem item = new JCheckBoxMenuItem("", isAdded(line));
+                ContextMenu.number(item, menu.getComponentCount() + 1, line.name());
                 item.addActionListener(event -> toggle(line));
                 item.putClientProperty("CheckBoxMenuItem.doNotCloseOnMouseClick", true);
                 menu.add(item);

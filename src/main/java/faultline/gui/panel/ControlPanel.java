@@ -6,6 +6,7 @@ import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
+import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
 import faultline.robot.RobotSpec;
@@ -32,6 +33,7 @@ import javax.swing.BoxLayout;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
@@ -47,6 +49,7 @@ import javax.swing.SwingUtilities;
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL_STEP = 16;
+    private static final int SCROLL_MARGIN = 4;
     /** The property of the focus manager that changes with the focus. */
     private static final String FOCUS = "permanentFocusOwner";
     /** The width that fits the sensor rows and the scroll bar, pixels at the normal text size. */
@@ -79,6 +82,8 @@ public final class ControlPanel extends JPanel {
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
         UiText.name(tabs, "panel");
+        KeyBindings.bind(tabs, "PAGE_UP", () -> scrollByPage(-1));
+        KeyBindings.bind(tabs, "PAGE_DOWN", () -> scrollByPage(1));
         addTab(
                 "panel.robot",
                 new TitledSection(robot),
@@ -110,11 +115,20 @@ public final class ControlPanel extends JPanel {
 
     /** Scrolls to the field that has the focus, which Tab may have moved out of sight. */
     private void showFocused(PropertyChangeEvent event) {
-        if (event.getNewValue() instanceof JComponent field
-                && SwingUtilities.isDescendingFrom(field, this)
-                && field.getParent() instanceof JComponent parent) {
-            // A text field would scroll only its own text.
-            parent.scrollRectToVisible(field.getBounds());
+        if (event.getNewValue() instanceof JComponent focused && SwingUtilities.isDescendingFrom(focused, this)) {
+            scrollTo(focused);
+        }
+    }
+
+    /** Scrolls to a field with its frame, and to a number with the arrows beside it. */
+    static void scrollTo(JComponent focused) {
+        Container spinner = SwingUtilities.getAncestorOfClass(JSpinner.class, focused);
+        Component field = spinner == null ? focused : spinner;
+        // A text field would scroll only its own text.
+        if (field.getParent() instanceof JComponent parent) {
+            Rectangle shown = field.getBounds();
+            shown.grow(SCROLL_MARGIN, SCROLL_MARGIN);
+            parent.scrollRectToVisible(shown);
         }
     }
 
@@ -134,6 +148,14 @@ public final class ControlPanel extends JPanel {
         World world = new World(nothing, RobotSpec.DEFAULT, new Pose(0, 0, 0), SimulationSetup.DEFAULT_TICK, 0);
         world.sense();
         return world.snapshot();
+    }
+
+    /** Scrolls the tab that shows, which may have no control that a key could reach. */
+    private void scrollByPage(int direction) {
+        if (tabs.getSelectedComponent() instanceof JScrollPane scroll) {
+            JScrollBar bar = scroll.getVerticalScrollBar();
+            bar.setValue(bar.getValue() + direction * bar.getBlockIncrement(direction));
+        }
     }
 
     /** Adds a tab with the key of its name and its sections from top to bottom. */

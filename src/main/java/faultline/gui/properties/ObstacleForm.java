@@ -112,10 +112,13 @@ final class ObstacleForm extends JPanel {
     }
 
     private boolean changeWaypoints(List<Vector2> points) {
-        return change(old -> old.withMotion(new WaypointPath(
-                old.isMoving() ? old.motion().speed() : USUAL_SPEED,
-                old.motion().loop(),
-                points)));
+        return change(old -> old.withMotion(
+                points.isEmpty()
+                        ? WaypointPath.NONE
+                        : new WaypointPath(
+                                old.isMoving() ? old.motion().speed() : USUAL_SPEED,
+                                old.motion().loop(),
+                                points)));
     }
 
     /** Shows an obstacle, or disabled fields if it is null. */

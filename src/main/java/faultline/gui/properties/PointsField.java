@@ -36,7 +36,7 @@ final class PointsField extends JTextField {
         super(COLUMNS);
         this.onChange = onChange;
         UiText.name(this, key);
-        UiText.tip(this, "obstacle.points.tip");
+        UiText.tip(this, key + ".tip");
         addActionListener(event -> {
             if (commit()) {
                 setText(format(shown));
@@ -60,12 +60,12 @@ final class PointsField extends JTextField {
 
     /** Applies the text; returns false if it is not allowed. */
     private boolean commit() {
-        Optional<List<Vector2>> entered = parse(getText());
-        if (entered.isEmpty() && !getText().isBlank()) {
+        Optional<List<Vector2>> entered = getText().isBlank() ? Optional.of(List.of()) : parse(getText());
+        if (entered.isEmpty()) {
             note.showBriefly(Messages.get("obstacle.points.invalid"));
             return false;
         }
-        if (entered.isPresent() && !entered.get().equals(shown)) {
+        if (!entered.get().equals(shown)) {
             if (!onChange.test(entered.get())) {
                 note.showBriefly(Messages.get("obstacle.points.refused"));
                 return false;

@@ -27,18 +27,30 @@ public final class ScenarioActions {
     private final Component parent;
     private final Workspace workspace;
     private final ScenarioEditor editor;
+    private final Consumer<Runnable> afterChanges;
     private final Consumer<Scenario> onNew;
 
-    /** Creates the actions. The editor receives changes of the open scenario, and {@code onNew} new scenarios. */
-    public ScenarioActions(Component parent, Workspace workspace, ScenarioEditor editor, Consumer<Scenario> onNew) {
+    /**
+     * Creates the actions. The editor receives changes of the open scenario. {@code afterChanges} runs an action that
+     * would lose unsaved changes, after asking for them, and {@code onNew} receives new scenarios, for which it asks
+     * nothing.
+     */
+    public ScenarioActions(
+            Component parent,
+            Workspace workspace,
+            ScenarioEditor editor,
+            Consumer<Runnable> afterChanges,
+            Consumer<Scenario> onNew) {
         this.parent = parent;
         this.workspace = workspace;
         this.editor = editor;
+        this.afterChanges = afterChanges;
         this.onNew = onNew;
     }
 
     public void addTo(ActionRegistry actions) {
-        actions.add(UiAction.of("new", this::showNewDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_N)));
+        actions.add(UiAction.of("new", () -> afterChanges.accept(this::showNewDialog))
+                .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_N)));
         actions.add(UiAction.of("properties", this::showPropertiesDialog)
                 .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_I)));
     }

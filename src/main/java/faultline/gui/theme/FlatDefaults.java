@@ -128,7 +128,7 @@ final class FlatDefaults {
     private void addContainers() {
         table.put("Panel.background", colours.background());
         table.put("Viewport.background", colours.background());
-        table.put("ScrollPane.border", new BorderUIResource(new LineBorder(colours.line())));
+        table.put("ScrollPane.border", new BorderUIResource(new FocusRing.FocusBorder(true)));
         table.put("Table.gridColor", colours.line());
         table.put("Table.rowHeight", 26);
         table.put("TableHeader.background", colours.background());

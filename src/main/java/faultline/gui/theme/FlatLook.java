@@ -1,5 +1,6 @@
 package faultline.gui.theme;
 
+import java.awt.Component;
 import java.awt.Font;
 import java.awt.KeyboardFocusManager;
 import java.awt.RenderingHints;
@@ -9,6 +10,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.InputMap;
 import javax.swing.JTextField;
+import javax.swing.JViewport;
 import javax.swing.KeyStroke;
 import javax.swing.UIDefaults;
 import javax.swing.UIManager;
@@ -32,13 +34,22 @@ final class FlatLook {
             FlatMenuUI.class,
             FlatMenuItemUI.class);
 
-    /** The border of a text field shows the focus, but Swing repaints only the caret when the focus changes. */
+    /**
+     * The border of a text field or of a scroll pane shows the focus, but Swing repaints only the caret or a cell when
+     * the focus changes.
+     */
     private static final PropertyChangeListener FOCUS_REPAINTER =
-            change -> Stream.of(change.getOldValue(), change.getNewValue())
-                    .filter(JTextField.class::isInstance)
-                    .forEach(field -> ((JTextField) field).repaint());
+            change -> Stream.of(change.getOldValue(), change.getNewValue()).forEach(FlatLook::repaintBorder);
 
     private FlatLook() {}
+
+    private static void repaintBorder(Object component) {
+        if (component instanceof JTextField field) {
+            field.repaint();
+        } else if (component instanceof Component view && view.getParent() instanceof JViewport viewport) {
+            viewport.getParent().repaint();
+        }
+    }
 
     static void install(Theme theme) {
         UIManager.put("swing.boldMetal", false);

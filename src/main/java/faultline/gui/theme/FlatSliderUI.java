@@ -33,7 +33,7 @@ public final class FlatSliderUI extends BasicSliderUI {
     public static final int TRACK_INSET = THUMB_SIZE / 2;
 
     private static final int TRACK_HEIGHT = 4;
-    private static final int FOCUS_ALPHA = 90;
+    private static final double RING_INSET = 3.5;
 
     private FlatSliderUI(JSlider slider) {
         super(slider);
@@ -109,9 +109,11 @@ public final class FlatSliderUI extends BasicSliderUI {
             g.setColor(Theme.currentColours().accent());
             g.fill(new Ellipse2D.Double(thumbRect.x + 0.5, thumbRect.y + 0.5, THUMB_SIZE - 1, THUMB_SIZE - 1));
             if (slider.hasFocus()) {
-                g.setColor(ThemeColours.translucent(Theme.currentColours().accent(), FOCUS_ALPHA));
-                g.setStroke(Antialiasing.roundStroke(3));
-                g.draw(new Ellipse2D.Double(thumbRect.x, thumbRect.y, THUMB_SIZE, THUMB_SIZE));
+                // A ring inside the thumb; one around it would need more room than a slider has.
+                double size = THUMB_SIZE - 2 * RING_INSET;
+                g.setColor(Theme.currentColours().onAccent());
+                g.setStroke(Antialiasing.roundStroke(2));
+                g.draw(new Ellipse2D.Double(thumbRect.x + RING_INSET, thumbRect.y + RING_INSET, size, size));
             }
         });
     }

@@ -1,5 +1,6 @@
 package faultline.gui.timeline;
 
+import faultline.gui.action.ContextMenu;
 import faultline.gui.text.Messages;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
@@ -166,7 +167,7 @@ final class LaneActions {
 
     /** Shows the context menu of the selected lane and item. */
     void showMenu(Component invoker, int x, int y, double time) {
-        createMenu(time).show(invoker, x, y);
+        ContextMenu.show(createMenu(time), invoker, x, y);
     }
 
     /** Returns the context menu of the selected lane and item; new items start at a time. */
@@ -193,9 +194,8 @@ final class LaneActions {
     }
 
     private static void add(JPopupMenu menu, String key, boolean enabled, Runnable action) {
-        String name = Messages.get(key);
-        JMenuItem item = new JMenuItem(name.replace("&", ""));
-        item.setMnemonic(Character.toUpperCase(name.charAt(name.indexOf('&') + 1)));
+        JMenuItem item = new JMenuItem();
+        ContextMenu.name(item, Messages.get(key));
         item.setEnabled(enabled);
         item.addActionListener(event -> action.run());
         menu.add(item);

@@ -44,7 +44,7 @@ final class MainPanel extends JPanel {
     /**
      * Minimum width of the instruments, in which their tabs and controls have room, at the normal text size, pixels.
      */
-    private static final int MIN_DOCK_WIDTH = 300;
+    private static final int MIN_DOCK_WIDTH = 272;
     /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
     /** Minimum height of a chart in which the lines can be told apart, pixels. */

@@ -14,7 +14,6 @@ import faultline.gui.action.UiAction;
 import faultline.gui.action.ViewActions;
 import faultline.gui.batch.BatchActions;
 import faultline.gui.canvas.SimulationCanvas;
-import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.dialog.AppIcon;
 import faultline.gui.dialog.ControllerChooser;
 import faultline.gui.dialog.Dialogs;
@@ -54,7 +53,6 @@ import java.util.concurrent.Callable;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
 import javax.swing.JFrame;
-import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.WindowConstants;
 
@@ -164,7 +162,13 @@ public final class MainWindow extends JFrame {
         actionRegistry.add(UiAction.of("tour", this::startTour));
         actionRegistry.add(UiAction.of("examples", this::showExamples)
                 .withAccelerator(Keystrokes.menuShiftShortcut(KeyEvent.VK_O)));
-        new ScenarioActions(this, workspace, scenarioEditor, fileController::openNew).addTo(actionRegistry);
+        new ScenarioActions(
+                        this,
+                        workspace,
+                        scenarioEditor,
+                        fileController::runIfChangesHandled,
+                        fileController::openNewWithoutAsking)
+                .addTo(actionRegistry);
         editActions.addTo(actionRegistry);
         editActions.bindTo(getRootPane());
         new ObstacleActions(
@@ -217,17 +221,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void installCanvasListeners() {
-        canvas.tools().listeners().addMenuListener(at -> {
-            MenuTarget target = canvas.tools().targetAt(at);
-            JPopupMenu popup = new JPopupMenu();
-            if (target == MenuTarget.SENSOR) {
-                canvas.tools()
-                        .selectSensorAt(at)
-                        .ifPresent(sensor -> SensorMenu.addTo(popup, sensor, undoController, this::addFault));
-            }
-            Menus.addCanvasItems(popup, actionRegistry, target);
-            popup.show(canvas, at.x, at.y);
-        });
+        Menus.installContextMenu(canvas, actionRegistry, undoController, this::addFault);
         canvas.tools().listeners().addStartListener(pose -> workspace
                 .scenario()
                 .ifPresent(open -> scenarioEditor.moveStart(open.setup().start(), pose)));

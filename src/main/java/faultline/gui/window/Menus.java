@@ -1,12 +1,16 @@
 package faultline.gui.window;
 
 import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.ContextMenu;
 import faultline.gui.action.ObstacleActions;
 import faultline.gui.action.ScrolledMenuLayout;
 import faultline.gui.action.UiAction;
+import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.canvas.tool.MenuTarget;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
+import java.util.function.Consumer;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
@@ -79,6 +83,25 @@ final class Menus {
         return createMenu("presets", "sensorsTwo sensorsThree sensorsAll");
     }
 
+    /**
+     * Lets the canvas show a context menu for what is under the cursor; {@code newFault} receives the id of a sensor
+     * for which it asks for a fault.
+     */
+    static void installContextMenu(
+            SimulationCanvas canvas, ActionRegistry actions, UndoController editor, Consumer<String> newFault) {
+        canvas.tools().listeners().addMenuListener(at -> {
+            MenuTarget target = canvas.tools().targetAt(at);
+            JPopupMenu popup = new JPopupMenu();
+            if (target == MenuTarget.SENSOR) {
+                canvas.tools()
+                        .selectSensorAt(at)
+                        .ifPresent(sensor -> SensorMenu.addTo(popup, sensor, editor, newFault));
+            }
+            addCanvasItems(popup, actions, target);
+            ContextMenu.show(popup, canvas, at.x, at.y);
+        });
+    }
+
     /** Adds the items of the canvas for what is under the cursor to a context menu. */
     static void addCanvasItems(JPopupMenu popup, ActionRegistry actions, MenuTarget target) {
         Menus menus = new Menus(actions);
@@ -111,11 +134,7 @@ final class Menus {
     /** Gives a menu the name and the mnemonic of a key, and lets it scroll. */
     static void name(JMenu menu, String key) {
         ScrolledMenuLayout.install(menu.getPopupMenu());
-        RefreshSteps.add(menu, self -> {
-            String name = Messages.get("menu." + key);
-            self.setText(name.replace("&", ""));
-            self.setMnemonic(Character.toUpperCase(name.charAt(name.indexOf('&') + 1)));
-        });
+        RefreshSteps.add(menu, self -> ContextMenu.name(self, Messages.get("menu." + key)));
     }
 
     private void addItems(JMenu menu, String items) {

@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.action.ContextMenu;
 import faultline.gui.settings.RecentFiles;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
@@ -35,13 +36,16 @@ final class RecentMenu extends JMenu {
             add(new JMenuItem(Messages.get("recent.none"))).setEnabled(false);
         } else {
             addSeparator();
-            add(new JMenuItem(Messages.get("recent.clear"))).addActionListener(event -> recentFiles.clear());
+            JMenuItem clear = new JMenuItem();
+            ContextMenu.name(clear, Messages.get("recent.clear"));
+            clear.addActionListener(event -> recentFiles.clear());
+            add(clear);
         }
     }
 
     private JMenuItem createItem(int number, Path file) {
-        JMenuItem item = new JMenuItem(number + "  " + file.getFileName() + "  –  " + file.getParent());
-        item.setMnemonic('0' + number);
+        JMenuItem item = new JMenuItem();
+        ContextMenu.number(item, number, file.getFileName() + "  –  " + file.getParent());
         item.addActionListener(event -> opener.accept(file));
         return item;
     }

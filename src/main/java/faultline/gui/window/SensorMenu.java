@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.action.ContextMenu;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.world.Command;
@@ -32,7 +33,8 @@ final class SensorMenu {
     }
 
     private JMenuItem add(String key, Runnable action) {
-        JMenuItem item = popup.add(Messages.get(key, id));
+        JMenuItem item = popup.add(new JMenuItem());
+        ContextMenu.name(item, Messages.get(key, id));
         item.addActionListener(event -> action.run());
         return item;
     }

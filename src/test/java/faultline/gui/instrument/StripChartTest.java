@@ -209,6 +209,17 @@ class StripChartTest {
     }
 
     @Test
+    void theLinesOfTheMenuHaveMnemonics() {
+        List<Integer> mnemonics =
+                callOnEdt(() -> Stream.of(chart.createAdditionsMenu().getComponents())
+                        .map(item -> ((AbstractButton) item).getMnemonic())
+                        .toList());
+        assertTrue(mnemonics.size() > 5, "there are " + mnemonics.size() + " lines");
+        assertFalse(mnemonics.contains(0));
+        assertEquals(mnemonics.stream().distinct().toList(), mnemonics);
+    }
+
+    @Test
     void theGhostIsNamedWhileThereIsOne() {
         ReferenceRun ghost = ReferenceRun.replay(new Journal(SampleRuns.ROOM_SETUP, List.of(), 100), tick -> true);
         runOnEdt(() -> chart.setReference(ghost));

@@ -27,6 +27,7 @@ import faultline.world.CommandResult;
 import faultline.world.Snapshot;
 import java.awt.Container;
 import java.awt.Rectangle;
+import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -43,6 +44,8 @@ import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.JViewport;
+import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingUtilities;
@@ -203,6 +206,45 @@ class ControlPanelTest {
                 TextSize.NORMAL.install();
             });
         }
+    }
+
+    @Test
+    void aFieldThatGetsTheFocusScrollsIntoViewWithItsFrame() {
+        runOnEdt(() -> {
+            panel.setSize(panel.defaultWidth(), 300);
+            layOut(panel);
+            JSpinner last = ComponentFinder.findAll(panel, JSpinner.class)
+                    .filter(JSpinner::isEnabled)
+                    .reduce((first, second) -> second)
+                    .orElseThrow();
+            JViewport viewport = (JViewport) SwingUtilities.getAncestorOfClass(JViewport.class, last);
+            assertEquals(0, viewport.getViewPosition().y);
+            ControlPanel.scrollTo(((JSpinner.DefaultEditor) last.getEditor()).getTextField());
+            assertTrue(viewport.getViewPosition().y > 0, "it was out of view");
+            Rectangle shown = SwingUtilities.convertRectangle(last.getParent(), last.getBounds(), viewport);
+            assertTrue(new Rectangle(viewport.getSize()).contains(shown), shown + " in " + viewport.getSize());
+        });
+    }
+
+    @Test
+    void pageKeysScrollTheTabWhoseTitleHasTheFocus() {
+        runOnEdt(() -> {
+            panel.setSize(panel.defaultWidth(), 300);
+            layOut(panel);
+            JTabbedPane tabs = ComponentFinder.findAll(panel, JTabbedPane.class)
+                    .findFirst()
+                    .orElseThrow();
+            JViewport shown = ((JScrollPane) tabs.getSelectedComponent()).getViewport();
+            pressKey(tabs, "PAGE_DOWN");
+            assertTrue(shown.getViewPosition().y > 100, "y " + shown.getViewPosition().y);
+            pressKey(tabs, "PAGE_UP");
+            assertEquals(0, shown.getViewPosition().y);
+        });
+    }
+
+    private static void pressKey(JComponent focused, String key) {
+        Object action = focused.getInputMap().get(KeyStroke.getKeyStroke(key));
+        focused.getActionMap().get(action).actionPerformed(new ActionEvent(focused, 0, key));
     }
 
     @Test

@@ -147,6 +147,14 @@ class ObstaclePanelTest {
     }
 
     @Test
+    void anObstacleWithoutWaypointsStandsStill() {
+        select("cat");
+        write("Waypoints, m", " ");
+        assertEquals(1, commands.size());
+        assertEquals(WaypointPath.NONE, placed(0).motion());
+    }
+
+    @Test
     void aChangeKeepsThoseThatHaveNotBeenAnsweredYet() {
         select("crate");
         type("Height, m", 0.55);

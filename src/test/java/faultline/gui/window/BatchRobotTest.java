@@ -72,6 +72,8 @@ class BatchRobotTest {
         String hash = callOnEdt(() -> String.valueOf(runs.getValueAt(0, column(runs, "Trajectory hash"))));
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.waitForTitle("Run " + run);
+        driver.robot().waitFor("the way back is named", () -> driver.statusNote()
+                .equals("A run of the batch. Ctrl+B goes back to the results"));
         assertFalse(dialog.isShowing());
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
         assertSame(dialog, driver.dialog(TITLE), "the results are still there");

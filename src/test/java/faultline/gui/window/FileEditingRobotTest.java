@@ -32,6 +32,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Opening, editing and saving in a real window. */
 @ExtendWith(EdtChecker.class)
@@ -123,6 +125,21 @@ class FileEditingRobotTest {
                 .findFirst()
                 .orElseThrow());
         driver.robot().waitFor("the window is closed", () -> !driver.window().isShowing());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"new, New scenario", "importPlan, Import floor plan"})
+    void unsavedChangesAreAskedForBeforeTheFormOfANewScenario(String action, String title) {
+        drag(0, 0, 30);
+        driver.waitForTitle("office.xml*");
+        driver.chooseLater(action);
+        dialog("Unsaved changes");
+        driver.robot().pressKeys(KeyEvent.VK_RIGHT);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        JDialog form = dialog(title);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the dialog is gone", () -> !form.isShowing());
+        assertEquals("office.xml* – Faultline", callOnEdt(driver.window()::getTitle));
     }
 
     @Test

@@ -22,6 +22,7 @@ import faultline.gui.action.SpeedScale;
 import faultline.gui.action.UiAction;
 import faultline.gui.action.ViewActions;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.dialog.FileController;
 import faultline.gui.document.ComparisonController;
@@ -39,6 +40,8 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineEditor;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -61,6 +64,7 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
+import javax.swing.JPopupMenu;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
@@ -74,6 +78,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -203,12 +208,16 @@ class MainPanelTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Language.class)
-    void onASmallScreenWithLargeTextEveryTabOfTheControlPanelWrapsInsteadOfScrollingSideways(Language language) {
+    @CsvSource({"ENGLISH, false", "POLISH, false", "ENGLISH, true", "POLISH, true"})
+    void onASmallScreenWithLargeTextEveryTabOfTheControlPanelWrapsInsteadOfScrollingSideways(
+            Language language, boolean instruments) throws ScenarioException {
         try {
             build(TextSize.LARGEST, language);
-            // The default on a screen of this height.
-            runOnEdt(() -> mainPanel.setDockShown(false));
+            // The instruments are hidden by default on a screen of this height.
+            runOnEdt(() -> mainPanel.setDockShown(instruments));
+            Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
+            runOnEdt(() ->
+                    mainPanel.setRun(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, office, 100));
             ControlPanel panel = mainPanel.controlPanel();
             JTabbedPane tabs = callOnEdt(() -> ComponentFinder.findAll(panel, JTabbedPane.class)
                     .findFirst()
@@ -222,6 +231,12 @@ class MainPanelTest {
                     assertFalse(scroll.getHorizontalScrollBar().isVisible(), tabs.getTitleAt(index));
                     assertEquals(
                             List.of(),
+                            ComponentFinder.findAll(scroll.getViewport(), JComboBox.class)
+                                    .filter(box -> box.getWidth() < box.getPreferredSize().width)
+                                    .map(MainPanelTest::describe)
+                                    .toList());
+                    assertEquals(
+                            List.of(),
                             ComponentFinder.tree(scroll.getViewport())
                                     .filter(MainPanelTest::mustBeWhole)
                                     .filter(part -> !fits(part))
@@ -229,6 +244,7 @@ class MainPanelTest {
                                     .toList());
                 });
             }
+            assertTrue(!instruments || mainPanel.instruments().getTabRunCount() == 1, "rows of tabs");
         } finally {
             build(TextSize.NORMAL, Language.ENGLISH);
         }
@@ -335,6 +351,28 @@ class MainPanelTest {
                 .filter(item -> item != menu)
                 .filter(item -> !(item.getParent() instanceof MenuElement popup) || popup == menu.getPopupMenu())
                 .toList()));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void everyItemOfAContextMenuHasAUniqueMnemonic(Language language) {
+        Messages.setLanguage(language);
+        actions = new ActionRegistry();
+        build();
+        List<JPopupMenu> menusOfCanvas = callOnEdt(
+                () -> Stream.of(MenuTarget.values()).map(this::contextMenu).toList());
+        Messages.setLanguage(Language.ENGLISH);
+        menusOfCanvas.forEach(menu -> assertDistinct(
+                Stream.of(menu.getSubElements()).map(AbstractButton.class::cast).toList()));
+    }
+
+    private JPopupMenu contextMenu(MenuTarget target) {
+        JPopupMenu menu = new JPopupMenu();
+        if (target == MenuTarget.SENSOR) {
+            SensorMenu.addTo(menu, SampleFrames.fullFrame().snapshot().sensors().get(0), null, id -> {});
+        }
+        Menus.addCanvasItems(menu, actions, target);
+        return menu;
     }
 
     @Test

@@ -90,6 +90,12 @@ class RecentMenuRobotTest {
         driver.waitForTitle("office.xml");
     }
 
+    @Test
+    void theListIsClearedByItsMnemonic() {
+        chooseRecent(KeyEvent.VK_C);
+        assertEquals(List.of(), recent());
+    }
+
     /** Alt+F, R, and a key such as the number before the file. */
     private void chooseRecent(int key) {
         RecentMenu menu = openFileMenu();

@@ -92,6 +92,17 @@ class SensorMenuRobotTest {
     }
 
     @Test
+    void aKeyOpensTheMenuWithItsFirstItemSelected() {
+        runOnEdt(() -> driver.canvas().tools().selectSensor("left"));
+        driver.robot().pressKeys(KeyEvent.VK_SHIFT, KeyEvent.VK_F10);
+        driver.robot().waitFor("the menu shows", () -> items().findAny().isPresent());
+        JMenuItem first = item("Switch off left");
+        driver.robot().waitFor("its first item is selected", first::isArmed);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.waitForFrame("it is off", frame -> !left(frame).spec().on());
+    }
+
+    @Test
     void aFaultIsAddedInItsLaneWhichShowsAndIsRepaired() {
         LaneView lanes = ComponentFinder.findAll(driver.window(), LaneView.class)
                 .findFirst()

@@ -20,8 +20,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JLabel;
+import javax.swing.JMenuItem;
 import javax.swing.JTextField;
+import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -108,6 +111,18 @@ class TimelineRobotTest {
         driver.type(KeyEvent.VK_DELETE);
         driver.waitForTitle("office.xml*");
         assertEquals(longer, saved());
+    }
+
+    @Test
+    void aKeyOpensTheMenuOfALaneWithItsFirstItemSelected() {
+        lanes.click(20, 1);
+        driver.type(KeyEvent.VK_SHIFT, KeyEvent.VK_F10);
+        driver.robot().waitFor("the first item that is enabled is selected", () -> Stream.of(
+                        MenuSelectionManager.defaultManager().getSelectedPath())
+                .anyMatch(
+                        part -> part instanceof JMenuItem item && item.getText().equals("New fault here…")));
+        driver.type(KeyEvent.VK_ENTER);
+        driver.clickButton(NEW_FAULT, "Cancel");
     }
 
     @Test

@@ -1,0 +1,48 @@
+package faultline.gui.action;
+
+import java.awt.Component;
+import java.awt.EventQueue;
+import java.awt.event.KeyEvent;
+import java.util.stream.Stream;
+import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
+import javax.swing.MenuElement;
+import javax.swing.MenuSelectionManager;
+
+/** Context menus and the names of their items. */
+public final class ContextMenu {
+
+    private static final int MAX_DIGIT = 9;
+
+    private ContextMenu() {}
+
+    /**
+     * Shows a menu at a position of a component. If a key requested it, its first enabled item is selected, as in the
+     * menus of the menu bar.
+     */
+    public static void show(JPopupMenu menu, Component invoker, int x, int y) {
+        boolean byKey = EventQueue.getCurrentEvent() instanceof KeyEvent;
+        menu.show(invoker, x, y);
+        if (byKey) {
+            Stream.of(menu.getSubElements())
+                    .filter(item -> item.getComponent().isEnabled())
+                    .findFirst()
+                    .ifPresent(first ->
+                            MenuSelectionManager.defaultManager().setSelectedPath(new MenuElement[] {menu, first}));
+        }
+    }
+
+    /** Gives an item a name, in which an ampersand marks the letter that is its mnemonic. */
+    public static void name(JMenuItem item, String marked) {
+        int mark = marked.indexOf('&');
+        item.setText(marked.replaceFirst("&", ""));
+        item.setMnemonic(mark < 0 ? 0 : Character.toUpperCase(marked.charAt(mark + 1)));
+    }
+
+    /** Gives an item a number, counted from 1, before its name as its mnemonic, or a letter after the ninth. */
+    public static void number(JMenuItem item, int number, String name) {
+        char mark = number <= MAX_DIGIT ? (char) ('0' + number) : (char) ('A' + number - MAX_DIGIT - 1);
+        item.setText(mark + "  " + name);
+        item.setMnemonic(mark);
+    }
+}

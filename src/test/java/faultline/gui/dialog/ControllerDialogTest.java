@@ -1,0 +1,98 @@
+package faultline.gui.dialog;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.document.ControllerSelection;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** What the dialog of the controllers offers. */
+class ControllerDialogTest {
+
+    @TempDir
+    private Path folder;
+
+    @AfterEach
+    void restoreChoices() {
+        runOnEdt(() -> {
+            Messages.setLanguage(Language.ENGLISH);
+            TextSize.NORMAL.install();
+            Theme.LIGHT.install();
+        });
+    }
+
+    private Path startFolder(ControllerSelection now, Path scenario) {
+        return callOnEdt(() ->
+                new ControllerDialog("Controller", now, scenario).startFolder().toPath());
+    }
+
+    private Path create(String name) throws IOException {
+        Path file = folder.resolve(name);
+        Files.createDirectories(file.getParent());
+        return Files.writeString(file, "");
+    }
+
+    @Test
+    void filesAreChosenBesideTheProgramOfTheController() throws IOException {
+        Path program = create("my controllers/follow.py");
+        ControllerSelection command = new ControllerSelection("python3 \"" + program + "\"", List.of());
+        assertEquals(program.getParent(), startFolder(command, create("rooms/room.xml")));
+    }
+
+    @Test
+    void filesAreChosenBesideTheJarOfTheController() throws IOException {
+        Path jar = create("jars/controllers.jar");
+        assertEquals(jar.getParent(), startFolder(new ControllerSelection("bug2", List.of(jar)), null));
+    }
+
+    @Test
+    void filesAreChosenBesideTheOpenScenarioIfTheControllerHasNone() throws IOException {
+        Path scenario = create("rooms/room.xml");
+        assertEquals(scenario.getParent(), startFolder(ControllerSelection.SCENARIO, scenario));
+        assertEquals(scenario.getParent(), startFolder(new ControllerSelection("wall-follower", List.of()), scenario));
+    }
+
+    @Test
+    void filesAreChosenInTheWorkingDirectoryIfNoFileIsOpen() {
+        assertEquals(Path.of("").toAbsolutePath(), startFolder(ControllerSelection.SCENARIO, null));
+    }
+
+    /** The screen has 800 pixels, of which the frame and the borders of the dialog take less than 100. */
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void withTheLargestTextItFitsOnASmallScreen(Language language) {
+        int width = callOnEdt(() -> {
+            Messages.setLanguage(language);
+            TextSize.LARGEST.install();
+            Theme.LIGHT.install();
+            return new ControllerDialog("Controller", ControllerSelection.SCENARIO, null)
+                    .createPanel()
+                    .getPreferredSize()
+                    .width;
+        });
+        assertTrue(width <= 700, width + " pixels");
+    }
+
+    @Test
+    void theListNamesTheControllersOfTheProgram() {
+        assertEquals("Wall follower (wall-follower)", ControllerDialog.nameOf("wall-follower"));
+        assertEquals("None (none)", ControllerDialog.nameOf("none"));
+        assertEquals("bug2", ControllerDialog.nameOf("bug2"));
+        runOnEdt(() -> Messages.setLanguage(Language.POLISH));
+        assertEquals("Jazda wzdłuż ściany (wall-follower)", ControllerDialog.nameOf("wall-follower"));
+    }
+}

@@ -1,0 +1,65 @@
+package faultline.gui.theme;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.stream.IntStream;
+import javax.swing.JSlider;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** The thumb of a slider shows the focus. */
+class FlatSliderUITest {
+
+    private static final int WIDTH = 100;
+    private static final int HEIGHT = 22;
+
+    private boolean focused;
+
+    @AfterAll
+    static void installTheLightTheme() {
+        runOnEdt(Theme.LIGHT::install);
+    }
+
+    /** The ring has a diameter of 8 pixels; antialiasing leaves the full colour in a part of its 25 pixels. */
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void aRingOnTheThumbShowsTheFocus(Theme theme) {
+        runOnEdt(theme::install);
+        JSlider slider = callOnEdt(() -> new JSlider(0, 100, 50) {
+            @Override
+            public boolean hasFocus() {
+                return focused;
+            }
+        });
+        Color ring = theme.colours().onAccent();
+        assertEquals(0, countOnTrack(slider, ring));
+        focused = true;
+        assertTrue(countOnTrack(slider, ring) >= 8, "pixels in the colour of the ring");
+    }
+
+    /** Returns the number of pixels of the thumb, in the middle of the slider, that nearly have a colour. */
+    private static long countOnTrack(JSlider slider, Color colour) {
+        return callOnEdt(() -> {
+            slider.setSize(WIDTH, HEIGHT);
+            slider.doLayout();
+            BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+            Graphics2D graphics = image.createGraphics();
+            slider.paint(graphics);
+            graphics.dispose();
+            return IntStream.range(0, 9 * 9)
+                    .mapToObj(i -> new Color(image.getRGB(WIDTH / 2 - 4 + i % 9, HEIGHT / 2 - 4 + i / 9)))
+                    .filter(pixel -> Math.abs(pixel.getRed() - colour.getRed())
+                                    + Math.abs(pixel.getGreen() - colour.getGreen())
+                                    + Math.abs(pixel.getBlue() - colour.getBlue())
+                            < 90)
+                    .count();
+        });
+    }
+}
