@@ -62,6 +62,15 @@ public final class UiText {
         return RefreshSteps.add(button, self -> self.setText(Messages.get(key)));
     }
 
+    /** Gives a menu item the text of a key; the letter after its ampersand is the mnemonic. Returns the item. */
+    public static <B extends AbstractButton> B menuText(B item, String key) {
+        return RefreshSteps.add(item, self -> {
+            String text = Messages.get(key);
+            self.setText(text.replace("&", ""));
+            self.setMnemonic(Character.toUpperCase(text.charAt(text.indexOf('&') + 1)));
+        });
+    }
+
     /** Gives a component the accessible name of a key; returns it. */
     public static <C extends JComponent> C name(C component, String key) {
         return RefreshSteps.add(component, self -> self.getAccessibleContext().setAccessibleName(Messages.get(key)));

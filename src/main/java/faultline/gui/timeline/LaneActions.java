@@ -1,6 +1,6 @@
 package faultline.gui.timeline;
 
-import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
 import faultline.sensor.FaultKind;
@@ -193,9 +193,7 @@ final class LaneActions {
     }
 
     private static void add(JPopupMenu menu, String key, boolean enabled, Runnable action) {
-        String name = Messages.get(key);
-        JMenuItem item = new JMenuItem(name.replace("&", ""));
-        item.setMnemonic(Character.toUpperCase(name.charAt(name.indexOf('&') + 1)));
+        JMenuItem item = UiText.menuText(new JMenuItem(), key);
         item.setEnabled(enabled);
         item.addActionListener(event -> action.run());
         menu.add(item);

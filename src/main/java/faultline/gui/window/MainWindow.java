@@ -125,7 +125,7 @@ public final class MainWindow extends JFrame {
         windowBounds.restore();
         parts.install(this, mainPanel);
         installCloseHandler();
-        installCanvasListeners();
+        installViewListeners();
         new SpaceKeyDispatcher(this, runController::toggleRunning).install(this);
         fileWatch = createFileWatch();
         installEditNotifier();
@@ -216,7 +216,8 @@ public final class MainWindow extends JFrame {
         showNote(Messages.get("saved", String.valueOf(file.getFileName())));
     }
 
-    private void installCanvasListeners() {
+    private void installViewListeners() {
+        mainPanel.instruments().chart().setMenuExtension(popup -> Menus.addChartItems(popup, actionRegistry));
         canvas.tools().listeners().addMenuListener(at -> {
             MenuTarget target = canvas.tools().targetAt(at);
             JPopupMenu popup = new JPopupMenu();
