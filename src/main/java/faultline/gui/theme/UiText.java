@@ -3,6 +3,8 @@ package faultline.gui.theme;
 import faultline.gui.text.Messages;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.Insets;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.util.List;
@@ -28,9 +30,20 @@ public final class UiText {
         return RefreshSteps.add(new JLabel(), label -> label.setText(Messages.get(key)));
     }
 
-    /** Creates a component for a text that wraps, which cannot be edited and takes no focus. */
+    /**
+     * Creates a component for a text that wraps, which cannot be edited and takes no focus. With a number of columns it
+     * has their width; without, that of its last layout.
+     */
     public static JTextArea wrappedText() {
-        JTextArea area = new JTextArea();
+        JTextArea area = new JTextArea() {
+            @Override
+            public Dimension getPreferredSize() {
+                Dimension size = super.getPreferredSize();
+                Insets insets = getInsets();
+                int wide = getColumns() * getColumnWidth() + insets.left + insets.right;
+                return getColumns() == 0 ? size : new Dimension(wide, size.height);
+            }
+        };
         area.setEditable(false);
         area.setFocusable(false);
         area.setLineWrap(true);

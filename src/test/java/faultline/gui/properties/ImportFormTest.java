@@ -13,9 +13,11 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
+import java.awt.Component;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
 import javax.swing.JSpinner;
 import org.junit.jupiter.api.AfterEach;
@@ -133,6 +135,37 @@ class ImportFormTest {
         Await.until("a sentence", () -> !form.status().startsWith("Reading"));
         assertTrue(form.status().length() > 300, form.status());
         assertEquals(width, callOnEdt(() -> form.getPreferredSize().width));
+    }
+
+    @Test
+    void theFormBecomesNarrowAgain() {
+        ImportForm form = callOnEdt(() -> new ImportForm(image));
+        awaitStatus(form, "60 × 40 cells");
+        int width = callOnEdt(() -> form.getPreferredSize().width);
+        assertEquals(width, callOnEdt(() -> {
+            form.setSize(width + 30, 600);
+            ComponentFinder.tree(form).forEach(Component::doLayout);
+            return form.getPreferredSize().width;
+        }));
+    }
+
+    @Test
+    void aNumberThatIsBeingTypedIsUsedOrRefused() {
+        ImportForm form = callOnEdt(() -> new ImportForm(image));
+        awaitStatus(form, "60 × 40 cells, 4 outlines");
+        JFormattedTextField smallest = callOnEdt(
+                () -> ((JSpinner.DefaultEditor) ComponentFinder.find(form, JSpinner.class, "Smallest wall, cells")
+                                .getEditor())
+                        .getTextField());
+        runOnEdt(() -> smallest.setText("-7"));
+        assertEquals(
+                "-7 is not allowed. Smallest wall, cells: 1 to 100000",
+                callOnEdt(form::findProblem).orElseThrow());
+        assertTrue(callOnEdt(() -> {
+            smallest.setText("2");
+            return form.findProblem().isEmpty() && form.scenario().isEmpty();
+        }));
+        awaitStatus(form, "60 × 40 cells, 3 outlines");
     }
 
     @Test
