@@ -102,8 +102,7 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
         try {
             return trace(description, description.classify(MapImageReader.read(description.image())), options);
         } catch (OutOfMemoryError e) {
-            throw new FloorPlanException(
-                    description.image() + ": the map needs more memory than the program has; start it with more");
+            throw new FloorPlanException(description.image(), FloorPlanProblem.MEMORY.with());
         }
     }
 
@@ -126,9 +125,7 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
     private static void requireSegments(MapDescription description, long count, long allowed)
             throws FloorPlanException {
         if (count > allowed) {
-            throw new FloorPlanException(description.image() + ": the map has " + count
-                    + " wall segments; expected at most " + allowed
-                    + "; drop specks, straighten outlines or use a coarser image");
+            throw new FloorPlanException(description.image(), FloorPlanProblem.SEGMENTS.with(count, allowed));
         }
     }
 

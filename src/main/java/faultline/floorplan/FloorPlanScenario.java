@@ -42,12 +42,13 @@ public final class FloorPlanScenario {
         SimulationSetup setup = scenario.setup();
         if (Clearance.findObstruction(setup.world(), setup.robot(), setup.start())
                 .isPresent()) {
-            throw new FloorPlanException(plan.description().image() + ": the robot, "
-                    + DecimalText.format(setup.robot().length()) + " m long and "
-                    + DecimalText.format(setup.robot().width()) + " m wide, has room nowhere in a map of "
-                    + DecimalText.formatRounded(setup.world().width()) + " x "
-                    + DecimalText.formatRounded(setup.world().height())
-                    + " m; the resolution, the threshold or negate may be wrong");
+            throw new FloorPlanException(
+                    plan.description().image(),
+                    FloorPlanProblem.NO_ROOM.with(
+                            DecimalText.format(setup.robot().length()),
+                            DecimalText.format(setup.robot().width()),
+                            DecimalText.formatRounded(setup.world().width()),
+                            DecimalText.formatRounded(setup.world().height())));
         }
         return scenario;
     }

@@ -25,7 +25,7 @@ public record MapDescription(
         double freeThreshold) {
 
     /** The allowed sides of a cell, in words. */
-    public static final String RESOLUTIONS = "a number of metres from 0.000001 to 100000";
+    public static final String RESOLUTIONS = FloorPlanProblem.RESOLUTION.english();
 
     private static final BigDecimal MIN_RESOLUTION = new BigDecimal("0.000001");
     /** The greatest width and height of a world, metres. */
@@ -83,10 +83,12 @@ public record MapDescription(
         BigDecimal width = resolution.multiply(BigDecimal.valueOf(columns));
         BigDecimal height = resolution.multiply(BigDecimal.valueOf(rows));
         if (width.max(height).compareTo(MAX_SIZE) > 0) {
-            throw new FloorPlanException(image + ": the map is "
-                    + DecimalText.formatRounded(width.doubleValue()) + " x "
-                    + DecimalText.formatRounded(height.doubleValue()) + " m large; expected at most " + MAX_SIZE
-                    + " m; the resolution may be wrong");
+            throw new FloorPlanException(
+                    image,
+                    FloorPlanProblem.MAP_SIZE.with(
+                            DecimalText.formatRounded(width.doubleValue()),
+                            DecimalText.formatRounded(height.doubleValue()),
+                            MAX_SIZE));
         }
     }
 

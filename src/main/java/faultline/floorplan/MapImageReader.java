@@ -2,6 +2,7 @@ package faultline.floorplan;
 
 import faultline.io.ByteCount;
 import faultline.io.MessageText;
+import faultline.scenario.xml.ProblemKind;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
 import java.awt.image.IndexColorModel;
@@ -37,14 +38,16 @@ final class MapImageReader {
     static MapImage read(Path file) throws FloorPlanException {
         try {
             if (!Files.exists(file)) {
-                throw new FloorPlanException(file + ": there is no such image file");
+                throw new FloorPlanException(file, FloorPlanProblem.NO_SUCH_IMAGE.with());
             }
             if (!Files.isRegularFile(file)) {
-                throw new FloorPlanException(file + ": this is not a regular file; expected an image file");
+                throw new FloorPlanException(file, FloorPlanProblem.IRREGULAR_IMAGE.with());
             }
             if (Files.size(file) > MAX_BYTES) {
-                throw new FloorPlanException(file + ": the file has " + ByteCount.format(Files.size(file))
-                        + "; expected at most " + ByteCount.format(MAX_BYTES));
+                throw new FloorPlanException(
+                        file,
+                        ProblemKind.TOO_MANY_BYTES.with(
+                                ByteCount.format(Files.size(file)), ByteCount.format(MAX_BYTES)));
             }
             byte[] start = readStart(file);
             if (start.length == 2 && start[0] == 'P' && start[1] >= '1' && start[1] <= '7') {
@@ -56,7 +59,7 @@ final class MapImageReader {
         } catch (FloorPlanException e) {
             throw e;
         } catch (IOException | RuntimeException e) {
-            throw new FloorPlanException(file + ": the image cannot be read: " + reason(e));
+            throw new FloorPlanException(file, FloorPlanProblem.UNREADABLE_IMAGE.with(reason(e)));
         }
     }
 
@@ -67,14 +70,15 @@ final class MapImageReader {
     }
 
     /**
-     * Returns the reason in words; the exceptions at run time of the JDK's readers describe the reader, not the file.
+     * Returns the reason in words, as a message or as text; the exceptions at run time of the JDK's readers describe
+     * the reader, not the file.
      */
-    private static String reason(Exception e) {
+    private static Object reason(Exception e) {
         if (e instanceof EOFException) {
-            return "the file ends too early";
+            return FloorPlanProblem.ENDS_TOO_EARLY.with();
         }
         return e instanceof RuntimeException || e.getMessage() == null
-                ? "the file is damaged"
+                ? FloorPlanProblem.DAMAGED.with()
                 : MessageText.oneLine(e.getMessage());
     }
 
@@ -83,8 +87,7 @@ final class MapImageReader {
             Iterator<ImageReader> readers =
                     in == null ? java.util.Collections.emptyIterator() : ImageIO.getImageReaders(in);
             if (!readers.hasNext()) {
-                throw new FloorPlanException(
-                        file + ": the format of the image is not known; expected PGM (P2, P5), PNG, BMP, GIF or TIFF");
+                throw new FloorPlanException(file, FloorPlanProblem.IMAGE_FORMAT.with());
             }
             ImageReader reader = readers.next();
             try {
@@ -99,8 +102,7 @@ final class MapImageReader {
 
     static void requireSize(Path file, long width, long height) throws FloorPlanException {
         if (width < 1 || height < 1 || width > MapImage.MAX_PIXELS || width * height > MapImage.MAX_PIXELS) {
-            throw new FloorPlanException(file + ": the image has " + width + " x " + height + " pixels; expected 1 to "
-                    + MapImage.MAX_PIXELS);
+            throw new FloorPlanException(file, FloorPlanProblem.IMAGE_SIZE.with(width, height, MapImage.MAX_PIXELS));
         }
     }
 
@@ -109,8 +111,8 @@ final class MapImageReader {
         // getRGB would convert grey values from a linear colour space; the raw values of the file are required.
         boolean grey = !(colors instanceof IndexColorModel) && colors.getNumColorComponents() == 1;
         if (grey && colors.getComponentSize(0) > MAX_GREY_BITS) {
-            throw new FloorPlanException(file + ": a pixel of the image has " + colors.getComponentSize(0)
-                    + " bits; expected at most " + MAX_GREY_BITS);
+            throw new FloorPlanException(
+                    file, FloorPlanProblem.PIXEL_BITS.with(colors.getComponentSize(0), MAX_GREY_BITS));
         }
         int white = grey ? (1 << colors.getComponentSize(0)) - 1 : WHITE_SUM;
         MapImage map = new MapImage(image.getWidth(), image.getHeight(), white);

@@ -3,7 +3,10 @@ package faultline.floorplan;
 import faultline.io.ByteCount;
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
+import faultline.io.Message;
 import faultline.io.MessageText;
+import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.ProblemKind;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.charset.CharacterCodingException;
@@ -61,22 +64,24 @@ final class MapYamlReader {
     private static String readText(Path file) throws FloorPlanException {
         try {
             if (!Files.exists(file)) {
-                throw new FloorPlanException(file + ": there is no such file");
+                throw new FloorPlanException(file, ProblemKind.NO_SUCH_FILE.with());
             }
             if (!Files.isRegularFile(file)) {
-                throw new FloorPlanException(file + ": this is not a regular file; expected a map file");
+                throw new FloorPlanException(file, ProblemKind.IRREGULAR_FILE.with(FloorPlanProblem.MAP_FILE.with()));
             }
             if (Files.size(file) > MAX_BYTES) {
-                throw new FloorPlanException(file + ": the file has " + ByteCount.format(Files.size(file))
-                        + "; expected at most " + ByteCount.format(MAX_BYTES));
+                throw new FloorPlanException(
+                        file,
+                        ProblemKind.TOO_MANY_BYTES.with(
+                                ByteCount.format(Files.size(file)), ByteCount.format(MAX_BYTES)));
             }
             return Files.readString(file, StandardCharsets.UTF_8);
         } catch (CharacterCodingException e) {
-            throw new FloorPlanException(file + ": the file is not UTF-8 text");
+            throw new FloorPlanException(file, FloorPlanProblem.NOT_UTF_8.with());
         } catch (FloorPlanException e) {
             throw e;
         } catch (IOException e) {
-            throw new FloorPlanException(file + ": the file cannot be read");
+            throw new FloorPlanException(file, ProblemKind.UNREADABLE_FILE.with());
         }
     }
 
@@ -129,16 +134,13 @@ final class MapYamlReader {
     private String parseEntry(int lineNumber, int firstColumn, String line) throws FloorPlanException {
         int colon = line.indexOf(':');
         if (colon < 0) {
-            throw problem(
-                    lineNumber,
-                    firstColumn,
-                    "a line is " + MessageText.quoted(line.strip()) + "; expected \"key: value\"");
+            throw problem(lineNumber, firstColumn, FloorPlanProblem.LINE.with(MessageText.excerpt(line.strip())));
         }
         String key = unquote(line.substring(0, colon).strip());
         String value = line.substring(colon + 1).strip();
         int column = line.length() - line.substring(colon + 1).stripLeading().length() + firstColumn;
         if (entries.containsKey(key)) {
-            throw problem(lineNumber, firstColumn, MessageText.quoted(key) + " is given twice; expected once");
+            throw problem(lineNumber, firstColumn, FloorPlanProblem.DUPLICATE_KEY.with(MessageText.excerpt(key)));
         }
         entries.put(key, new YamlEntry(lineNumber, column, splitValue(value)));
         return key;
@@ -176,13 +178,13 @@ final class MapYamlReader {
         Path image = imageFile();
         BigDecimal resolution = number("resolution", "0.05");
         if (!MapDescription.isResolution(resolution)) {
-            throw wrong("resolution", MapDescription.RESOLUTIONS);
+            throw wrong("resolution", FloorPlanProblem.RESOLUTION.with());
         }
         double occupied = share("occupied_thresh", "0.65");
         double free = share("free_thresh", "0.196");
         MapDescription description = new MapDescription(image, resolution, yaw(), mode(), isNegated(), occupied, free);
         if (!Files.isRegularFile(image)) {
-            throw wrong("image", "the name of an image file, but there is no file " + image);
+            throw wrong("image", FloorPlanProblem.EXISTING_IMAGE.with(MessageText.oneLine(image.toString())));
         }
         return description;
     }
@@ -190,12 +192,12 @@ final class MapYamlReader {
     private Path imageFile() throws FloorPlanException {
         String name = single("image");
         if (name.isEmpty()) {
-            throw wrong("image", "the name of an image file");
+            throw wrong("image", FloorPlanProblem.IMAGE_NAME.with());
         }
         try {
             return file.resolveSibling(name);
         } catch (InvalidPathException e) {
-            throw wrong("image", "the name of an image file");
+            throw wrong("image", FloorPlanProblem.IMAGE_NAME.with());
         }
     }
 
@@ -205,7 +207,7 @@ final class MapYamlReader {
         }
         List<String> values = entries.get("origin").values();
         if (values.size() != 3) {
-            throw wrong("origin", "three numbers, [x, y, yaw] in metres and radians");
+            throw wrong("origin", FloorPlanProblem.ORIGIN.with());
         }
         double[] numbers = new double[3];
         for (int i = 0; i < 3; i++) {
@@ -213,10 +215,10 @@ final class MapYamlReader {
             numbers[i] = number.isEmpty() ? Double.NaN : number.get().doubleValue();
         }
         if (!Arrays.stream(numbers).allMatch(Double::isFinite)) {
-            throw wrong("origin", "three numbers, [x, y, yaw] in metres and radians");
+            throw wrong("origin", FloorPlanProblem.ORIGIN.with());
         }
         if (Math.abs(numbers[2]) > MAX_YAW) {
-            throw wrong("origin", "[x, y, yaw] with a yaw of at most " + DecimalText.format(MAX_YAW) + " radians");
+            throw wrong("origin", FloorPlanProblem.YAW.with(DecimalText.format(MAX_YAW)));
         }
         return numbers[2];
     }
@@ -233,7 +235,7 @@ final class MapYamlReader {
         }
         List<String> names =
                 Arrays.stream(MapMode.values()).map(MapMode::fileName).toList();
-        throw wrong("mode", String.join(", ", names) + DidYouMean.hint(name, names));
+        throw wrong("mode", Allowed.names(names, name));
     }
 
     private boolean isNegated() throws FloorPlanException {
@@ -243,14 +245,14 @@ final class MapYamlReader {
         return switch (single("negate").toLowerCase(Locale.ROOT)) {
             case "0", "false", "no", "off" -> false;
             case "1", "true", "yes", "on" -> true;
-            default -> throw wrong("negate", "0 or 1");
+            default -> throw wrong("negate", FloorPlanProblem.NEGATE.with());
         };
     }
 
     private double share(String key, String defaultText) throws FloorPlanException {
         double value = number(key, defaultText).doubleValue();
         if (value < 0 || value > 1) {
-            throw wrong(key, "a number from 0 to 1");
+            throw wrong(key, FloorPlanProblem.SHARE.with());
         }
         return value;
     }
@@ -259,7 +261,7 @@ final class MapYamlReader {
         if (key.equals("resolution") || entries.containsKey(key)) {
             Optional<BigDecimal> number = DecimalText.parse(single(key));
             if (number.isEmpty() || !Double.isFinite(number.get().doubleValue())) {
-                throw wrong(key, "a number");
+                throw wrong(key, FloorPlanProblem.NUMBER.with());
             }
             return number.get();
         }
@@ -268,33 +270,33 @@ final class MapYamlReader {
 
     private String single(String key) throws FloorPlanException {
         if (!entries.containsKey(key)) {
-            throw problem(1, 1, "there is no " + MessageText.quoted(key) + nearMiss(key));
+            throw problem(1, 1, missing(key));
         }
         if (entries.get(key).values().size() != 1) {
-            throw wrong(key, "one value");
+            throw wrong(key, FloorPlanProblem.ONE_VALUE.with());
         }
         return entries.get(key).values().get(0);
     }
 
-    /** Returns an unknown key that may be a misspelt one. */
-    private String nearMiss(String key) {
+    /** Returns the problem of a missing key, with an unknown key that may be a misspelling of it. */
+    private Message missing(String key) {
         return entries.keySet().stream()
                 .filter(given -> !KEYS.contains(given))
                 .filter(given -> DidYouMean.nearest(given, List.of(key)).isPresent())
                 .findFirst()
-                .map(given -> "; " + MessageText.quoted(given) + " may be meant as " + MessageText.quoted(key))
-                .orElse(", a map file needs it");
+                .map(given -> FloorPlanProblem.MISSPELT_KEY.with(key, MessageText.excerpt(given)))
+                .orElseGet(() -> FloorPlanProblem.MISSING_KEY.with(key));
     }
 
-    private FloorPlanException wrong(String key, String allowed) {
+    private FloorPlanException wrong(String key, Object allowed) {
         YamlEntry entry = entries.get(key);
         return problem(
                 entry.line(),
                 entry.column(),
-                key + " is " + MessageText.quoted(entry.text()) + "; expected " + allowed);
+                FloorPlanProblem.VALUE.with(key, MessageText.excerpt(entry.text()), allowed));
     }
 
-    private FloorPlanException problem(int line, int column, String sentence) {
-        return new FloorPlanException(file + ":" + line + ":" + column + ": " + sentence);
+    private FloorPlanException problem(int line, int column, Message message) {
+        return new FloorPlanException(file, line, column, message);
     }
 }

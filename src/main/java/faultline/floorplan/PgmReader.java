@@ -1,8 +1,10 @@
 package faultline.floorplan;
 
+import faultline.io.Message;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.util.function.Supplier;
 
 /** Reads portable grey maps, plain (P2) and raw (P5), with up to 16 bits per pixel. */
 final class PgmReader {
@@ -28,14 +30,14 @@ final class PgmReader {
         char format = (char) next;
         advance();
         if (format != '2' && format != '5') {
-            throw new FloorPlanException(file + ": the format of the image is P" + format + "; expected P2 or P5");
+            throw new FloorPlanException(file, FloorPlanProblem.PORTABLE_FORMAT.with(format));
         }
-        int width = readHeaderNumber("the width");
-        int height = readHeaderNumber("the height");
-        int max = readHeaderNumber("the maximum value");
+        int width = readNumber(FloorPlanProblem.WIDTH::with);
+        int height = readNumber(FloorPlanProblem.HEIGHT::with);
+        int max = readNumber(FloorPlanProblem.MAX_VALUE::with);
         MapImageReader.requireSize(file, width, height);
         if (max < 1 || max > MAX_SAMPLE) {
-            throw new FloorPlanException(file + ": the maximum value is " + max + "; expected 1 to " + MAX_SAMPLE);
+            throw new FloorPlanException(file, FloorPlanProblem.MAX_SAMPLE.with(max, MAX_SAMPLE));
         }
         MapImage image = new MapImage(width, height, max);
         if (format == '2') {
@@ -53,7 +55,8 @@ final class PgmReader {
 
     private void readPlain(MapImage image, int max) throws IOException {
         for (int i = 0; i < image.width() * image.height(); i++) {
-            set(image, i, readHeaderNumber("pixel " + (i + 1)), max);
+            int number = i + 1;
+            set(image, i, readNumber(() -> FloorPlanProblem.PIXEL.with(number)), max);
         }
     }
 
@@ -74,8 +77,8 @@ final class PgmReader {
     private int nextRaw(long start, long count, int bytesEach) throws IOException {
         int value = next;
         if (value < 0) {
-            throw new FloorPlanException(file + ": the image ends after " + Math.max(0, position - start)
-                    + " bytes of pixels, " + count * bytesEach + " are needed");
+            throw new FloorPlanException(
+                    file, FloorPlanProblem.TOO_FEW_BYTES.with(Math.max(0, position - start), count * bytesEach));
         }
         advance();
         return value;
@@ -83,12 +86,12 @@ final class PgmReader {
 
     private void set(MapImage image, int index, int value, int max) throws FloorPlanException {
         if (value > max) {
-            throw new FloorPlanException(file + ": pixel " + (index + 1) + " is " + value + "; expected 0 to " + max);
+            throw new FloorPlanException(file, FloorPlanProblem.PIXEL_VALUE.with(index + 1, value, max));
         }
         image.set(index, value, false);
     }
 
-    private int readHeaderNumber(String what) throws IOException {
+    private int readNumber(Supplier<Message> name) throws IOException {
         skipBlanksAndComments();
         long begin = position;
         long number = 0;
@@ -97,7 +100,7 @@ final class PgmReader {
             advance();
         }
         if (position == begin) {
-            throw new FloorPlanException(file + ": " + what + " is missing at byte " + begin);
+            throw new FloorPlanException(file, FloorPlanProblem.MISSING_NUMBER.with(name.get(), begin));
         }
         return (int) number;
     }

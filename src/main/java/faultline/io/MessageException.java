@@ -3,12 +3,12 @@ package faultline.io;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Reports why a file cannot be written, with a message that can be translated. */
-public final class MessageException extends IOException {
+/** Reports why a file cannot be read or written, with a message that can be translated. */
+public class MessageException extends IOException {
 
     private static final long serialVersionUID = 1L;
 
-    /** The file that the reason is about, or an empty string. */
+    /** The file that the reason is about, possibly with line and column, or an empty string. */
     private final String subject;
 
     private final transient Message reason;
@@ -16,7 +16,8 @@ public final class MessageException extends IOException {
     /**
      * Creates an exception.
      *
-     * @param subject the file, which precedes the reason in the exception's message; may be empty
+     * @param subject the file, possibly with line and column, which precedes the reason in the exception's message; may
+     *     be empty
      * @param reason the reason
      * @param cause the cause, may be null
      */
@@ -41,13 +42,13 @@ public final class MessageException extends IOException {
         return new MessageException(MessageText.oneLine(file.toString()), reason.with(), cause);
     }
 
-    /** {@return the name of the file; may be empty} */
-    public String subject() {
+    /** {@return the name of the file, possibly with line and column; may be empty} */
+    public final String subject() {
         return subject;
     }
 
     /** {@return the reason without the name of the file} */
-    public Message reason() {
+    public final Message reason() {
         return reason;
     }
 }

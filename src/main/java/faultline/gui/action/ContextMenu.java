@@ -9,7 +9,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
 
-/** Context menus and the names of their items. */
+/** Shows context menus and numbers their items. */
 public final class ContextMenu {
 
     private static final int MAX_DIGIT = 9;
@@ -30,13 +30,6 @@ public final class ContextMenu {
                     .ifPresent(first ->
                             MenuSelectionManager.defaultManager().setSelectedPath(new MenuElement[] {menu, first}));
         }
-    }
-
-    /** Gives an item a name, in which an ampersand marks the letter that is its mnemonic. */
-    public static void name(JMenuItem item, String marked) {
-        int mark = marked.indexOf('&');
-        item.setText(marked.replaceFirst("&", ""));
-        item.setMnemonic(mark < 0 ? 0 : Character.toUpperCase(marked.charAt(mark + 1)));
     }
 
     /** Gives an item a number, counted from 1, before its name as its mnemonic, or a letter after the ninth. */

@@ -18,6 +18,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
@@ -46,6 +48,8 @@ public final class StripChart extends JPanel {
     private List<String> sensors = List.of("");
     private transient List<SensorSnapshot> robotSensors = List.of();
     private transient List<SignalGroup> groups = List.of();
+    /** Adds the actions of the window to the context menu. */
+    private transient Consumer<JPopupMenu> menuExtension = menu -> {};
     /** The lines of other groups that are shown beside those of the chosen one. */
     private final transient List<ChartLine> additions = new ArrayList<>();
 
@@ -64,7 +68,7 @@ public final class StripChart extends JPanel {
         freeze.addActionListener(event -> view.setFrozen(freeze.isSelected()));
         name(fitValues, "strip.fit");
         fitValues.addActionListener(event -> view.setRange(automaticRange()));
-        new StripChartMouse(view, this::freeze).install();
+        new StripChartMouse(view, this::freeze, at -> ContextMenu.show(createMenu(), view, at.x, at.y)).install();
         JPanel bar = new JPanel();
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
         bar.setBorder(BorderFactory.createEmptyBorder(3, 8, 2, 4));
@@ -120,9 +124,13 @@ public final class StripChart extends JPanel {
 
     /** Lets the chart follow the run again, over the initial time span. */
     void release() {
-        view.setSpan(TimeSpan.DEFAULT);
-        view.setRange(automaticRange());
+        resetZoom();
         freeze(false);
+    }
+
+    private void resetZoom() {
+        view.setSpan(TimeSpan.DEFAULT.endingAt(view.span().end()));
+        view.setRange(automaticRange());
     }
 
     private ValueRange automaticRange() {
@@ -145,15 +153,42 @@ public final class StripChart extends JPanel {
     JPopupMenu createAdditionsMenu() {
         JPopupMenu menu = new JPopupMenu();
         ScrolledMenuLayout.install(menu);
+        additionItems().forEach(menu::add);
+        return menu;
+    }
+
+    private Stream<JCheckBoxMenuItem> additionItems() {
         if (choice.getSelectedItem() instanceof SignalGroup signal) {
-            for (ChartLine line : SignalGroup.additions(signal, groups)) {
-                JCheckBoxMenuItem item = new JCheckBoxMenuItem("", isAdded(line));
-                ContextMenu.number(item, menu.getComponentCount() + 1, line.name());
-                item.addActionListener(event -> toggle(line));
-                item.putClientProperty("CheckBoxMenuItem.doNotCloseOnMouseClick", true);
-                menu.add(item);
-            }
+            List<ChartLine> lines = SignalGroup.additions(signal, groups);
+            return IntStream.range(0, lines.size()).mapToObj(i -> additionItem(i + 1, lines.get(i)));
         }
+        return Stream.empty();
+    }
+
+    private JCheckBoxMenuItem additionItem(int number, ChartLine line) {
+        JCheckBoxMenuItem item = new JCheckBoxMenuItem("", isAdded(line));
+        ContextMenu.number(item, number, line.name());
+        item.addActionListener(event -> toggle(line));
+        item.putClientProperty("CheckBoxMenuItem.doNotCloseOnMouseClick", true);
+        return item;
+    }
+
+    /** Sets what adds the actions of the window to the context menu each time that it is opened. */
+    public void setMenuExtension(Consumer<JPopupMenu> extension) {
+        menuExtension = extension;
+    }
+
+    /** Creates the context menu: what the controls above the plot do, and the actions of the window. */
+    JPopupMenu createMenu() {
+        JPopupMenu menu = new StripMenu()
+                .choice("strip.menu.signals", choice)
+                .items("strip.menu.add", additionItems())
+                .separator()
+                .toggle("strip.menu.hold", freeze)
+                .toggle("strip.menu.fit", fitValues)
+                .action("strip.menu.reset", this::resetZoom)
+                .menu();
+        menuExtension.accept(menu);
         return menu;
     }
 

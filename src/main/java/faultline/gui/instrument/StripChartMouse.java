@@ -1,12 +1,14 @@
 package faultline.gui.instrument;
 
 import faultline.gui.theme.KeyBindings;
+import java.awt.Point;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
 
 /**
  * The mouse and keyboard input of a strip chart: the wheel zooms at the cursor, dragging and the arrow keys scroll
@@ -20,13 +22,15 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
 
     private final StripView view;
     private final Consumer<Boolean> freezeHandler;
+    private final Consumer<Point> menuHandler;
     private int dragX;
     private int dragY;
 
-    /** Creates the input handler of a view; {@code hold} holds or releases the chart. */
-    StripChartMouse(StripView view, Consumer<Boolean> hold) {
+    /** Creates the input handler of a view; {@code hold} holds or releases the chart, {@code menu} opens its menu. */
+    StripChartMouse(StripView view, Consumer<Boolean> hold, Consumer<Point> menu) {
         this.view = view;
         this.freezeHandler = hold;
+        this.menuHandler = menu;
     }
 
     void install() {
@@ -43,6 +47,8 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
         bindKey("shift UP", () -> view.moveValues(PAN_STEP));
         bindKey("shift DOWN", () -> view.moveValues(-PAN_STEP));
         bindKey("END", () -> freezeHandler.accept(false));
+        bindKey("shift F10", this::showMenuAtCentre);
+        bindKey("CONTEXT_MENU", this::showMenuAtCentre);
     }
 
     private void bindKey(String key, Runnable action) {
@@ -73,10 +79,29 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
         view.requestFocusInWindow();
         dragX = event.getX();
         dragY = event.getY();
+        showMenuIfRequested(event);
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent event) {
+        showMenuIfRequested(event);
+    }
+
+    private void showMenuIfRequested(MouseEvent event) {
+        if (event.isPopupTrigger()) {
+            menuHandler.accept(event.getPoint());
+        }
+    }
+
+    private void showMenuAtCentre() {
+        menuHandler.accept(new Point(view.getWidth() / 2, view.getHeight() / 2));
     }
 
     @Override
     public void mouseDragged(MouseEvent event) {
+        if (SwingUtilities.isRightMouseButton(event)) {
+            return;
+        }
         if (event.isControlDown()) {
             view.moveValues(view.valueShareAt(dragY) - view.valueShareAt(event.getY()));
         } else {

@@ -102,7 +102,11 @@ public final class ControllerForm {
             thresholds.put(threshold, field);
         }
         UiText.tip(defaultThresholds, "controller.thresholds.defaults.tip");
-        defaultThresholds.addActionListener(event -> change(old -> old.withThresholds(Thresholds.DEFAULT)));
+        defaultThresholds.addActionListener(event -> {
+            // The button is disabled then, and the next field that would get the focus scrolls the panel.
+            thresholds.get(Threshold.STEER_THROUGH).textField().requestFocusInWindow();
+            change(old -> old.withThresholds(Thresholds.DEFAULT));
+        });
         form.add(defaultThresholds, FormConstraints.cell(1, thresholds.size()));
         return form;
     }

@@ -32,6 +32,10 @@ final class DecimalFormatter extends DefaultFormatter {
         max = newMax;
     }
 
+    void setMax(double newMax) {
+        setLimits(min, newMax);
+    }
+
     @Override
     public Double stringToValue(String text) throws ParseException {
         String normalized = text.strip().replace(',', '.');

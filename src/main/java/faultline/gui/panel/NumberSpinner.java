@@ -191,6 +191,15 @@ public final class NumberSpinner extends JSpinner {
         updateAccessibleText();
     }
 
+    /** Sets another upper limit; the value stays, even above it. */
+    void setMax(double max) {
+        if (!model.getMaximum().equals(max)) {
+            formatter.setMax(max);
+            model.setMaximum(max);
+            updateAccessibleText();
+        }
+    }
+
     /** Shows the value of the world, nothing for NaN, unless the user is typing; it may be outside the limits. */
     public void setWorldValue(double truth) {
         assert EventQueue.isDispatchThread();

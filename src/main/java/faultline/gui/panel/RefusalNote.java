@@ -105,7 +105,8 @@ public final class RefusalNote {
         return new Point(x, room ? below : origin.y - size.height - GAP);
     }
 
-    void hide() {
+    /** Hides the sentence, if one is shown. */
+    public void hide() {
         end.stop();
         if (popup != null) {
             popup.hide();

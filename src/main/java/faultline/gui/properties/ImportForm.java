@@ -34,6 +34,7 @@ import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
+import javax.swing.UIManager;
 
 /**
  * A form to make a scenario of a floor plan: how the plan is traced, with a preview. The plan is read off the event
@@ -69,17 +70,40 @@ public final class ImportForm extends JPanel {
     /** Of readings; only the newest counts. */
     private int reading;
 
+    private boolean isReading;
+    /** Runs after each reading. */
+    private transient Runnable onRead = () -> {};
+
     /** Shows the dialog and returns the scenario; empty if cancelled. */
     public static Optional<Scenario> showDialog(Component parent, Path file) {
         ImportForm form = new ImportForm(file);
         String title = Messages.get("import.title", String.valueOf(file.getFileName()));
         while (FormDialog.showDialog(parent, title, form, form.unknownIsWall)) {
-            if (form.scenario().isPresent()) {
+            Optional<String> problem = form.findProblem();
+            if (problem.isEmpty()) {
+                form.awaitReading(parent, title);
+            }
+            if (problem.isEmpty() && form.scenario().isPresent()) {
                 return form.scenario();
             }
-            showProblem(parent, title, form.status());
+            if (!form.isReading) {
+                showProblem(parent, title, problem.orElseGet(form::status));
+            }
         }
         return Optional.empty();
+    }
+
+    /** Shows that the plan is read until it has been read or the user cancels. */
+    private void awaitReading(Component parent, String title) {
+        if (isReading) {
+            JOptionPane pane = new JOptionPane(Messages.get("import.reading"), JOptionPane.INFORMATION_MESSAGE);
+            pane.setOptions(new Object[] {UIManager.getString("OptionPane.cancelButtonText")});
+            JDialog dialog = pane.createDialog(parent, title);
+            onRead = dialog::dispose;
+            dialog.setVisible(true);
+            onRead = () -> {};
+            dialog.dispose();
+        }
     }
 
     private static void showProblem(Component parent, String title, String sentence) {
@@ -115,7 +139,16 @@ public final class ImportForm extends JPanel {
         add(fields, BorderLayout.NORTH);
         add(picture, BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
+        NumberSpinner.findIn(this).forEach(NumberSpinner::keepInvalidText);
         startReading();
+    }
+
+    /** Commits what is being typed, and returns which text is refused; empty if none is. */
+    Optional<String> findProblem() {
+        return NumberSpinner.findIn(this)
+                .filter(field -> !field.commitValidEdit())
+                .map(PropertiesForm::refusal)
+                .findFirst();
     }
 
     private void startReading() {
@@ -126,6 +159,7 @@ public final class ImportForm extends JPanel {
                 unknownIsWall.isSelected(), (int) minCells.doubleValue(), smoothing.doubleValue());
         Palette palette = Theme.current().palette();
         scenario = null;
+        isReading = true;
         status.setText(Messages.get("import.reading"));
         BackgroundTasks.run(
                 () -> read(file, side, options, palette),
@@ -148,7 +182,9 @@ public final class ImportForm extends JPanel {
 
     private void ifNewest(int started, Runnable action) {
         if (started == reading) {
+            isReading = false;
             action.run();
+            onRead.run();
         }
     }
 

@@ -72,6 +72,7 @@ final class PointsField extends JTextField {
             }
             shown = entered.get();
         }
+        note.hide();
         return true;
     }
 

@@ -134,7 +134,8 @@ final class PropertiesForm extends JPanel {
                 .map(obstacle -> Messages.get("refused.start", obstacle));
     }
 
-    private static String refusal(NumberSpinner field) {
+    /** Returns why the text of a field is refused. */
+    static String refusal(NumberSpinner field) {
         return Messages.get("properties.number.invalid", field.textField().getText(), field.getToolTipText());
     }
 

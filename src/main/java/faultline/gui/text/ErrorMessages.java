@@ -1,6 +1,8 @@
 package faultline.gui.text;
 
+import faultline.io.Message;
 import faultline.io.MessageException;
+import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.ScenarioException;
 import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
@@ -25,7 +27,7 @@ public final class ErrorMessages {
             return Messages.get(bad.problems().get(0).message());
         }
         if (exception instanceof MessageException file) {
-            return (file.subject().isEmpty() ? "" : file.subject() + ": ") + Messages.get(file.reason());
+            return (file.subject().isEmpty() ? "" : file.subject() + ": ") + Messages.get(innerReason(file.reason()));
         }
         if (exception instanceof OutOfMemoryError) {
             return Messages.get("reason.memory");
@@ -37,6 +39,13 @@ public final class ErrorMessages {
                 .filter(message -> !message.isBlank())
                 .orElseGet(
                         () -> Messages.get("reason.inside", exception.getClass().getSimpleName()));
+    }
+
+    /** Returns the reason why a scenario cannot be saved, because what shows it says that it cannot be saved. */
+    private static Message innerReason(Message reason) {
+        return reason.template() == ProblemKind.NOT_SAVED && reason.arguments().get(0) instanceof Message inner
+                ? inner
+                : reason;
     }
 
     /** Describes an exception about a file without its name, which the user already knows. */

@@ -3,6 +3,8 @@ package faultline.gui.theme;
 import faultline.gui.text.Messages;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.Insets;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.util.List;
@@ -28,9 +30,20 @@ public final class UiText {
         return RefreshSteps.add(new JLabel(), label -> label.setText(Messages.get(key)));
     }
 
-    /** Creates a component for a text that wraps, which cannot be edited and takes no focus. */
+    /**
+     * Creates a component for a text that wraps, which cannot be edited and takes no focus. With a number of columns it
+     * has their width; without, that of its last layout.
+     */
     public static JTextArea wrappedText() {
-        JTextArea area = new JTextArea();
+        JTextArea area = new JTextArea() {
+            @Override
+            public Dimension getPreferredSize() {
+                Dimension size = super.getPreferredSize();
+                Insets insets = getInsets();
+                int wide = getColumns() * getColumnWidth() + insets.left + insets.right;
+                return getColumns() == 0 ? size : new Dimension(wide, size.height);
+            }
+        };
         area.setEditable(false);
         area.setFocusable(false);
         area.setLineWrap(true);
@@ -60,6 +73,22 @@ public final class UiText {
     /** Gives a button or check box the text of a key; returns it. */
     public static <B extends AbstractButton> B text(B button, String key) {
         return RefreshSteps.add(button, self -> self.setText(Messages.get(key)));
+    }
+
+    /** Gives a menu item the text of a key; the letter after its ampersand is the mnemonic. Returns the item. */
+    public static <B extends AbstractButton> B menuText(B item, String key) {
+        return RefreshSteps.add(item, self -> setMarkedText(self, Messages.get(key)));
+    }
+
+    /** Does the same with a value in place of the text's placeholder. */
+    public static <B extends AbstractButton> B menuText(B item, String key, String value) {
+        return RefreshSteps.add(item, self -> setMarkedText(self, Messages.get(key, value)));
+    }
+
+    private static void setMarkedText(AbstractButton item, String marked) {
+        int mark = marked.indexOf('&');
+        item.setText(marked.replaceFirst("&", ""));
+        item.setMnemonic(mark < 0 ? 0 : Character.toUpperCase(marked.charAt(mark + 1)));
     }
 
     /** Gives a component the accessible name of a key; returns it. */

@@ -1,7 +1,7 @@
 package faultline.gui.timeline;
 
 import faultline.gui.action.ContextMenu;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
 import faultline.sensor.FaultKind;
@@ -194,8 +194,7 @@ final class LaneActions {
     }
 
     private static void add(JPopupMenu menu, String key, boolean enabled, Runnable action) {
-        JMenuItem item = new JMenuItem();
-        ContextMenu.name(item, Messages.get(key));
+        JMenuItem item = UiText.menuText(new JMenuItem(), key);
         item.setEnabled(enabled);
         item.addActionListener(event -> action.run());
         menu.add(item);

@@ -123,7 +123,7 @@ public final class MainWindow extends JFrame {
         windowBounds.restore();
         parts.install(this, mainPanel);
         installCloseHandler();
-        installCanvasListeners();
+        installViewListeners();
         new SpaceKeyDispatcher(this, runController::toggleRunning).install(this);
         fileWatch = createFileWatch();
         installEditNotifier();
@@ -220,7 +220,8 @@ public final class MainWindow extends JFrame {
         showNote(Messages.get("saved", String.valueOf(file.getFileName())));
     }
 
-    private void installCanvasListeners() {
+    private void installViewListeners() {
+        mainPanel.instruments().chart().setMenuExtension(popup -> Menus.addChartItems(popup, actionRegistry));
         Menus.installContextMenu(canvas, actionRegistry, undoController, this::addFault);
         canvas.tools().listeners().addStartListener(pose -> workspace
                 .scenario()

@@ -8,8 +8,7 @@ import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.edit.UndoController;
-import faultline.gui.text.Messages;
-import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
 import java.util.function.Consumer;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
@@ -18,10 +17,11 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 
-/** Creates the menu bar and the context menu of the canvas. */
+/** Creates the menu bar and the context menu of the canvas, and adds to that of the strip chart. */
 final class Menus {
 
     private static final String SEPARATOR = "-";
+    private static final String CHART_EXPORTS = "exportChartPng exportChartSvg exportChartCsv - exportDark";
 
     private final ActionRegistry actions;
 
@@ -47,9 +47,7 @@ final class Menus {
 
     private JMenu createFileMenu() {
         JMenu file = createMenu("file", "new open examples importPlan revert - save saveAs saveJournal properties -");
-        file.add(createMenu(
-                "export",
-                "exportPng exportSvg exportGif exportCsv - exportChartPng exportChartSvg exportChartCsv - exportDark"));
+        file.add(createMenu("export", "exportPng exportSvg exportGif exportCsv - " + CHART_EXPORTS));
         addItems(file, "copyPicture print - quit");
         return file;
     }
@@ -105,12 +103,22 @@ final class Menus {
     /** Adds the items of the canvas for what is under the cursor to a context menu. */
     static void addCanvasItems(JPopupMenu popup, ActionRegistry actions, MenuTarget target) {
         Menus menus = new Menus(actions);
-        for (String key : popupKeys(target).split(" ")) {
-            popup.add(key.equals(SEPARATOR) ? new JPopupMenu.Separator() : createItem(actions.get(key)));
-        }
+        addItems(popup, actions, popupKeys(target));
         if (target == MenuTarget.ROBOT || target == MenuTarget.SENSOR) {
             popup.add(menus.createSensorMenu());
             popup.add(menus.createPresetMenu());
+        }
+    }
+
+    /** Adds the exports of the strip chart to its context menu. */
+    static void addChartItems(JPopupMenu popup, ActionRegistry actions) {
+        popup.addSeparator();
+        addItems(popup, actions, CHART_EXPORTS);
+    }
+
+    private static void addItems(JPopupMenu popup, ActionRegistry actions, String keys) {
+        for (String key : keys.split(" ")) {
+            popup.add(key.equals(SEPARATOR) ? new JPopupMenu.Separator() : createItem(actions.get(key)));
         }
     }
 
@@ -134,7 +142,7 @@ final class Menus {
     /** Gives a menu the name and the mnemonic of a key, and lets it scroll. */
     static void name(JMenu menu, String key) {
         ScrolledMenuLayout.install(menu.getPopupMenu());
-        RefreshSteps.add(menu, self -> ContextMenu.name(self, Messages.get("menu." + key)));
+        UiText.menuText(menu, "menu." + key);
     }
 
     private void addItems(JMenu menu, String items) {

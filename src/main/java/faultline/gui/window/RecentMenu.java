@@ -4,6 +4,7 @@ import faultline.gui.action.ContextMenu;
 import faultline.gui.settings.RecentFiles;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
 import java.awt.event.HierarchyEvent;
 import java.awt.event.HierarchyListener;
 import java.nio.file.Path;
@@ -36,8 +37,7 @@ final class RecentMenu extends JMenu {
             add(new JMenuItem(Messages.get("recent.none"))).setEnabled(false);
         } else {
             addSeparator();
-            JMenuItem clear = new JMenuItem();
-            ContextMenu.name(clear, Messages.get("recent.clear"));
+            JMenuItem clear = UiText.menuText(new JMenuItem(), "recent.clear");
             clear.addActionListener(event -> recentFiles.clear());
             add(clear);
         }

@@ -1,8 +1,7 @@
 package faultline.gui.window;
 
-import faultline.gui.action.ContextMenu;
 import faultline.gui.edit.UndoController;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import java.util.function.Consumer;
@@ -33,8 +32,7 @@ final class SensorMenu {
     }
 
     private JMenuItem add(String key, Runnable action) {
-        JMenuItem item = popup.add(new JMenuItem());
-        ContextMenu.name(item, Messages.get(key, id));
+        JMenuItem item = popup.add(UiText.menuText(new JMenuItem(), key, id));
         item.addActionListener(event -> action.run());
         return item;
     }

@@ -233,6 +233,34 @@ class ControllerPanelTest {
                 frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) < before + 1);
     }
 
+    @Test
+    void aDriveThatAFileCannotHoldIsNotEntered() throws ScenarioException {
+        type("Speed, m/s/V", 9);
+        SessionFrames.awaitFrame(
+                workspace,
+                "the faster wheels",
+                frame -> frame.snapshot().robot().motor().speedConstant() == 9);
+        await("the new limits", spec -> true);
+        assertEquals("0.001 to 111.111", limits("Voltage, V"));
+        assertEquals("0.001 to 10.000", limits("Speed, m/s/V"));
+        type("Voltage, V", 111.111);
+        SessionFrames.awaitFrame(
+                workspace,
+                "the higher voltage",
+                frame -> frame.snapshot().robot().motor().maxVoltage() == 111.111);
+        await("the new limits", spec -> true);
+        assertEquals("0.001 to 9.000", limits("Speed, m/s/V"));
+        Path file = folder.resolve("fast.xml");
+        runOnEdt(() -> documents.save(file, () -> {}));
+        Await.until("the scenario is saved", () -> !workspace.isChanged());
+        assertEquals(999.999, Scenario.load(file).setup().robot().motor().maxSpeed(), 1e-9);
+    }
+
+    private String limits(String field) {
+        return callOnEdt(
+                () -> ComponentFinder.find(panel, NumberSpinner.class, field).limitsText());
+    }
+
     /** Clears what was pending when a session starts, as the window does. */
     private final class Forwarder implements WorkspaceListener {
         @Override

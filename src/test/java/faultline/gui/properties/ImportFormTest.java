@@ -9,17 +9,24 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
+import java.awt.Component;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
 import javax.swing.JSpinner;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The import of a floor plan of 60 by 40 cells: a room with a box of 5 by 5 cells and a speck. */
 @ExtendWith(EdtChecker.class)
@@ -46,6 +53,11 @@ class ImportFormTest {
             text.append('\n');
         }
         image = Files.writeString(folder.resolve("hall.pgm"), text);
+    }
+
+    @AfterEach
+    void setEnglish() {
+        Messages.setLanguage(Language.ENGLISH);
     }
 
     private static void awaitStatus(ImportForm form, String start) {
@@ -95,6 +107,25 @@ class ImportFormTest {
         assertTrue(callOnEdt(() -> form.scenario().isEmpty() && form.status().length() > 10), form.status());
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            broken.pgm  | P5 hello               | w bajcie 3 brakuje szerokości
+            broken.png  | hello                  | format obrazu jest nieznany; dozwolone: PGM (P2, P5), PNG, BMP, GIF lub TIFF
+            broken.yaml | resolution: fast       | FILE:1:1: brakuje "image", a plik mapy musi to zawierać
+            broken.yaml | {image: a, mode: trinar, resolution: 1} | FILE:1:18: mode to "trinar"; dozwolone: trinary, scale, raw; czy chodziło o "trinary"?
+            tiny.pgm    | P2 2 2 255 9 255 255 9 | robot o długości 0.25 m i szerokości 0.2 m nigdzie nie mieści się na mapie o wymiarach 0.1 x 0.1 m; być może rozdzielczość, próg lub negate są błędne
+            """)
+    void aBrokenPlanIsReportedInPolish(String name, String content, String sentence) throws IOException {
+        Messages.setLanguage(Language.POLISH);
+        Path broken = Files.writeString(folder.resolve(name), content);
+        ImportForm form = callOnEdt(() -> new ImportForm(broken));
+        Await.until("a sentence", () -> !form.status().startsWith("Czytanie"));
+        assertEquals(sentence.replace("FILE", broken.toString()), callOnEdt(form::status));
+    }
+
     @Test
     void aLongSentenceDoesNotWidenTheForm() throws IOException {
         Path map = Files.writeString(
@@ -104,6 +135,37 @@ class ImportFormTest {
         Await.until("a sentence", () -> !form.status().startsWith("Reading"));
         assertTrue(form.status().length() > 300, form.status());
         assertEquals(width, callOnEdt(() -> form.getPreferredSize().width));
+    }
+
+    @Test
+    void theFormBecomesNarrowAgain() {
+        ImportForm form = callOnEdt(() -> new ImportForm(image));
+        awaitStatus(form, "60 × 40 cells");
+        int width = callOnEdt(() -> form.getPreferredSize().width);
+        assertEquals(width, callOnEdt(() -> {
+            form.setSize(width + 30, 600);
+            ComponentFinder.tree(form).forEach(Component::doLayout);
+            return form.getPreferredSize().width;
+        }));
+    }
+
+    @Test
+    void aNumberThatIsBeingTypedIsUsedOrRefused() {
+        ImportForm form = callOnEdt(() -> new ImportForm(image));
+        awaitStatus(form, "60 × 40 cells, 4 outlines");
+        JFormattedTextField smallest = callOnEdt(
+                () -> ((JSpinner.DefaultEditor) ComponentFinder.find(form, JSpinner.class, "Smallest wall, cells")
+                                .getEditor())
+                        .getTextField());
+        runOnEdt(() -> smallest.setText("-7"));
+        assertEquals(
+                "-7 is not allowed. Smallest wall, cells: 1 to 100000",
+                callOnEdt(form::findProblem).orElseThrow());
+        assertTrue(callOnEdt(() -> {
+            smallest.setText("2");
+            return form.findProblem().isEmpty() && form.scenario().isEmpty();
+        }));
+        awaitStatus(form, "60 × 40 cells, 3 outlines");
     }
 
     @Test

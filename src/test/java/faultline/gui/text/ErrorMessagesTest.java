@@ -6,6 +6,7 @@ import faultline.io.AtomicFile;
 import faultline.io.MessageException;
 import faultline.io.WriteProblem;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -62,7 +63,11 @@ class ErrorMessagesTest {
                 Arguments.of(
                         new MessageException("", WriteProblem.READ_ONLY.with(), null),
                         "writing to the file is not permitted",
-                        "zapis do tego pliku nie jest dozwolony"));
+                        "zapis do tego pliku nie jest dozwolony"),
+                Arguments.of(
+                        new MessageException("", ProblemKind.NOT_SAVED.with(ProblemKind.NOT_REPRODUCIBLE.with()), null),
+                        "reading the saved file would give a different scenario",
+                        "zapisany plik dałby po wczytaniu inny scenariusz"));
     }
 
     @ParameterizedTest

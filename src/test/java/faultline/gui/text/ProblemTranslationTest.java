@@ -1,8 +1,11 @@
 package faultline.gui.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import faultline.floorplan.FloorPlanProblem;
 import faultline.io.Message;
+import faultline.io.WriteProblem;
 import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.ProblemKind;
 import java.util.List;
@@ -12,6 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The problems of files are translated from their data. The tests of scenario files check each sentence, too. */
@@ -25,7 +29,8 @@ class ProblemTranslationTest {
     }
 
     private static Stream<Message.Template> templates() {
-        return Stream.concat(Stream.of(ProblemKind.values()), Stream.of(Allowed.values()));
+        return Stream.of(ProblemKind.values(), Allowed.values(), WriteProblem.values(), FloorPlanProblem.values())
+                .flatMap(Stream::of);
     }
 
     @ParameterizedTest
@@ -33,6 +38,12 @@ class ProblemTranslationTest {
     void everyKindOfProblemHasTheSamePlaceholdersInAllLanguages(Message.Template template) {
         assertEquals(template.english(), Messages.get(Language.ENGLISH, template.key()));
         assertEquals(placeholders(template.english()), placeholders(Messages.get(Language.POLISH, template.key())));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void everyProblemOfAFloorPlanIsInPolish(FloorPlanProblem problem) {
+        assertNotEquals(problem.english(), Messages.get(Language.POLISH, problem.key()));
     }
 
     private static List<String> placeholders(String pattern) {
@@ -69,6 +80,12 @@ class ProblemTranslationTest {
                 Arguments.of(
                         ProblemKind.MALFORMED_AFTER_INSIDE.with("<a", "world", 3),
                         "to nie jest poprawny XML, za \"<a\", wewnątrz <world> z wiersza 3"),
+                Arguments.of(
+                        FloorPlanProblem.MISSPELT_KEY.with("resolution", "resolutoin"),
+                        "brakuje \"resolution\"; być może \"resolutoin\" miało znaczyć \"resolution\""),
+                Arguments.of(
+                        FloorPlanProblem.MISSING_NUMBER.with(FloorPlanProblem.PIXEL.with(2), 12),
+                        "w bajcie 12 brakuje piksela 2"),
                 Arguments.of(
                         ProblemKind.NOT_SAVED.with(ProblemKind.NOT_REPRODUCIBLE.with()),
                         "nie można zapisać scenariusza: zapisany plik dałby po wczytaniu inny scenariusz"));

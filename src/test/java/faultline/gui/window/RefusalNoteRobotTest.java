@@ -118,6 +118,27 @@ class RefusalNoteRobotTest {
     }
 
     @Test
+    void theNoteAboutPointsEndsWhenTheyAreCorrected() {
+        JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
+        runOnEdt(() -> tabs.setSelectedIndex(tabs.getTabCount() - 1));
+        driver.choose("selectNext");
+        JTextField waypoints = ComponentFinder.find(driver.window(), JTextField.class, "Waypoints, m");
+        driver.robot().waitFor("an obstacle is selected", waypoints::isEnabled);
+        runOnEdt(() -> {
+            waypoints.requestFocusInWindow();
+            waypoints.setText("1;");
+            waypoints.postActionEvent();
+        });
+        waitForNote(waypoints, "Invalid points");
+        runOnEdt(() -> {
+            waypoints.setText("1,1 2,2");
+            waypoints.postActionEvent();
+        });
+        assertEquals("1,1 2,2", callOnEdt(waypoints::getText));
+        assertTrue(callOnEdt(() -> notes().findAny().isEmpty()), "it would cover other fields for seconds");
+    }
+
+    @Test
     void theBorderOfATextFieldShowsWhetherItHasTheFocus() throws AWTException {
         JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
         runOnEdt(() -> tabs.setSelectedIndex(tabs.getTabCount() - 1));
