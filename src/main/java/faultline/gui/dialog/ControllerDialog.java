@@ -4,6 +4,7 @@ import faultline.external.ControllerChoice;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.text.Messages;
+import faultline.io.MessageText;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.nio.file.Path;
@@ -24,6 +25,7 @@ final class ControllerDialog {
 
     private final JComboBox<String> field = new JComboBox<>();
     private final List<Path> jars = new ArrayList<>();
+    private final JLabel help = new JLabel(Messages.get("chooseController.help", EXAMPLE));
     private final String title;
 
     /** Creates a dialog with a title that shows a selection. */
@@ -60,7 +62,7 @@ final class ControllerDialog {
         panel.add(label, BorderLayout.NORTH);
         panel.add(field, BorderLayout.CENTER);
         panel.add(browse, BorderLayout.LINE_END);
-        panel.add(new JLabel(Messages.get("chooseController.help", EXAMPLE)), BorderLayout.SOUTH);
+        panel.add(help, BorderLayout.SOUTH);
         field.getEditor().selectAll();
         boolean accepted =
                 FormDialog.showDialog(parent, title, panel, field.getEditor().getEditorComponent());
@@ -68,7 +70,7 @@ final class ControllerDialog {
     }
 
     private ControllerSelection selected() {
-        String text = String.valueOf(field.getEditor().getItem()).strip();
+        String text = text().strip();
         return new ControllerSelection(text.equals(Messages.get("chooseController.scenarios")) ? "" : text, jars);
     }
 
@@ -76,23 +78,39 @@ final class ControllerDialog {
         JFileChooser chooser = new JFileChooser();
         if (chooser.showOpenDialog(parent) == JFileChooser.APPROVE_OPTION) {
             useFile(chooser.getSelectedFile().toPath());
+            // Enter then accepts the dialog instead of asking for a file again.
+            field.getEditor().getEditorComponent().requestFocusInWindow();
         }
     }
 
-    /** Adds the controllers of a jar, or makes the command that starts a program. */
+    /** Adds the controllers of a jar and selects its first, or makes the command that starts a program. */
     void useFile(Path file) {
         String name = file.getFileName().toString();
+        help.setText(Messages.get("chooseController.help", EXAMPLE));
         if (!name.endsWith(".jar")) {
             String quoted = "\"" + file + "\"";
             field.setSelectedItem(name.endsWith(".py") ? "python3 " + quoted : quoted);
             return;
         }
-        List<String> before = names();
         jars.remove(file);
+        List<String> before = names();
         jars.add(file);
-        fillNames(names().stream()
-                .filter(found -> !before.contains(found))
-                .findFirst()
-                .orElse(String.valueOf(field.getEditor().getItem())));
+        Optional<String> first =
+                names().stream().filter(found -> !before.contains(found)).findFirst();
+        if (first.isEmpty()) {
+            jars.remove(file);
+            help.setText(Messages.get("chooseController.none", MessageText.excerpt(name)));
+        }
+        fillNames(first.orElse(String.valueOf(field.getEditor().getItem())));
+    }
+
+    /** Returns the text below the field: an example, or what is wrong with the chosen file. */
+    String help() {
+        return help.getText();
+    }
+
+    /** Returns the name or the command in the field. */
+    String text() {
+        return String.valueOf(field.getEditor().getItem());
     }
 }
