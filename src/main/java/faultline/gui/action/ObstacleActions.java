@@ -253,7 +253,10 @@ public final class ObstacleActions {
     }
 
     private void addCopies(List<Obstacle> originals) {
-        List<Obstacle> copies = ObstacleCopies.copyOf(originals, tools.ids());
+        if (originals.isEmpty()) {
+            return;
+        }
+        List<Obstacle> copies = ObstacleCopies.copyOf(originals, tools.ids(), tools.offsetOfCopies(originals));
         tools.selectWhenPresent(copies.stream().map(Obstacle::id).toList());
         editor.send(copies.stream().<Command>map(Command.PlaceObstacle::new).toList());
     }

@@ -6,6 +6,7 @@ import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.UiText;
+import faultline.io.MessageText;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.io.File;
@@ -28,6 +29,7 @@ final class ControllerDialog {
 
     private final JComboBox<String> field = new JComboBox<>();
     private final List<Path> jars = new ArrayList<>();
+    private final JTextArea help = UiText.wrappedText();
     private final String title;
     private final Path scenario;
 
@@ -36,6 +38,9 @@ final class ControllerDialog {
         this.title = title;
         this.scenario = scenario;
         jars.addAll(now.jars());
+        // Its lines are as long as its sentences.
+        help.setLineWrap(false);
+        help.setText(Messages.get("chooseController.help", EXAMPLE));
         field.setEditable(true);
         field.setRenderer(NamedChoice.rendererOf(ControllerDialog::nameOf));
         field.setPrototypeDisplayValue(EXAMPLE.repeat(2));
@@ -84,16 +89,12 @@ final class ControllerDialog {
         panel.add(label, BorderLayout.NORTH);
         panel.add(field, BorderLayout.CENTER);
         panel.add(browse, BorderLayout.LINE_END);
-        JTextArea help = UiText.wrappedText();
-        // Its lines are as long as its sentences.
-        help.setLineWrap(false);
-        help.setText(Messages.get("chooseController.help", EXAMPLE));
         panel.add(help, BorderLayout.SOUTH);
         return panel;
     }
 
     private ControllerSelection selected() {
-        String text = String.valueOf(field.getEditor().getItem()).strip();
+        String text = text().strip();
         return new ControllerSelection(text.equals(Messages.get("chooseController.scenarios")) ? "" : text, jars);
     }
 
@@ -102,6 +103,8 @@ final class ControllerDialog {
         chooser.setDialogTitle(Messages.get("chooseController.file.title"));
         if (chooser.showOpenDialog(parent) == JFileChooser.APPROVE_OPTION) {
             useFile(chooser.getSelectedFile().toPath());
+            // Enter then accepts the dialog instead of asking for a file again.
+            field.getEditor().getEditorComponent().requestFocusInWindow();
         }
     }
 
@@ -117,20 +120,34 @@ final class ControllerDialog {
         return file.toAbsolutePath().getParent().toFile();
     }
 
-    /** Adds the controllers of a jar, or makes the command that starts a program. */
+    /** Adds the controllers of a jar and selects its first, or makes the command that starts a program. */
     void useFile(Path file) {
         String name = file.getFileName().toString();
+        help.setText(Messages.get("chooseController.help", EXAMPLE));
         if (!name.endsWith(".jar")) {
             String quoted = "\"" + file + "\"";
             field.setSelectedItem(name.endsWith(".py") ? "python3 " + quoted : quoted);
             return;
         }
-        List<String> before = names();
         jars.remove(file);
+        List<String> before = names();
         jars.add(file);
-        fillNames(names().stream()
-                .filter(found -> !before.contains(found))
-                .findFirst()
-                .orElse(String.valueOf(field.getEditor().getItem())));
+        Optional<String> first =
+                names().stream().filter(found -> !before.contains(found)).findFirst();
+        if (first.isEmpty()) {
+            jars.remove(file);
+            help.setText(Messages.get("chooseController.none", MessageText.excerpt(name)));
+        }
+        fillNames(first.orElse(String.valueOf(field.getEditor().getItem())));
+    }
+
+    /** Returns the text below the field: an example, or what is wrong with the chosen file. */
+    String help() {
+        return help.getText();
+    }
+
+    /** Returns the name or the command in the field. */
+    String text() {
+        return String.valueOf(field.getEditor().getItem());
     }
 }

@@ -9,20 +9,45 @@ import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /** Copies obstacles. */
 public final class ObstacleCopies {
 
     private static final Vector2 OFFSET = new Vector2(0.2, -0.2);
+    private static final List<Vector2> OFFSETS =
+            List.of(OFFSET, new Vector2(-0.2, -0.2), new Vector2(0.2, 0.2), new Vector2(-0.2, 0.2));
+    private static final int MAX_STEPS = 20;
+    /** Centres at less than this distance look the same, metres. */
+    private static final double SAME = 0.01;
 
     private ObstacleCopies() {}
 
     /**
-     * Returns copies with new ids that are not taken, a little to the right and below the originals, or at the same
-     * place if none of the originals exists any more.
+     * Returns the displacement of copies from their originals, whose centre is given: a little to the right and below,
+     * or in another direction if their centre would be outside a room of this width and height, or that of another
+     * obstacle.
      */
-    public static List<Obstacle> copyOf(List<Obstacle> originals, Collection<String> taken) {
-        Vector2 by = originals.stream().map(Obstacle::id).anyMatch(taken::contains) ? OFFSET : Vector2.ZERO;
+    public static Vector2 offset(Vector2 centre, double width, double height, Collection<Vector2> others) {
+        return IntStream.rangeClosed(1, MAX_STEPS)
+                .boxed()
+                .flatMap(steps -> OFFSETS.stream().map(offset -> offset.times(steps)))
+                .filter(by -> isInside(centre.plus(by), width, height))
+                .filter(by -> others.stream().noneMatch(other -> other.distanceTo(centre.plus(by)) < SAME))
+                .findFirst()
+                .orElse(OFFSET);
+    }
+
+    private static boolean isInside(Vector2 place, double width, double height) {
+        return place.x() >= 0 && place.x() <= width && place.y() >= 0 && place.y() <= height;
+    }
+
+    /**
+     * Returns copies with new ids that are not taken, displaced by an offset from the originals, or at the same place
+     * if none of the originals exists any more.
+     */
+    public static List<Obstacle> copyOf(List<Obstacle> originals, Collection<String> taken, Vector2 offset) {
+        Vector2 by = originals.stream().map(Obstacle::id).anyMatch(taken::contains) ? offset : Vector2.ZERO;
         Set<String> ids = new HashSet<>(taken);
         List<Obstacle> copies = new ArrayList<>();
         for (Obstacle original : originals) {

@@ -30,6 +30,18 @@ class PresetsTest {
     }
 
     @Test
+    void copiesStayInTheRoomAndDoNotHideEachOther() {
+        Vector2 middle = new Vector2(3, 2);
+        assertEquals(new Vector2(0.2, -0.2), ObstacleCopies.offset(middle, 6, 4, List.of(middle)));
+        assertEquals(
+                new Vector2(-0.2, -0.2), ObstacleCopies.offset(middle, 6, 4, List.of(middle, new Vector2(3.2, 1.8))));
+        Vector2 corner = new Vector2(5.9, 0.1);
+        assertEquals(new Vector2(-0.2, 0.2), ObstacleCopies.offset(corner, 6, 4, List.of(corner)));
+        assertEquals(
+                new Vector2(-0.4, 0.4), ObstacleCopies.offset(corner, 6, 4, List.of(corner, new Vector2(5.7, 0.3))));
+    }
+
+    @Test
     void aPresetLeavesTheSensorsOnThatWallFollowingNeeds() {
         assertEquals(List.of("front", "left"), on(RobotSpec.DEFAULT, true, 2));
         assertEquals(List.of("front", "left", "front-right"), on(RobotSpec.DEFAULT, true, 3));
@@ -50,8 +62,8 @@ class PresetsTest {
                 new ObstacleShape.CircleShape(0.1),
                 new Pose(1, 1, 0),
                 new WaypointPath(0.2, true, List.of(new Vector2(2, 1))));
-        Obstacle copy =
-                ObstacleCopies.copyOf(List.of(visitor), Set.of("visitor")).get(0);
+        Obstacle copy = ObstacleCopies.copyOf(List.of(visitor), Set.of("visitor"), new Vector2(0.2, -0.2))
+                .get(0);
         assertEquals(
                 new Obstacle(
                         "visitor-2",
@@ -64,6 +76,6 @@ class PresetsTest {
     @Test
     void aCutObstacleIsPastedAtItsOldPosition() {
         Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0.3));
-        assertEquals(List.of(pole), ObstacleCopies.copyOf(List.of(pole), Set.of("desk")));
+        assertEquals(List.of(pole), ObstacleCopies.copyOf(List.of(pole), Set.of("desk"), new Vector2(0.2, -0.2)));
     }
 }

@@ -100,7 +100,8 @@ class ShapesTest {
                 new Pose(2, 1, 0),
                 WaypointPath.NONE,
                 Degrees.toRadians(8));
-        Obstacle copy = ObstacleCopies.copyOf(List.of(glass), Set.of("glass")).get(0);
+        Obstacle copy = ObstacleCopies.copyOf(List.of(glass), Set.of("glass"), new Vector2(0.2, -0.2))
+                .get(0);
         assertEquals(glass.specularAngle(), copy.specularAngle());
         assertEquals("glass-2", copy.id());
         assertEquals(

@@ -2,6 +2,7 @@ package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
 import faultline.gui.edit.IdGenerator;
+import faultline.gui.edit.ObstacleCopies;
 import faultline.gui.edit.PointShapes;
 import faultline.gui.edit.Rounding;
 import faultline.gui.edit.ShapePreset;
@@ -160,6 +161,17 @@ public final class CanvasTools {
         Vector2 target = new Vector2(
                 Math.max(0, Math.min(world.width(), camera.x())), Math.max(0, Math.min(world.height(), camera.y())));
         return inside ? Vector2.ZERO : Rounding.round(target.minus(centre));
+    }
+
+    /**
+     * Returns the displacement of copies of some obstacles from them, which keeps the copies in the room and visible.
+     */
+    public Vector2 offsetOfCopies(List<Obstacle> originals) {
+        Snapshot world = context.model().frame().orElseThrow().snapshot();
+        List<Vector2> others = world.obstacles().stream()
+                .map(obstacle -> ObstacleOutlines.centre(List.of(obstacle)))
+                .toList();
+        return ObstacleCopies.offset(ObstacleOutlines.centre(originals), world.width(), world.height(), others);
     }
 
     /** Returns what is at a position on the canvas, so that a menu may suit it. */
