@@ -63,6 +63,6 @@ class ControllerJarTest {
         assertEquals("python3 \"" + script + "\"", callOnEdt(dialog::text));
         runOnEdt(() -> dialog.useFile(jar));
         assertEquals("right-turner", callOnEdt(dialog::text));
-        assertEquals("For example: python3 \"my follower.py\". Each restart loads it again.", callOnEdt(dialog::help));
+        assertEquals("For example: python3 \"my follower.py\".\nEach restart loads it again.", callOnEdt(dialog::help));
     }
 }

@@ -120,7 +120,7 @@ class StripMenuTest {
     void nothingCanBeAddedIfNoSignalHasTheSameUnit() {
         assertTrue(item("Add signals").isEnabled());
         click(submenu("Signals").get(2));
-        assertEquals("Wheel voltages", submenu("Signals").get(2).getText());
+        assertEquals("3  Wheel voltages", submenu("Signals").get(2).getText());
         assertFalse(item("Add signals").isEnabled());
     }
 
