@@ -126,7 +126,7 @@ class StripContentTest {
         List<String> offered =
                 callOnEdt(() -> items(chart).map(JCheckBoxMenuItem::getText).toList());
         assertEquals(2 * 8, offered.size());
-        assertEquals("Sensor front, reported", offered.get(0));
+        assertEquals("1  Sensor front, reported", offered.get(0));
         runOnEdt(() -> items(chart).findFirst().orElseThrow().doClick());
         assertEquals(3, lines().size());
         assertEquals(TraceChannels.reportedReading(0), lines().get(0).channel());
