@@ -15,12 +15,8 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JMenuItem;
-import javax.swing.JPopupMenu;
-import javax.swing.MenuElement;
-import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
@@ -59,16 +55,9 @@ class ChartMenuRobotTest {
     private void openMenu() {
         JComponent chart = chart();
         driver.robot().click(chart, chart.getWidth() / 2.0, chart.getHeight() / 2.0, InputEvent.BUTTON3_DOWN_MASK);
-        driver.robot().waitFor("the menu shows", () -> items().findAny().isPresent());
-    }
-
-    private static Stream<JMenuItem> items() {
-        return Stream.of(MenuSelectionManager.defaultManager().getSelectedPath())
-                .filter(JPopupMenu.class::isInstance)
-                .map(MenuElement::getSubElements)
-                .flatMap(Stream::of)
-                .filter(JMenuItem.class::isInstance)
-                .map(JMenuItem.class::cast);
+        driver.robot().waitFor("the menu shows", () -> WindowDriver.popupItems()
+                .findAny()
+                .isPresent());
     }
 
     @ParameterizedTest
@@ -76,13 +65,15 @@ class ChartMenuRobotTest {
     void itsItemsHaveDistinctMnemonics(Language language) {
         open(language);
         openMenu();
-        List<JMenuItem> items = callOnEdt(() -> items().toList());
+        List<JMenuItem> items = callOnEdt(() -> WindowDriver.popupItems().toList());
         assertEquals(9, items.size());
         List<Integer> letters = callOnEdt(
                 () -> items.stream().map(JMenuItem::getMnemonic).distinct().toList());
         assertEquals(9, letters.size(), letters.toString());
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
-        driver.robot().waitFor("the menu closes", () -> items().findAny().isEmpty());
+        driver.robot().waitFor("the menu closes", () -> WindowDriver.popupItems()
+                .findAny()
+                .isEmpty());
     }
 
     @Test
@@ -92,7 +83,9 @@ class ChartMenuRobotTest {
         runOnEdt(chart::requestFocusInWindow);
         driver.robot().waitFor("the chart has the focus", chart::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_SHIFT, KeyEvent.VK_F10);
-        driver.robot().waitFor("the menu shows", () -> items().findAny().isPresent());
+        driver.robot().waitFor("the menu shows", () -> WindowDriver.popupItems()
+                .findAny()
+                .isPresent());
         driver.robot().pressKeys(KeyEvent.VK_V);
         Path table = folder.resolve("chart.csv");
         driver.enterFile("Export chart values", table);

@@ -59,12 +59,16 @@ class ImportRobotTest {
         return Files.writeString(folder.resolve("hall.yaml"), "image: hall.pgm\nresolution: 0.05\n");
     }
 
-    @Test
-    void enterImportsThePlanWithTheNumberThatHasJustBeenTyped() throws IOException {
+    private JDialog openMap() throws IOException {
         Path map = writeMap();
         driver.chooseLater("importPlan");
         driver.enterFile("Import floor plan", map);
-        JDialog dialog = driver.dialog(TITLE);
+        return driver.dialog(TITLE);
+    }
+
+    @Test
+    void enterImportsThePlanWithTheNumberThatHasJustBeenTyped() throws IOException {
+        JDialog dialog = openMap();
         JTextField smallest = ComponentFinder.find(dialog, JTextField.class, "Smallest wall, cells");
         runOnEdt(smallest::requestFocusInWindow);
         driver.robot()
@@ -87,10 +91,7 @@ class ImportRobotTest {
 
     @Test
     void theDialogHasNoScrollBarAfterItWasNarrower() throws IOException {
-        Path map = writeMap();
-        driver.chooseLater("importPlan");
-        driver.enterFile("Import floor plan", map);
-        JDialog dialog = driver.dialog(TITLE);
+        JDialog dialog = openMap();
         runOnEdt(() -> dialog.setSize(dialog.getWidth() - 40, dialog.getHeight()));
         driver.robot().waitFor("the scroll bar", () -> scrollBars(dialog) > 0);
         runOnEdt(() -> dialog.setSize(dialog.getWidth() + 60, dialog.getHeight() + 20));

@@ -19,11 +19,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JMenuItem;
-import javax.swing.JPopupMenu;
-import javax.swing.MenuElement;
-import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -61,21 +57,16 @@ class SensorMenuRobotTest {
         Vector2 at = callOnEdt(() ->
                 driver.canvas().camera().toScreen(cone.apex().plus(cone.axis().times(0.7 * cone.range()))));
         driver.robot().click(driver.canvas(), at.x(), at.y(), InputEvent.BUTTON3_DOWN_MASK);
-        driver.robot().waitFor("the menu shows", () -> items().findAny().isPresent());
-    }
-
-    private static Stream<JMenuItem> items() {
-        return Stream.of(MenuSelectionManager.defaultManager().getSelectedPath())
-                .filter(JPopupMenu.class::isInstance)
-                .map(MenuElement::getSubElements)
-                .flatMap(Stream::of)
-                .filter(JMenuItem.class::isInstance)
-                .map(JMenuItem.class::cast);
+        driver.robot().waitFor("the menu shows", () -> WindowDriver.popupItems()
+                .findAny()
+                .isPresent());
     }
 
     private static JMenuItem item(String text) {
-        return callOnEdt(() ->
-                items().filter(item -> item.getText().equals(text)).findFirst().orElseThrow());
+        return callOnEdt(() -> WindowDriver.popupItems()
+                .filter(item -> item.getText().equals(text))
+                .findFirst()
+                .orElseThrow());
     }
 
     private void choose(String text) {
@@ -95,7 +86,9 @@ class SensorMenuRobotTest {
     void aKeyOpensTheMenuWithItsFirstItemSelected() {
         runOnEdt(() -> driver.canvas().tools().selectSensor("left"));
         driver.robot().pressKeys(KeyEvent.VK_SHIFT, KeyEvent.VK_F10);
-        driver.robot().waitFor("the menu shows", () -> items().findAny().isPresent());
+        driver.robot().waitFor("the menu shows", () -> WindowDriver.popupItems()
+                .findAny()
+                .isPresent());
         JMenuItem first = item("Switch off left");
         driver.robot().waitFor("its first item is selected", first::isArmed);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);

@@ -35,8 +35,11 @@ import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.MenuElement;
+import javax.swing.MenuSelectionManager;
 
 /** Drives the window by what a user sees: its menus, its controls and the frame on its canvas. */
 final class WindowDriver implements AutoCloseable {
@@ -288,5 +291,15 @@ final class WindowDriver implements AutoCloseable {
     @Override
     public void close() {
         robot.close(window);
+    }
+
+    /** Returns the items of the open context menu; on the event dispatch thread. */
+    static Stream<JMenuItem> popupItems() {
+        return Stream.of(MenuSelectionManager.defaultManager().getSelectedPath())
+                .filter(JPopupMenu.class::isInstance)
+                .map(MenuElement::getSubElements)
+                .flatMap(Stream::of)
+                .filter(JMenuItem.class::isInstance)
+                .map(JMenuItem.class::cast);
     }
 }
