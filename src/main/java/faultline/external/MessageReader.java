@@ -42,8 +42,10 @@ final class MessageReader {
         return new MessageReader(map);
     }
 
+    /** Returns whether there is a member; one that is null counts as missing. */
     boolean has(String name) {
-        return members.containsKey(name);
+        Object member = members.get(name);
+        return member != null && member != JsonParser.NULL;
     }
 
     /** Returns a string member. */
@@ -56,7 +58,7 @@ final class MessageReader {
 
     /** Returns a string member, or another string if there is none. */
     String string(String name, String defaultValue) throws ProtocolException {
-        return has(name) && members.get(name) != JsonParser.NULL ? string(name) : defaultValue;
+        return has(name) ? string(name) : defaultValue;
     }
 
     /** Returns a finite number. */
@@ -149,7 +151,7 @@ final class MessageReader {
     }
 
     private ProtocolException wrong(String name, String allowed) {
-        String given = has(name) ? MessageText.quoted(textOf(members.get(name))) : "missing";
+        String given = members.containsKey(name) ? MessageText.quoted(textOf(members.get(name))) : "missing";
         return new ProtocolException(
                 "wrote a message", " whose " + MessageText.quoted(name) + " is " + given + "; expected " + allowed);
     }

@@ -44,6 +44,15 @@ class SimulationServerTest {
     }
 
     @Test
+    void aMemberThatIsNullCountsAsMissing() throws Exception {
+        assertEquals(
+                serve("{\"type\":\"reset\"}", "{\"type\":\"drive\",\"left_v\":1,\"right_v\":1}"),
+                serve(
+                        "{\"type\":\"reset\",\"seed\":null}",
+                        "{\"type\":\"drive\",\"left_v\":1,\"right_v\":1,\"ticks\":null,\"v_m_s\":null}"));
+    }
+
+    @Test
     void everyRequestHasOneAnswerBehindTheGreeting() throws Exception {
         List<String> answers = serve(
                 "{\"type\":\"reset\",\"seed\":7}",
