@@ -12,6 +12,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -97,7 +98,9 @@ final class CommandLine {
             return "access is denied";
         }
         if (e instanceof FileAlreadyExistsException) {
-            return "this is a file; expected a folder";
+            return Files.isSymbolicLink(Path.of(e.getFile()))
+                    ? "this link leads to no folder; expected a folder"
+                    : "this is a file; expected a folder";
         }
         return e.getReason() == null ? "the file cannot be used" : e.getReason();
     }

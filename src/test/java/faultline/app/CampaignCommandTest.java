@@ -110,6 +110,17 @@ class CampaignCommandTest {
     }
 
     @Test
+    void aLinkThatLeadsNowhereIsNotCalledAFile() throws IOException {
+        Files.createSymbolicLink(folder.resolve("link"), folder.resolve("nowhere"));
+        assertEquals(2, command("campaign @/plan.xml --out @/link"));
+        assertEquals("faultline: @/link: this link leads to no folder; expected a folder", errors().strip());
+        Files.writeString(folder.resolve("file"), "kept");
+        assertEquals(2, command("campaign @/plan.xml --out @/file"));
+        assertEquals("faultline: @/file: this is a file; expected a folder", errors().strip());
+        assertEquals("kept", Files.readString(folder.resolve("file")));
+    }
+
+    @Test
     void whatCannotBeReadOrWrittenIsNamed() throws IOException {
         assertEquals(2, command("report @ --out @/page.html"));
         assertEquals("faultline: @: there is no campaign\n", errors());
