@@ -7,8 +7,8 @@ import faultline.robot.RobotSpec;
 import java.util.List;
 
 /**
- * Diagnoses the sensors. Each tick it updates the robot's pose by dead reckoning and tests the signal of each sensor. A
- * few times a second a {@link SensorInspection} compares what the sensors measure with each other.
+ * Diagnoses the sensors. Each tick it updates the robot's pose by dead reckoning and tests the signal of each sensor.
+ * Checks that compare what the sensors measure with each other are made less often.
  */
 public final class SensorDiagnosis {
 
@@ -18,15 +18,8 @@ public final class SensorDiagnosis {
      */
     public static final int MAX_SENSORS = Integer.SIZE - 1;
 
-    /** The time between two inspections, as a multiple of the number of sensors, seconds. */
-    private static final double STEP = 0.01;
-
-    /** The distance between two samples for the estimate of the curvature, metres. */
-    private static final double CURVATURE_STEP = 0.01;
-
     private final double side;
     private final DeadReckoning reckoning = new DeadReckoning();
-    private final CurvatureEstimate curvature = new CurvatureEstimate();
     private final MotionClock clock = new MotionClock();
     private final MotionAccumulator motion = new MotionAccumulator();
     private RobotSpec robot;
@@ -34,21 +27,15 @@ public final class SensorDiagnosis {
     /** The tests of the sensors' signals in the same order. */
     private SignalCheck[] signals = {};
 
-    private WallLine wallLine;
     private EvidenceGrid grid;
     private SensorInspection inspection;
     private TrustAssessment assessment;
-    private SpinComparison spin;
+    private PathCurvature curvature;
+    /** All checks that are not made at every tick, in their order. */
+    private PacedCheck[] checks = {};
+
     private HealthReport report;
-    private double[] lastReadings = {};
-
-    /** The distance and the heading at the last sample of the curvature. */
-    private double sampledDistance;
-
-    private double sampledHeading;
     private long tick;
-    private double time;
-    private double untilInspection;
     private double wantedDistance = Double.POSITIVE_INFINITY;
 
     /**
@@ -75,49 +62,17 @@ public final class SensorDiagnosis {
         reckoning.advance(robot, nearVolts, farVolts, observation.dt(), ticks);
         double dt = ticks * observation.dt();
         tick = observation.tick();
-        time += dt;
         clock.advance(reckoning.rolled(), reckoning.turned(), dt);
-        lastReadings = observation.readings();
-        testSignals();
-        learnCurvature();
-        if (spin.update(lastReadings)) {
-            compareSpin();
-        }
-        untilInspection -= dt;
-        while (untilInspection < STEP / 2 && sensors.length > 0) {
-            inspection.inspectAll(lastReadings, robot.width() / 2, reckoning.turned() / dt, time, tick);
-            untilInspection += STEP * sensors.length * inspection.rate().interval();
-        }
-    }
-
-    /** Compares the sensors after a spin, unless it may have been a scan with few of them. */
-    private void compareSpin() {
-        if (assessment.allTrusted()) {
-            int wrong = spin.wrongAhead();
-            if (wrong != SpinComparison.NONE) {
-                assessment.addDrift(wrong);
+        motion.advance(reckoning.rolled(), reckoning.turned(), dt);
+        double[] readings = observation.readings();
+        testSignals(readings);
+        // Each check is called through its superclass, so that the compiler keeps the code of rare checks apart from
+        // that of every tick.
+        for (PacedCheck check : checks) {
+            if (check.isDue(motion)) {
+                check.run(readings, tick);
             }
         }
-    }
-
-    /**
-     * Estimates beside straight walls how much the curvature of the path exceeds that of the motor model, from one
-     * reading for each step of the path.
-     */
-    private void learnCurvature() {
-        double rolled = motion.netDistance() - sampledDistance;
-        if (Math.abs(rolled) < CURVATURE_STEP) {
-            return;
-        }
-        double turned = motion.heading() - sampledHeading;
-        sampledDistance = motion.netDistance();
-        sampledHeading = motion.heading();
-        curvature.update(
-                wallLine.distance(lastReadings),
-                wallLine.sag(lastReadings),
-                rolled,
-                turned - curvature.curvature() * rolled);
-        reckoning.setCurvature(curvature.curvature());
     }
 
     private void refit(RobotSpec newRobot) {
@@ -128,10 +83,6 @@ public final class SensorDiagnosis {
         if (!same) {
             sensors = new InspectedSensor[n];
             signals = new SignalCheck[n];
-            grid = new EvidenceGrid(n + 1);
-            report = new HealthReport(newRobot);
-            inspection = new SensorInspection(grid, reckoning, clock, motion, report);
-            inspection.setWantedDistance(wantedDistance);
         }
         for (int i = 0; i < n; i++) {
             MountedCone cone = MountedCone.of(newRobot.sensors().get(i), side);
@@ -142,26 +93,39 @@ public final class SensorDiagnosis {
                 signals[i] = new SignalCheck(cone, motion);
             }
         }
-        wallLine = new WallLine(sensors);
-        spin = same ? spin : new SpinComparison(sensors, reckoning);
-        assessment = same ? assessment : new TrustAssessment(sensors);
-        inspection.refit(sensors, wallLine, assessment);
+        if (!same) {
+            makeChecks();
+        }
+        WallLine wallLine = new WallLine(sensors);
+        curvature.refit(wallLine);
+        inspection.refit(sensors, wallLine, robot.width() / 2, assessment);
     }
 
-    private void testSignals() {
-        motion.advance(reckoning.rolled(), reckoning.turned());
+    private void makeChecks() {
+        grid = new EvidenceGrid(sensors.length + 1);
+        report = new HealthReport(robot);
+        assessment = new TrustAssessment(sensors);
+        inspection = new SensorInspection(grid, reckoning, clock, motion, report);
+        inspection.setWantedDistance(wantedDistance);
+        curvature = new PathCurvature(motion, reckoning);
+        checks = sensors.length == 0
+                ? new PacedCheck[0]
+                : new PacedCheck[] {curvature, new SpinComparison(sensors, reckoning, assessment), inspection};
+    }
+
+    private void testSignals(double[] readings) {
         for (int i = 0; i < signals.length; i++) {
-            double reading = lastReadings[i];
+            double reading = readings[i];
             SignalCheck signal = signals[i];
             if (signal.continues(reading)) {
                 continue;
             }
             SensorFinding finding = signal.test(reading);
             if (signal.jumped()) {
-                sensors[i].jump(time);
+                sensors[i].jump(motion.time());
             }
             if (finding != SensorFinding.NONE) {
-                assessment.distrust(sensors[i], finding, time);
+                assessment.distrust(sensors[i], finding, motion.time());
                 refreshReport(sensors[i]);
             }
         }
@@ -199,7 +163,7 @@ public final class SensorDiagnosis {
      * @param sensor its place in the robot's list
      */
     public void distrustMisleading(int sensor) {
-        assessment.distrust(sensors[sensor], SensorFinding.MISLEADING, time);
+        assessment.distrust(sensors[sensor], SensorFinding.MISLEADING, motion.time());
         refreshReport(sensors[sensor]);
     }
 

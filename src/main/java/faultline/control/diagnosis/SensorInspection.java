@@ -11,7 +11,10 @@ import java.util.Comparator;
  * surface must lie somewhere on the arc at the measured distance, so other trusted sensors, or the sensor itself,
  * cannot recently have seen all of that arc free.
  */
-final class SensorInspection {
+final class SensorInspection extends PacedCheck {
+
+    /** The time between two inspections at the full rate, as a multiple of the number of sensors, seconds. */
+    private static final double STEP = 0.01;
 
     /** The time for which free-space evidence counts in a test, on the motion clock. */
     private static final int MEMORY = 700;
@@ -55,6 +58,10 @@ final class SensorInspection {
     private MissedSurfaces missedSurfaces;
     private boolean alert;
     private InspectionRate rate = InspectionRate.FULL;
+    /** When the next inspection is due, seconds. */
+    private double due;
+
+    private double bodyRadius;
     private double bodyMarkedDistance = Double.NEGATIVE_INFINITY;
     private double wantedDistance = Double.POSITIVE_INFINITY;
 
@@ -64,6 +71,7 @@ final class SensorInspection {
             MotionClock clock,
             MotionAccumulator motion,
             HealthReport report) {
+        super(MotionAccumulator.Total.TIME);
         this.grid = grid;
         this.reckoning = reckoning;
         this.clock = clock;
@@ -77,11 +85,13 @@ final class SensorInspection {
      *
      * @param refitted all sensors in the robot's order
      * @param line those on the wall's side
+     * @param radius the radius of the disc that the robot's body covers, metres
      * @param trust the assessment of the sensors
      */
-    void refit(InspectedSensor[] refitted, WallLine line, TrustAssessment trust) {
-        sensors = inOrder(refitted);
+    void refit(InspectedSensor[] refitted, WallLine line, double radius, TrustAssessment trust) {
         wallLine = line;
+        bodyRadius = radius;
+        sensors = inOrder(refitted);
         assessment = trust;
         missedSurfaces = new MissedSurfaces(refitted, trust, grid, reckoning);
     }
@@ -101,16 +111,10 @@ final class SensorInspection {
         wantedDistance = metres;
     }
 
-    /**
-     * Inspects all sensors.
-     *
-     * @param readings the readings of all sensors in the robot's order
-     * @param bodyRadius the radius of the disc that the robot's body covers, metres
-     * @param turnRate the mean turn rate since the last observation, radians per second
-     * @param time now, seconds
-     * @param tick now
-     */
-    void inspectAll(double[] readings, double bodyRadius, double turnRate, double time, long tick) {
+    /** Inspects all sensors. */
+    @Override
+    void run(double[] readings, long tick) {
+        double time = motion.time();
         alert = isSuspicious(time);
         compareBesideWall(readings);
         for (InspectedSensor sensor : sensors) {
@@ -121,14 +125,17 @@ final class SensorInspection {
             bodyMarkedDistance = reckoning.distance();
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), bodyRadius, clock.moment());
         }
-        rate = rateAfter(readings, turnRate, time);
+        rate = rateAfter(readings, time);
+        due = Math.max(time, due + STEP * sensors.length * rate.interval());
+        // The sum of many ticks is not exact.
+        waitUntil(Double.NEGATIVE_INFINITY, due - STEP / 2);
     }
 
-    private InspectionRate rateAfter(double[] readings, double turnRate, double time) {
+    private InspectionRate rateAfter(double[] readings, double time) {
         if (isSuspicious(time) || isClose(readings)) {
             return InspectionRate.FULL;
         }
-        return Math.abs(turnRate) > TURNING ? InspectionRate.TURNING : InspectionRate.STRAIGHT;
+        return Math.abs(motion.turnRate()) > TURNING ? InspectionRate.TURNING : InspectionRate.STRAIGHT;
     }
 
     /** Returns the rate until the next inspection. */

@@ -1,5 +1,6 @@
 package faultline.control.diagnosis;
 
+import faultline.geometry.Angles;
 import java.util.Arrays;
 
 /**
@@ -7,7 +8,7 @@ import java.util.Arrays;
  * robot turns on the spot, one sensor after the other looks at the same walls from the same place. The sensor ahead is
  * wrong if it differs from another one that agrees with a third one.
  */
-final class SpinComparison {
+final class SpinComparison extends PacedCheck {
 
     /** No sensor is wrong. */
     static final int NONE = -1;
@@ -32,6 +33,8 @@ final class SpinComparison {
 
     private final InspectedSensor[] sensors;
     private final DeadReckoning reckoning;
+    private final TrustAssessment assessment;
+    private final SpinLog log;
     private final SpinProfile[] profiles;
     private final double[] differences = new double[SpinProfile.DIRECTIONS];
     /** The bounds of the heading up to which nothing is added. */
@@ -39,15 +42,27 @@ final class SpinComparison {
 
     private double high = Double.NEGATIVE_INFINITY;
     private double distanceBefore = Double.NEGATIVE_INFINITY;
-    private double centreX;
-    private double centreY;
     private boolean spinning;
 
-    SpinComparison(InspectedSensor[] sensors, DeadReckoning reckoning) {
+    SpinComparison(InspectedSensor[] sensors, DeadReckoning reckoning, TrustAssessment assessment) {
+        super(MotionAccumulator.Total.HEADING);
         this.sensors = sensors;
         this.reckoning = reckoning;
+        this.assessment = assessment;
+        this.log = new SpinLog(sensors.length);
         this.profiles = new SpinProfile[sensors.length];
         Arrays.setAll(profiles, i -> new SpinProfile());
+    }
+
+    /** Compares the sensors after a spin, unless it may have been a scan with few of them. */
+    @Override
+    void run(double[] readings, long tick) {
+        if (update(readings) && assessment.allTrusted()) {
+            int wrong = wrongAhead();
+            if (wrong != NONE) {
+                assessment.addDrift(wrong);
+            }
+        }
     }
 
     /**
@@ -58,46 +73,33 @@ final class SpinComparison {
      */
     boolean update(double[] readings) {
         double heading = reckoning.heading();
-        boolean turned = heading <= low || heading >= high;
-        if (!turned && !spinning) {
-            return false;
-        }
         boolean rolls = reckoning.distance() - distanceBefore > MAX_ROLL;
-        if (turned) {
+        if (heading <= low || heading >= high) {
             distanceBefore = reckoning.distance();
             low = Math.floor(heading / SpinProfile.STEP) * SpinProfile.STEP;
             high = low + SpinProfile.STEP;
             if (!rolls) {
-                add(readings);
+                if (!spinning) {
+                    log.clear();
+                }
+                log.add(reckoning, readings);
             }
         }
         boolean ended = spinning && rolls;
         spinning = !rolls;
+        if (spinning) {
+            dueAtOnce();
+        } else {
+            waitUntil(low, high);
+        }
         return ended;
-    }
-
-    private void add(double[] readings) {
-        if (!spinning) {
-            centreX = reckoning.x();
-            centreY = reckoning.y();
-            for (SpinProfile profile : profiles) {
-                profile.clear();
-            }
-        }
-        double dx = reckoning.x() - centreX;
-        double dy = reckoning.y() - centreY;
-        for (InspectedSensor sensor : sensors) {
-            double cos = sensor.table().axisCos(reckoning.headingCos(), reckoning.headingSin());
-            double sin = sensor.table().axisSin(reckoning.headingCos(), reckoning.headingSin());
-            double reading = readings[sensor.index()];
-            boolean sees = reading < sensor.cone().range();
-            profiles[sensor.index()].add(
-                    reckoning.heading() + sensor.cone().bearing(), sees ? reading + dx * cos + dy * sin : Double.NaN);
-        }
     }
 
     /** Returns the sensor ahead that is wrong by the last spin, or {@link #NONE}. */
     int wrongAhead() {
+        for (SpinProfile profile : profiles) {
+            profile.reset();
+        }
         for (InspectedSensor sensor : sensors) {
             boolean looksAhead =
                     Math.abs(sensor.cone().bearing()) < sensor.cone().half();
@@ -139,18 +141,15 @@ final class SpinComparison {
      * few are of the same surfaces.
      */
     private double difference(int one, int other) {
-        if (one == other || sensors[one].cone().half() != sensors[other].cone().half()) {
+        MountedCone cone = sensors[one].cone();
+        MountedCone otherCone = sensors[other].cone();
+        double apart = Math.abs(Angles.normalize(cone.bearing() - otherCone.bearing()));
+        if (one == other || cone.half() != otherCone.half() || apart > log.turn() + SpinProfile.STEP) {
             return Double.NaN;
         }
-        profiles[one].compute(sensors[one].cone());
-        profiles[other].compute(sensors[other].cone());
-        int count = 0;
-        for (int i = 0; i < SpinProfile.DIRECTIONS; i++) {
-            double by = profiles[one].distance(i) - profiles[other].distance(i);
-            if (!Double.isNaN(by)) {
-                differences[count++] = by;
-            }
-        }
+        profiles[one].compute(sensors[one], log);
+        profiles[other].compute(sensors[other], log);
+        int count = profiles[one].subtract(profiles[other], differences);
         Arrays.sort(differences, 0, count);
         return count < MIN_DIRECTIONS || differences[count * 3 / 4] - differences[count / 4] > MAX_SPREAD
                 ? Double.NaN

@@ -30,36 +30,48 @@ final class SpinProfile {
     private final double[] offsets = new double[DIRECTIONS];
 
     private final double[] distances = new double[DIRECTIONS];
-    /** Whether the distances are those of all measurements. */
+    /** The indices of the directions that have a distance, in any order. */
+    private final int[] known = new int[DIRECTIONS];
+
+    private int count;
+
+    /** Whether the distances are those of the last spin. */
     private boolean computed;
 
-    /** Forgets all measurements. */
-    void clear() {
-        Arrays.fill(measured, Double.NaN);
+    /** Requires that the distances are computed again. */
+    void reset() {
         computed = false;
     }
 
     /**
-     * Adds a measurement.
+     * Computes the distances from the centre, unless they are known.
      *
-     * @param direction the direction of the sensor's axis, radians
-     * @param distance the reading, moved to the centre of the spin, metres; not a number if nothing was seen
+     * @param sensor the sensor
+     * @param log what it measured
      */
-    void add(double direction, double distance) {
+    void compute(InspectedSensor sensor, SpinLog log) {
+        if (computed) {
+            return;
+        }
+        computed = true;
+        Arrays.fill(measured, Double.NaN);
+        Arrays.fill(distances, Double.NaN);
+        count = 0;
+        for (int i = 0; i < log.size(); i++) {
+            add(log.direction(i, sensor.cone()), log.distance(i, sensor));
+        }
+        computeDistances(sensor.cone());
+    }
+
+    private void add(double direction, double distance) {
         double steps = direction / STEP;
         double whole = Math.floor(steps);
         int index = Math.floorMod((int) whole, DIRECTIONS);
         measured[index] = distance;
         offsets[index] = steps - whole - 0.5;
-        computed = false;
     }
 
-    /** Computes the distances from the centre, by a sensor with a cone, unless they are known. */
-    void compute(MountedCone cone) {
-        if (computed) {
-            return;
-        }
-        computed = true;
+    private void computeDistances(MountedCone cone) {
         double cos = StrictMath.cos(cone.bearing());
         double sin = StrictMath.sin(cone.bearing());
         double ahead = cone.x() * cos + cone.y() * sin;
@@ -68,7 +80,6 @@ final class SpinProfile {
         double halfSin = StrictMath.sin(cone.half());
         for (int i = 0; i < DIRECTIONS; i++) {
             if (Double.isNaN(measured[i])) {
-                distances[i] = Double.NaN;
                 continue;
             }
             double slope = slope(i);
@@ -80,6 +91,9 @@ final class SpinProfile {
                     - slope * STEP * offsets[i]
                     + ahead * (1 + Math.abs(border) * (halfCos - 1) - Math.abs(tan) * halfSin)
                     - aside * (border * halfSin + tan * halfCos);
+            if (!Double.isNaN(distances[i])) {
+                known[count++] = i;
+            }
         }
     }
 
@@ -106,8 +120,21 @@ final class SpinProfile {
         return index < 0 ? index + DIRECTIONS : index < DIRECTIONS ? index : index - DIRECTIONS;
     }
 
-    /** Returns the distance from the centre in a direction, metres; not a number if it is not known. */
-    double distance(int index) {
-        return distances[index];
+    /**
+     * Finds by how much the distances exceed those of another sensor in the same directions.
+     *
+     * @param other the profile of the other
+     * @param differences receives the differences in metres; at least {@link #DIRECTIONS} long
+     * @return the number of directions in which both are known
+     */
+    int subtract(SpinProfile other, double[] differences) {
+        int found = 0;
+        for (int i = 0; i < count; i++) {
+            double by = distances[known[i]] - other.distances[known[i]];
+            if (!Double.isNaN(by)) {
+                differences[found++] = by;
+            }
+        }
+        return found;
     }
 }

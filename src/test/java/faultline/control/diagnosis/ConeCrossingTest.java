@@ -18,7 +18,7 @@ class ConeCrossingTest {
 
     private void move(int ticks, double rolled, double turned) {
         for (int i = 0; i < ticks; i++) {
-            motion.advance(rolled, turned);
+            motion.advance(rolled, turned, 0.01);
         }
     }
 

@@ -21,6 +21,7 @@ class InspectionRateTest {
             new InspectedSensor[robot.sensors().size()];
     private final double[] readings = new double[sensors.length];
     private final DeadReckoning reckoning = new DeadReckoning();
+    private final MotionAccumulator motion = new MotionAccumulator();
     private TrustAssessment assessment;
     private SensorInspection inspection;
 
@@ -32,17 +33,16 @@ class InspectionRateTest {
         Arrays.fill(readings, Reading.NOTHING);
         assessment = new TrustAssessment(sensors);
         inspection = new SensorInspection(
-                new EvidenceGrid(sensors.length + 1),
-                reckoning,
-                new MotionClock(),
-                new MotionAccumulator(),
-                new HealthReport(robot));
-        inspection.refit(sensors, new WallLine(sensors), assessment);
+                new EvidenceGrid(sensors.length + 1), reckoning, new MotionClock(), motion, new HealthReport(robot));
+        inspection.refit(sensors, new WallLine(sensors), 0.1, assessment);
     }
 
     private InspectionRate rateAfter(double leftVolts, double rightVolts) {
         reckoning.advance(robot, leftVolts, rightVolts, DT, 50);
-        inspection.inspectAll(readings, 0.1, reckoning.turned() / (50 * DT), 1, 50);
+        motion.advance(reckoning.rolled(), reckoning.turned(), 50 * DT);
+        while (inspection.isDue(motion)) {
+            inspection.run(readings, 50);
+        }
         return inspection.rate();
     }
 
@@ -76,6 +76,20 @@ class InspectionRateTest {
         assertEquals(InspectionRate.FULL, rateAfter(VOLTS, VOLTS));
         readings[robot.indexOf("front-right")] = 0.25;
         assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
+    }
+
+    @Test
+    void theNextInspectionIsDueAfterTheTimeOfItsRate() {
+        assertTrue(inspection.isDue(motion), "the first");
+        for (InspectionRate rate : new InspectionRate[] {InspectionRate.STRAIGHT, InspectionRate.TURNING}) {
+            assertEquals(rate, rateAfter(VOLTS, rate == InspectionRate.STRAIGHT ? VOLTS : -VOLTS));
+            int ticks = 0;
+            while (!inspection.isDue(motion)) {
+                motion.advance(0, 0, DT);
+                ticks++;
+            }
+            assertEquals(rate.interval() * sensors.length, ticks);
+        }
     }
 
     @Test

@@ -9,12 +9,16 @@ class MotionAccumulatorTest {
     @Test
     void stepsAreAddedWithTheirSigns() {
         MotionAccumulator motion = new MotionAccumulator();
-        motion.advance(0.5, -0.25);
-        motion.advance(-0.125, -0.5);
+        motion.advance(0.5, -0.25, 0.5);
+        motion.advance(-0.125, -0.5, 0.25);
         assertEquals(-0.125, motion.rolled());
         assertEquals(-0.5, motion.turned());
         assertEquals(0.375, motion.netDistance());
         assertEquals(-0.75, motion.heading());
+        assertEquals(0.75, motion.time());
+        assertEquals(-2, motion.turnRate());
+        assertEquals(0.25, motion.unsteadiness());
+        assertEquals(2, motion.steps());
     }
 
     @Test

@@ -27,7 +27,7 @@ class SignalCheckTest {
                 new SignalCheck(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1), motion);
         SensorFinding finding = SensorFinding.NONE;
         for (int i = 0; i < ticks; i++) {
-            motion.advance(rolled, turned);
+            motion.advance(rolled, turned, 0.01);
             finding = process(test, reading.applyAsDouble(i));
         }
         return finding;
@@ -66,7 +66,7 @@ class SignalCheckTest {
         MotionAccumulator motion = new MotionAccumulator();
         SignalCheck test = new SignalCheck(cone, motion);
         for (int i = 0; i < 2000; i++) {
-            motion.advance(0.003, i % 2 == 0 ? turned : -turned);
+            motion.advance(0.003, i % 2 == 0 ? turned : -turned, 0.01);
             // Coarse steps at first, and then none.
             double reading = 0.25 + 0.001 * Math.min(i / coarseness, 3);
             if (process(test, reading) == SensorFinding.STUCK) {
@@ -303,7 +303,7 @@ class SignalCheckTest {
         int untested = 0;
         int count = 20_000;
         for (double reading : changingReadings(changes, count)) {
-            motion.advance(0.003, changes.nextDouble(-1e-3, 1e-3));
+            motion.advance(0.003, changes.nextDouble(-1e-3, 1e-3), 0.01);
             SensorFinding expected = judge.test(reading);
             boolean continued = check.continues(reading);
             SensorFinding actual = continued ? SensorFinding.NONE : check.test(reading);

@@ -25,7 +25,8 @@ class SpinComparisonTest {
     private final InspectedSensor[] sensors = IntStream.range(0, 8)
             .mapToObj(i -> new InspectedSensor(i, MountedCone.of(ROBOT.sensors().get(i), 1)))
             .toArray(InspectedSensor[]::new);
-    private final SpinComparison comparison = new SpinComparison(sensors, reckoning);
+    private final SpinComparison comparison = new SpinComparison(sensors, reckoning, new TrustAssessment(sensors));
+    private final MotionAccumulator motion = new MotionAccumulator();
     private final double[] errors = new double[8];
 
     /** Returns the distance to a wall whose foot is in a direction, seen from the start, radians. */
@@ -44,12 +45,13 @@ class SpinComparisonTest {
         boolean ended = false;
         for (int i = 0; i < ticks; i++) {
             reckoning.advance(ROBOT, leftVolts, rightVolts, DT, 1);
+            motion.advance(reckoning.rolled(), reckoning.turned(), DT);
             double[] readings = new double[8];
             for (InspectedSensor sensor : sensors) {
                 readings[sensor.index()] = errors[sensor.index()]
                         + Math.min(reading(sensor.cone(), Math.PI / 2), reading(sensor.cone(), footAhead));
             }
-            ended |= comparison.update(readings);
+            ended |= comparison.isDue(motion) && comparison.update(readings);
         }
         return ended;
     }
@@ -85,6 +87,25 @@ class SpinComparisonTest {
     @Test
     void anArcIsNoSpin() {
         assertFalse(drive(2.5, 3.5, 100, 0));
+    }
+
+    /** A spin of 30 degrees; the next sensor is 45 degrees apart. */
+    @Test
+    void inAShortSpinNoTwoSensorsLookInTheSameDirections() {
+        errors[FRONT] = 0.05;
+        assertFalse(drive(0.942, -0.942, 50, 0));
+        assertTrue(drive(3, 3, 10, 0));
+        assertEquals(SpinComparison.NONE, comparison.wrongAhead());
+    }
+
+    @Test
+    void theLastTwoTurnsOfALongSpinAreCompared() {
+        errors[FRONT] = 0.05;
+        assertFalse(drive(0.942, -0.942, 1000, 0));
+        errors[FRONT] = 0;
+        assertFalse(drive(0.942, -0.942, 1500, 0));
+        assertTrue(drive(3, 3, 10, 0));
+        assertEquals(SpinComparison.NONE, comparison.wrongAhead());
     }
 
     @Test

@@ -1,0 +1,42 @@
+package faultline.control.diagnosis;
+
+/**
+ * A check that is made not at every tick but whenever a quantity of the robot's motion has left an interval, which each
+ * check sets anew.
+ */
+abstract class PacedCheck {
+
+    private final MotionAccumulator.Total pace;
+    private double low = Double.POSITIVE_INFINITY;
+    private double high = Double.NEGATIVE_INFINITY;
+
+    /** Creates a check that is due at once. */
+    PacedCheck(MotionAccumulator.Total pace) {
+        this.pace = pace;
+    }
+
+    /** Returns whether the quantity has left the interval. */
+    final boolean isDue(MotionAccumulator motion) {
+        double now = motion.total(pace);
+        return now <= low || now >= high;
+    }
+
+    /** Waits until the quantity reaches one of two values. */
+    final void waitUntil(double lower, double upper) {
+        low = lower;
+        high = upper;
+    }
+
+    /** Makes this check due at every tick. */
+    final void dueAtOnce() {
+        waitUntil(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
+    }
+
+    /**
+     * Makes the check.
+     *
+     * @param readings the readings of all sensors in the robot's order
+     * @param tick now
+     */
+    abstract void run(double[] readings, long tick);
+}
