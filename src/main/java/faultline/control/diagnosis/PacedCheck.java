@@ -1,8 +1,8 @@
 package faultline.control.diagnosis;
 
 /**
- * A check that is made not at every tick but whenever a quantity of the robot's motion has left an interval, which each
- * check sets anew.
+ * A check that is made not at every tick but whenever a quantity of the robot's motion has left an interval. Each check
+ * sets its next interval.
  */
 abstract class PacedCheck {
 
@@ -28,7 +28,7 @@ abstract class PacedCheck {
     }
 
     /** Makes this check due at every tick. */
-    final void dueAtOnce() {
+    final void dueAtEveryTick() {
         waitUntil(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
     }
 

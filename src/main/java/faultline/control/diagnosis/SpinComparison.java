@@ -88,7 +88,7 @@ final class SpinComparison extends PacedCheck {
         boolean ended = spinning && rolls;
         spinning = !rolls;
         if (spinning) {
-            dueAtOnce();
+            dueAtEveryTick();
         } else {
             waitUntil(low, high);
         }

@@ -62,8 +62,8 @@ final class SpinLog {
     }
 
     /**
-     * Returns the distance that a sensor measured in an entry along its axis from the robot's position in the first
-     * one, metres; not a number if it saw nothing.
+     * Returns the distance that a sensor measured in an entry, along its axis from the robot's position in the oldest
+     * one that is kept, metres; not a number if it saw nothing.
      */
     double distance(int place, InspectedSensor sensor) {
         int entry = entry(place);
