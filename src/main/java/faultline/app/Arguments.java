@@ -3,7 +3,9 @@ package faultline.app;
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
 import faultline.io.MessageText;
+import java.io.File;
 import java.math.BigDecimal;
+import java.nio.charset.Charset;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -167,6 +169,15 @@ final class Arguments {
         } catch (InvalidPathException e) {
             // Reported below, like the empty name.
         }
-        throw new UsageException(MessageText.quoted(name) + " is no name for a file");
+        throw new UsageException(MessageText.quoted(name) + " is no name for a file" + encodingHint(name));
+    }
+
+    /** Says how to name the file if the encoding of the locale, which is that of the names of files, lacks a letter. */
+    private static String encodingHint(String name) {
+        String encoding = System.getProperty("sun.jnu.encoding", "UTF-8");
+        boolean limited = File.separatorChar == '/' && !encoding.equals("UTF-8") && Charset.isSupported(encoding);
+        return limited && !Charset.forName(encoding).newEncoder().canEncode(name)
+                ? " in the encoding of this locale, " + encoding + "; with LC_ALL=C.UTF-8 it may be one"
+                : "";
     }
 }

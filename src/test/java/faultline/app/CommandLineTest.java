@@ -3,6 +3,7 @@ package faultline.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.JavaProcess;
 import faultline.io.JsonParser;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -11,6 +12,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -18,6 +20,8 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -227,6 +231,20 @@ class CommandLineTest {
         assertEquals(
                 new CommandResult(2, "", "faultline: " + problem + " (see faultline --help)\n"),
                 command(arguments.split(" ")));
+    }
+
+    @Test
+    @EnabledOnOs(value = OS.LINUX, disabledReason = "other systems have one encoding for the names of files")
+    void anEncodingThatLacksALetterOfAFileIsNamed() throws Exception {
+        List<String> command =
+                new ArrayList<>(List.of("sh", "-c", "exec \"$@\" \"$(printf 'm\\303\\263j.xml')\"", "sh"));
+        command.addAll(
+                JavaProcess.builder("faultline.app.Main", List.of("check")).command());
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().put("LC_ALL", "C");
+        String output = JavaProcess.output(builder.start());
+        assertTrue(output.contains("is no name for a file in the encoding of this locale, "), output);
+        assertTrue(output.contains("LC_ALL=C.UTF-8"), output);
     }
 
     @Test
