@@ -11,6 +11,7 @@ import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
@@ -158,6 +159,7 @@ public final class CampaignFolder {
             throw new IOException(folder + ": there is a runs.csv without its campaign.json");
         }
         checkTables(plan.files().paths());
+        removeTemporaryFiles();
         if (earlier.isEmpty()) {
             write(plan, text);
         }
@@ -165,7 +167,6 @@ public final class CampaignFolder {
 
     /** Writes the copy of the plan, and after it the manifest, which shows that the copy is complete. */
     private void write(CampaignPlan plan, String manifest) throws IOException {
-        removeTemporaryFiles(folder);
         Files.createDirectories(plan());
         List<Path> copies = plan.files().copies().keySet().stream()
                 .map(name -> plan().resolve(name))
@@ -182,18 +183,29 @@ public final class CampaignFolder {
 
     /** Writes the copy of the plan and the manifest of a whole campaign. */
     void writeMerged(CampaignPlan plan) throws IOException {
+        removeTemporaryFiles();
         write(plan, CampaignManifest.text(plan, Shard.ALL));
     }
 
-    /** Removes the temporary files of a killed process. */
-    private static void removeTemporaryFiles(Path folder) throws IOException {
-        try (Stream<Path> files = Files.walk(folder, 2)) {
-            List<Path> left = files.filter(file -> file.getFileName().toString().matches("\\..+\\.tmp"))
-                    .toList();
-            for (Path file : left) {
-                Files.deleteIfExists(file);
+    /**
+     * Removes the temporary files of a killed process. The lock of this folder shows that no process writes them, so a
+     * file may be removed however young it is.
+     */
+    private void removeTemporaryFiles() throws IOException {
+        for (Path inside : List.of(folder, plan(), replays())) {
+            if (Files.isDirectory(inside)) {
+                try (Stream<Path> listed = Files.list(inside)) {
+                    for (Path file : listed.filter(CampaignFolder::isTemporary).toList()) {
+                        Files.deleteIfExists(file);
+                    }
+                }
             }
         }
+    }
+
+    private static boolean isTemporary(Path file) {
+        return file.getFileName().toString().matches("\\.faultline-.+\\.tmp")
+                && Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS);
     }
 
     @Override

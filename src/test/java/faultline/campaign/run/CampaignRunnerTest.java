@@ -122,6 +122,24 @@ class CampaignRunnerTest {
         assertArrayEquals(expected, runs(folder, Shard.ALL, 2, true));
     }
 
+    /**
+     * A killed process may have left them just before, so they are as young as those of a process that still writes.
+     */
+    @Test
+    void resumingRemovesTheTemporaryFilesOfAKilledProcessAndNoOthers() throws Exception {
+        runs(folder, Shard.ALL, 1, false);
+        List<String> names = List.of("", "plan", "replays");
+        for (String name : names) {
+            Files.createFile(folder.resolve(name).resolve(".faultline-1.tmp"));
+            Files.createFile(folder.resolve(name).resolve(".other.tmp"));
+        }
+        runs(folder, Shard.ALL, 1, true);
+        for (String name : names) {
+            assertTrue(Files.notExists(folder.resolve(name).resolve(".faultline-1.tmp")), name);
+            assertTrue(Files.exists(folder.resolve(name).resolve(".other.tmp")), name);
+        }
+    }
+
     @Test
     void aReplayHasTheTrajectoryOfItsRun() throws Exception {
         List<String> rows = new String(expected).lines().toList();
