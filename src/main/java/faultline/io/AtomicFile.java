@@ -65,6 +65,9 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     private static WriteProblem reason(Path file) {
+        if (TemporaryFile.isProgramEnding()) {
+            return WriteProblem.PROGRAM_ENDS;
+        }
         Path folder = file.toAbsolutePath().getParent();
         return folder == null || Files.isDirectory(folder) ? WriteProblem.CANNOT_WRITE : WriteProblem.NO_FOLDER;
     }
@@ -119,7 +122,7 @@ public final class AtomicFile implements AutoCloseable {
             temporary.applyPermissions();
             moveToTarget();
         } catch (FileSystemException e) {
-            throw stream.problem(e);
+            throw TemporaryFile.isProgramEnding() ? stream.problem(WriteProblem.PROGRAM_ENDS, e) : stream.problem(e);
         }
         committed = true;
         temporary.forget();

@@ -65,4 +65,9 @@ final class FailureReportingStream extends FilterOutputStream {
     MessageException problem(IOException e) {
         return MessageException.ofWriting(file, e);
     }
+
+    /** Returns an exception whose message is one sentence with a reason that is known. */
+    MessageException problem(WriteProblem reason, IOException e) {
+        return new MessageException(MessageText.oneLine(file.toString()), reason.with(), e);
+    }
 }

@@ -50,6 +50,10 @@ final class TemporaryFile {
             return TemporaryFile.createRegistered(target);
         }
 
+        private static synchronized boolean isEnded() {
+            return ended;
+        }
+
         private static synchronized void deleteAll() {
             ended = true;
             for (Path file : FILES) {
@@ -81,6 +85,11 @@ final class TemporaryFile {
      */
     static TemporaryFile create(Path target) throws IOException {
         return UnfinishedFiles.create(target);
+    }
+
+    /** Returns whether the process is ending, so that all temporary files are deleted and no other is created. */
+    static boolean isProgramEnding() {
+        return UnfinishedFiles.isEnded();
     }
 
     private static TemporaryFile createRegistered(Path target) throws IOException {

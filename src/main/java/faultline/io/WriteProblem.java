@@ -16,6 +16,8 @@ public enum WriteProblem implements Message.Template {
     DISK_FULL("the file cannot be written completely, because the disk is full"),
     /** The program that reads the output has closed it. */
     BROKEN_PIPE("the file cannot be written completely, because its reader has closed it"),
+    /** A signal has ended the program, which then keeps no file that is not complete. */
+    PROGRAM_ENDS("the file was not written, because the program is ending"),
     /** Writing ended before the file was complete. */
     INTERRUPTED("the file cannot be written completely");
 
