@@ -32,6 +32,8 @@ final class MapYamlReader {
     /** Less than the greatest heading of an obstacle, a million degrees. */
     private static final double MAX_YAW = 17_000;
 
+    private static final int MAX_SHOWN_PATH = 1000;
+
     private static final List<String> KEYS =
             List.of("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode");
 
@@ -184,9 +186,16 @@ final class MapYamlReader {
         double free = share("free_thresh", "0.196");
         MapDescription description = new MapDescription(image, resolution, yaw(), mode(), isNegated(), occupied, free);
         if (!Files.isRegularFile(image)) {
-            throw wrong("image", FloorPlanProblem.EXISTING_IMAGE.with(MessageText.oneLine(image.toString())));
+            throw wrong("image", existingImage(image));
         }
         return description;
+    }
+
+    /** Returns the rule for the image, with its path unless that is too long for a message. */
+    private static Message existingImage(Path image) {
+        return image.toString().length() > MAX_SHOWN_PATH
+                ? FloorPlanProblem.IMAGE_NAME.with()
+                : FloorPlanProblem.EXISTING_IMAGE.with(MessageText.oneLine(image.toString()));
     }
 
     private Path imageFile() throws FloorPlanException {

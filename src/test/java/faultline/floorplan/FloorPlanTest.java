@@ -296,6 +296,16 @@ class FloorPlanTest {
         assertEquals(none + ": there is no such image file", alone.getMessage());
     }
 
+    @Test
+    void theLongNameOfAMissingImageIsShortened() throws IOException {
+        Path yaml = write("m.yaml", "image: " + "x".repeat(500_000) + "\nresolution: 0.1\n");
+        IOException e =
+                assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
+        assertEquals(
+                yaml + ":1:8: image is \"" + "x".repeat(60) + "...\"; expected the name of an image file",
+                e.getMessage());
+    }
+
     /** A scenario could not hold the outlines; they are counted before they are traced. */
     @Test
     void aMapWithMoreWallSegmentsThanAScenarioHoldsIsRefusedInOneSentence() throws IOException, ScenarioException {
