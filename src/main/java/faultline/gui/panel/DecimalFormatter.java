@@ -17,12 +17,17 @@ final class DecimalFormatter extends DefaultFormatter {
     private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d{1,12}(\\.\\d{0,12})?|\\.\\d{1,12})");
 
     private final transient DecimalFormat format;
+    /** The same without zeros at the end. */
+    private final transient DecimalFormat limitFormat;
+
     private double min;
     private double max;
 
     /** Creates a formatter for numbers from {@code min} to {@code max} with a pattern of {@link DecimalFormat}. */
     DecimalFormatter(String pattern, double min, double max) {
         this.format = new DecimalFormat(pattern, DecimalFormatSymbols.getInstance(Locale.ROOT));
+        this.limitFormat = (DecimalFormat) format.clone();
+        limitFormat.setMinimumFractionDigits(0);
         setLimits(min, max);
         setOverwriteMode(false);
     }
@@ -61,6 +66,6 @@ final class DecimalFormatter extends DefaultFormatter {
 
     /** Returns a text that states the limits. */
     String limitsText() {
-        return Messages.get("number.limits", format(min), format(max));
+        return Messages.get("number.limits", limitFormat.format(min), limitFormat.format(max));
     }
 }

@@ -43,4 +43,10 @@ class DecimalFormatterTest {
         assertEquals("0.80", new DecimalFormatter("0.00##", 0, 1).valueToString(0.8));
         assertEquals("0.8125", new DecimalFormatter("0.00##", 0, 1).valueToString(0.8125));
     }
+
+    @Test
+    void limitsAreWrittenWithoutZerosAtTheEnd() {
+        assertEquals("0.001 to 10000", new DecimalFormatter("0.00###", 0.001, 10000).limitsText());
+        assertEquals("-0.05 to 0.6", new DecimalFormatter("0.00", -0.05, 0.6).limitsText());
+    }
 }

@@ -115,7 +115,7 @@ class PropertiesTest {
             assertEquals(-9007199254740993L, form.properties().seed());
             NumberSpinner tick = ComponentFinder.find(form, NumberSpinner.class, "Tick, s");
             tick.textField().setText("9x");
-            assertEquals(Optional.of("9x is not allowed. Tick, s: 0.00001 to 1.000"), form.findProblem(room));
+            assertEquals(Optional.of("9x is not allowed. Tick, s: 0.00001 to 1"), form.findProblem(room));
             assertEquals("9x", tick.textField().getText(), "nothing is lost");
             assertEquals(Optional.of(tick.textField()), form.invalidField());
             tick.textField().setText("0.02");

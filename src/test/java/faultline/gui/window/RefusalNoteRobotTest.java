@@ -50,9 +50,9 @@ class RefusalNoteRobotTest {
         JTextField speed = ComponentFinder.find(driver.window(), JTextField.class, "Linear velocity");
         String before = callOnEdt(speed::getText);
         driver.typeInto("Linear velocity", KeyEvent.VK_5, KeyEvent.VK_0);
-        waitForNote(speed, "Invalid value. Allowed: 0.01 to 0.60");
+        waitForNote(speed, "Invalid value. Allowed: 0.01 to 0.6");
         driver.robot().pressKeys(KeyEvent.VK_TAB);
-        waitForNote(speed, "50 is not allowed. Allowed: 0.01 to 0.60");
+        waitForNote(speed, "50 is not allowed. Allowed: 0.01 to 0.6");
         assertEquals(before, callOnEdt(speed::getText));
         driver.typeInto("Linear velocity", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_2, KeyEvent.VK_TAB);
         driver.robot().waitFor("the note is gone", () -> notes().findAny().isEmpty());
@@ -74,7 +74,7 @@ class RefusalNoteRobotTest {
                         InputEvent.BUTTON1_DOWN_MASK);
         driver.robot().waitFor("the other tab", () -> tabs.getSelectedIndex() == 1);
         driver.robot().waitFor("the note", () -> notes().anyMatch(note ->
-                note.getTipText().startsWith("Linear velocity: 50 is not allowed. Allowed: 0.01 to 0.60")));
+                note.getTipText().startsWith("Linear velocity: 50 is not allowed. Allowed: 0.01 to 0.6")));
         assertEquals(before, callOnEdt(speed::getText));
     }
 
