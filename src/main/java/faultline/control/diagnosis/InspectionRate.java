@@ -5,7 +5,7 @@ package faultline.control.diagnosis;
  * decay at the same rate over time.
  */
 enum InspectionRate {
-    /** While something is suspicious, or a surface is near. */
+    /** While something is suspicious, shortly after a jump or a drift, or while a surface is near. */
     FULL(1, 5, 12, 24),
     /** While nothing is suspicious and the robot turns. */
     TURNING(2, 3, 6, 12),

@@ -30,7 +30,7 @@ public final class SensorDiagnosis {
     private EvidenceGrid grid;
     private SensorInspection inspection;
     private TrustAssessment assessment;
-    private PathCurvature curvature;
+    private WallComparison wallComparison;
     /** All checks that are not made at every tick, in their order. */
     private PacedCheck[] checks = {};
 
@@ -96,9 +96,8 @@ public final class SensorDiagnosis {
         if (!same) {
             makeChecks();
         }
-        WallLine wallLine = new WallLine(sensors);
-        curvature.refit(wallLine);
-        inspection.refit(sensors, wallLine, robot.width() / 2, assessment);
+        wallComparison.refit(new WallLine(sensors));
+        inspection.refit(sensors, robot.width() / 2, assessment);
     }
 
     private void makeChecks() {
@@ -107,10 +106,10 @@ public final class SensorDiagnosis {
         assessment = new TrustAssessment(sensors);
         inspection = new SensorInspection(grid, reckoning, clock, motion, report);
         inspection.setWantedDistance(wantedDistance);
-        curvature = new PathCurvature(motion, reckoning);
+        wallComparison = new WallComparison(motion, reckoning, assessment, inspection);
         checks = sensors.length == 0
                 ? new PacedCheck[0]
-                : new PacedCheck[] {curvature, new SpinComparison(sensors, reckoning, assessment), inspection};
+                : new PacedCheck[] {wallComparison, new SpinComparison(sensors, reckoning, assessment), inspection};
     }
 
     private void testSignals(double[] readings) {
@@ -123,6 +122,7 @@ public final class SensorDiagnosis {
             SensorFinding finding = signal.test(reading);
             if (signal.jumped()) {
                 sensors[i].jump(motion.time());
+                wallComparison.jump(sensors[i]);
             }
             if (finding != SensorFinding.NONE) {
                 assessment.distrust(sensors[i], finding, motion.time());

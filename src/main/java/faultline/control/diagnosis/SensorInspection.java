@@ -37,6 +37,9 @@ final class SensorInspection extends PacedCheck {
     /** A contradiction is suspicious for this long, seconds. */
     private static final double SUSPICION = 1;
 
+    /** A jump of a reading, or a drift, brings the full rate for this long, seconds. */
+    private static final double ATTENTION = 0.5;
+
     /** A robot that turns faster than this does not drive straight on, radians per second. */
     private static final double TURNING = 0.5;
 
@@ -49,11 +52,9 @@ final class SensorInspection extends PacedCheck {
     private final MotionAccumulator motion;
     private final HealthReport report;
     private final ArcCheck arcCheck;
-    private final WallAgreement agreement = new WallAgreement();
     /** The sensors in the order in which they are inspected. */
     private InspectedSensor[] sensors = {};
 
-    private WallLine wallLine;
     private TrustAssessment assessment;
     private MissedSurfaces missedSurfaces;
     private boolean alert;
@@ -61,6 +62,7 @@ final class SensorInspection extends PacedCheck {
     /** When the next inspection is due, seconds. */
     private double due;
 
+    private double attentionUntil = Double.NEGATIVE_INFINITY;
     private double bodyRadius;
     private double bodyMarkedDistance = Double.NEGATIVE_INFINITY;
     private double wantedDistance = Double.POSITIVE_INFINITY;
@@ -84,12 +86,10 @@ final class SensorInspection extends PacedCheck {
      * Sets the sensors, which may be new or have new settings.
      *
      * @param refitted all sensors in the robot's order
-     * @param line those on the wall's side
      * @param radius the radius of the disc that the robot's body covers, metres
      * @param trust the assessment of the sensors
      */
-    void refit(InspectedSensor[] refitted, WallLine line, double radius, TrustAssessment trust) {
-        wallLine = line;
+    void refit(InspectedSensor[] refitted, double radius, TrustAssessment trust) {
         bodyRadius = radius;
         sensors = inOrder(refitted);
         assessment = trust;
@@ -116,7 +116,6 @@ final class SensorInspection extends PacedCheck {
     void run(double[] readings, long tick) {
         double time = motion.time();
         alert = isSuspicious(time);
-        compareBesideWall(readings);
         for (InspectedSensor sensor : sensors) {
             inspect(sensor, readings, time);
             report.update(sensor, assessment, tick);
@@ -126,13 +125,29 @@ final class SensorInspection extends PacedCheck {
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), bodyRadius, clock.moment());
         }
         rate = rateAfter(readings, time);
-        due = Math.max(time, due + STEP * sensors.length * rate.interval());
+        waitFor(Math.max(time, due + STEP * sensors.length * rate.interval()));
+    }
+
+    /**
+     * Inspects the sensors at the full rate for some time, because a reading on the wall's side has jumped or drifts.
+     */
+    void attend() {
+        double time = motion.time();
+        attentionUntil = time + ATTENTION;
+        if (rate != InspectionRate.FULL) {
+            rate = InspectionRate.FULL;
+            waitFor(Math.min(due, time + STEP * sensors.length));
+        }
+    }
+
+    private void waitFor(double time) {
+        due = time;
         // The sum of many ticks is not exact.
         waitUntil(Double.NEGATIVE_INFINITY, due - STEP / 2);
     }
 
     private InspectionRate rateAfter(double[] readings, double time) {
-        if (isSuspicious(time) || isClose(readings)) {
+        if (isSuspicious(time) || time < attentionUntil || isClose(readings)) {
             return InspectionRate.FULL;
         }
         return Math.abs(motion.turnRate()) > TURNING ? InspectionRate.TURNING : InspectionRate.STRAIGHT;
@@ -156,13 +171,6 @@ final class SensorInspection extends PacedCheck {
             }
         }
         return false;
-    }
-
-    private void compareBesideWall(double[] readings) {
-        int differs = agreement.update(wallLine, readings, motion.netDistance(), motion.heading());
-        if (differs != WallAgreement.NONE) {
-            assessment.addDrift(wallLine.sensor(differs).index());
-        }
     }
 
     private void inspect(InspectedSensor sensor, double[] readings, double time) {

@@ -14,7 +14,7 @@ final class WallAgreement {
     static final int NONE = -1;
 
     /** The length of path over which means are computed, metres. */
-    private static final double LEG = 0.15;
+    private static final double LEG = 0.12;
 
     /** The number of successive legs in which the same sensor must differ. */
     private static final int LEGS = 3;
@@ -50,7 +50,7 @@ final class WallAgreement {
     private int legs;
 
     /**
-     * Processes the distances at an inspection.
+     * Processes the distances at a place of the path.
      *
      * @param line the sensors
      * @param readings the readings of all sensors
@@ -60,8 +60,7 @@ final class WallAgreement {
      */
     int update(WallLine line, double[] readings, double distance, double heading) {
         if (!line.isSeen(readings)) {
-            beginLeg(distance, heading);
-            legs = 0;
+            restart(distance, heading);
             return NONE;
         }
         for (int i = 0; i < SENSORS; i++) {
@@ -69,6 +68,17 @@ final class WallAgreement {
         }
         count++;
         return Math.abs(distance - distanceBefore) < LEG ? NONE : endLeg(distance, heading);
+    }
+
+    /**
+     * Forgets all legs.
+     *
+     * @param distance the distance that the robot has rolled so far, metres
+     * @param heading the angle that it has turned so far, radians
+     */
+    void restart(double distance, double heading) {
+        beginLeg(distance, heading);
+        legs = 0;
     }
 
     private void beginLeg(double distance, double heading) {

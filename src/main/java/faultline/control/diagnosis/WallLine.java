@@ -84,6 +84,11 @@ final class WallLine {
                 && behind.sees(readings[behind.index]);
     }
 
+    /** Returns whether a sensor is one of the three. */
+    boolean contains(InspectedSensor sensor) {
+        return rays != null && (sensor == ahead.sensor || sensor == facing.sensor || sensor == behind.sensor);
+    }
+
     /** Returns a sensor of the line: the one that sees the wall ahead, beside, or behind the robot. */
     InspectedSensor sensor(int place) {
         return rays[place].sensor;

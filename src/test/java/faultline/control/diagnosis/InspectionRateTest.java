@@ -34,7 +34,7 @@ class InspectionRateTest {
         assessment = new TrustAssessment(sensors);
         inspection = new SensorInspection(
                 new EvidenceGrid(sensors.length + 1), reckoning, new MotionClock(), motion, new HealthReport(robot));
-        inspection.refit(sensors, new WallLine(sensors), 0.1, assessment);
+        inspection.refit(sensors, 0.1, assessment);
     }
 
     private InspectionRate rateAfter(double leftVolts, double rightVolts) {
@@ -76,6 +76,46 @@ class InspectionRateTest {
         assertEquals(InspectionRate.FULL, rateAfter(VOLTS, VOLTS));
         readings[robot.indexOf("front-right")] = 0.25;
         assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
+    }
+
+    /** Returns the time until the next inspection. */
+    private double untilDue() {
+        double start = motion.time();
+        while (!inspection.isDue(motion)) {
+            motion.advance(0, 0, DT);
+        }
+        return motion.time() - start;
+    }
+
+    @Test
+    void attentionBringsTheFullRateForHalfASecond() {
+        assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
+        inspection.attend();
+        double start = motion.time();
+        assertEquals(InspectionRate.FULL, inspection.rate());
+        double interval = DT * sensors.length;
+        assertEquals(interval, untilDue(), 1e-9);
+        inspection.run(readings, 1);
+        while (inspection.rate() == InspectionRate.FULL) {
+            assertEquals(interval, untilDue(), 1e-9);
+            inspection.run(readings, 1);
+        }
+        assertEquals(0.5, motion.time() - start, interval);
+        assertTrue(motion.time() - start > 0.5 - DT / 2, "not before");
+    }
+
+    @Test
+    void attentionDoesNotDelayAnInspectionThatIsDue() {
+        assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
+        for (double left = untilDueWhenStraight(); left > 0.02; left -= DT) {
+            motion.advance(0, 0, DT);
+        }
+        inspection.attend();
+        assertTrue(untilDue() < 0.03);
+    }
+
+    private double untilDueWhenStraight() {
+        return DT * sensors.length * InspectionRate.STRAIGHT.interval();
     }
 
     @Test

@@ -78,11 +78,11 @@ class WallAgreementTest {
 
     @Test
     void whatIsNotSeenStartsAgain() {
-        assertEquals(WallAgreement.NONE, drive(0.4, FRONT_LEFT, 0.05, 0));
+        assertEquals(WallAgreement.NONE, drive(0.3, FRONT_LEFT, 0.05, 0));
         double[] readings = beside(0.4);
         readings[REAR_LEFT] = Reading.NOTHING;
         assertEquals(WallAgreement.NONE, agreement.update(line, readings, way, heading));
-        assertEquals(WallAgreement.NONE, drive(0.4, FRONT_LEFT, 0.05, 0));
+        assertEquals(WallAgreement.NONE, drive(0.3, FRONT_LEFT, 0.05, 0));
     }
 
     /** Drives along with an error of each of the three, and returns the first finding. */
@@ -125,14 +125,14 @@ class WallAgreementTest {
     void theDifferenceMustBeTheSameFromLegToLeg() {
         for (int leg = 0; leg < 12; leg++) {
             double error = leg % 2 == 0 ? 0.05 : 0.07;
-            assertEquals(WallAgreement.NONE, driveWith(0.15, 0, error, 0), "leg " + leg);
+            assertEquals(WallAgreement.NONE, driveWith(0.12, 0, error, 0), "leg " + leg);
         }
         assertEquals(2, driveWith(0.6, 0, 0.07, 0));
     }
 
     @Test
     void threeLegsAreNeeded() {
-        assertEquals(WallAgreement.NONE, driveWith(0.44, 0, 0.05, 0));
+        assertEquals(WallAgreement.NONE, driveWith(0.35, 0, 0.05, 0));
         assertEquals(2, driveWith(0.03, 0, 0.05, 0));
     }
 
@@ -140,9 +140,17 @@ class WallAgreementTest {
     void onlyTheTurnWithinALegCounts() {
         heading = 2;
         agreement.update(line, new double[] {0, Reading.NOTHING, 0, 0, 0, 0, 0, 0}, way, heading);
-        assertEquals(2, drive(0.6, 2, 0.05, 0.0009), "2.6 degrees in a leg");
-        assertEquals(WallAgreement.NONE, drive(0.6, 2, 0.05, 0.0012), "3.4 degrees in a leg");
-        assertEquals(2, drive(0.8, 2, 0.05, -0.0009));
-        assertEquals(WallAgreement.NONE, drive(0.6, 2, 0.05, -0.0012));
+        assertEquals(2, drive(0.6, 2, 0.05, 0.0011), "2.5 degrees in a leg");
+        assertEquals(WallAgreement.NONE, drive(0.6, 2, 0.05, 0.0015), "3.4 degrees in a leg");
+        assertEquals(2, drive(0.8, 2, 0.05, -0.0011));
+        assertEquals(WallAgreement.NONE, drive(0.6, 2, 0.05, -0.0015));
+    }
+
+    @Test
+    void legsBeforeARestartDoNotCount() {
+        assertEquals(WallAgreement.NONE, drive(0.3, 2, 0.05, 0));
+        agreement.restart(way, heading);
+        assertEquals(WallAgreement.NONE, drive(0.3, 2, 0.05, 0));
+        assertEquals(2, drive(0.2, 2, 0.05, 0));
     }
 }

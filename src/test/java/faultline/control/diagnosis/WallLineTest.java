@@ -109,4 +109,15 @@ class WallLineTest {
             assertEquals(0.35, line.aside(place, readings), 0.001, "place " + place);
         }
     }
+
+    @Test
+    void itContainsTheThreeSensorsOnTheWallsSide() {
+        WallLine line = new WallLine(SENSORS);
+        for (InspectedSensor sensor : SENSORS) {
+            boolean onSide = sensor == line.sensor(0) || sensor == line.sensor(1) || sensor == line.sensor(2);
+            assertEquals(onSide, line.contains(sensor));
+        }
+        assertFalse(
+                new WallLine(new InspectedSensor[] {SENSORS[0], SENSORS[2]}).contains(SENSORS[2]), "without a line");
+    }
 }

@@ -18,13 +18,29 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A bias that sets in beside a long straight wall is found soon, and in the sensor that has it. */
+/**
+ * A bias that sets in while the robot follows a long straight wall is found soon, and in the sensor that has it. The
+ * sensor that faces the wall is left out where it reads too much, because the robot then turns on the spot.
+ */
 class JumpOfBiasTest {
 
     @ParameterizedTest
-    @CsvSource({"front-left, 0.12", "front-left, 0.2", "left, 0.12", "left, -0.1", "rear-left, 0.12"})
+    @CsvSource({
+        "front-left, 0.12",
+        "front-left, 0.2",
+        "front-left, -0.1",
+        "left, -0.1",
+        "rear-left, 0.12",
+        "rear-left, 0.2",
+        "rear-left, -0.1"
+    })
     void isFoundWithinTwoSeconds(String sensor, double bias) {
-        double onset = 9;
+        for (double onset = 11; onset <= 15; onset++) {
+            assertFoundInTime(sensor, bias, onset);
+        }
+    }
+
+    private static void assertFoundInTime(String sensor, double bias, double onset) {
         SimulationSetup setup = new SimulationSetup(
                 new WorldSpec(9, 4, true, 3, List.of()),
                 RobotSpec.DEFAULT,

@@ -11,11 +11,14 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** The curvature of the path is sampled at equal distances. */
-class PathCurvatureTest {
+/** The sensors on the wall's side are compared at equal distances of the path. */
+class WallComparisonTest {
 
     private static final double DT = 0.01;
     private static final double VOLTS = 3;
+    private static final int LEFT = RobotSpec.DEFAULT.indexOf("left");
+    private static final int FRONT_LEFT = RobotSpec.DEFAULT.indexOf("front-left");
+    private static final int RIGHT = RobotSpec.DEFAULT.indexOf("right");
 
     private final RobotSpec robot = RobotSpec.DEFAULT;
     private final MotionAccumulator motion = new MotionAccumulator();
@@ -24,11 +27,15 @@ class PathCurvatureTest {
             .mapToObj(i -> new InspectedSensor(i, MountedCone.of(robot.sensors().get(i), 1)))
             .toArray(InspectedSensor[]::new);
     private final WallLine line = new WallLine(sensors);
-    private final PathCurvature check = new PathCurvature(motion, reckoning);
+    private final TrustAssessment assessment = new TrustAssessment(sensors);
+    private final SensorInspection inspection = new SensorInspection(
+            new EvidenceGrid(sensors.length + 1), reckoning, new MotionClock(), motion, new HealthReport(robot));
+    private final WallComparison check = new WallComparison(motion, reckoning, assessment, inspection);
 
     @BeforeEach
     void refit() {
         check.refit(line);
+        inspection.refit(sensors, 0.1, assessment);
     }
 
     /** Returns what the sensors read beside a wall at a distance from the robot's centre line. */
@@ -46,6 +53,11 @@ class PathCurvatureTest {
 
     /** Drives straight on by the motor model on a path that bends, and returns the number of samples. */
     private int drive(double metres, double bend) {
+        return drive(metres, bend, 0, 0);
+    }
+
+    /** The same with an error of a sensor. */
+    private int drive(double metres, double bend, int sensor, double error) {
         int count = 0;
         double start = motion.netDistance();
         while (motion.netDistance() < start + metres) {
@@ -53,7 +65,9 @@ class PathCurvatureTest {
             motion.advance(reckoning.rolled(), reckoning.turned(), DT);
             if (check.isDue(motion)) {
                 double driven = motion.netDistance() - start;
-                check.run(beside(0.4 - bend * driven * driven / 2), 1);
+                double[] readings = beside(0.4 - bend * driven * driven / 2);
+                readings[sensor] += error;
+                check.run(readings, 1);
                 count++;
             }
         }
@@ -61,11 +75,11 @@ class PathCurvatureTest {
     }
 
     @Test
-    void oneSampleIsTakenForEachCentimetre() {
+    void sensorsAreComparedAfterEachFifteenMillimetres() {
         drive(1, 0);
         double step = reckoning.rolled();
         int count = drive(3, 0);
-        assertTrue(count <= 3 / 0.01 + 1 && count >= 3 / (0.01 + step) - 1, count + " in 3 m");
+        assertTrue(count <= 3 / 0.015 + 1 && count >= 3 / (0.015 + step) - 1, count + " in 3 m");
     }
 
     @Test
@@ -80,7 +94,7 @@ class PathCurvatureTest {
     /** The path bends towards the wall, so that the reading is a parabola. */
     @Test
     void aBentPathCorrectsTheDeadReckoning() {
-        drive(1.7, 0.15);
+        drive(2, 0.15);
         double before = reckoning.heading();
         drive(0.2, 0);
         assertEquals(0.15, (reckoning.heading() - before) / 0.2, 0.05);
@@ -90,5 +104,50 @@ class PathCurvatureTest {
     void aStraightPathCorrectsNothing() {
         drive(3, 0);
         assertEquals(0, reckoning.heading());
+    }
+
+    private boolean isSuspected(int sensor) {
+        return assessment.evidence(sensor) > 0;
+    }
+
+    @Test
+    void aSensorThatDiffersOverThreeLegsDriftsAndBringsTheFullRate() {
+        letRateFall();
+        drive(0.3, 0, LEFT, 0.05);
+        assertFalse(isSuspected(LEFT), "after two legs");
+        assertEquals(InspectionRate.STRAIGHT, inspection.rate());
+        drive(0.15, 0, LEFT, 0.05);
+        assertTrue(isSuspected(LEFT), "after three legs");
+        assertEquals(InspectionRate.FULL, inspection.rate());
+    }
+
+    @Test
+    void legsBeforeAJumpOfASensorOnTheWallsSideDoNotCount() {
+        drive(0.3, 0, LEFT, 0.05);
+        check.jump(sensors[FRONT_LEFT]);
+        drive(0.3, 0, LEFT, 0.05);
+        assertFalse(isSuspected(LEFT));
+    }
+
+    @Test
+    void legsBeforeAJumpOfAnotherSensorCount() {
+        drive(0.3, 0, LEFT, 0.05);
+        check.jump(sensors[RIGHT]);
+        drive(0.15, 0, LEFT, 0.05);
+        assertTrue(isSuspected(LEFT));
+    }
+
+    @Test
+    void onlyAJumpOfASensorOnTheWallsSideBringsTheFullRate() {
+        letRateFall();
+        check.jump(sensors[RIGHT]);
+        assertEquals(InspectionRate.STRAIGHT, inspection.rate());
+        check.jump(sensors[FRONT_LEFT]);
+        assertEquals(InspectionRate.FULL, inspection.rate());
+    }
+
+    private void letRateFall() {
+        inspection.run(beside(0.4), 1);
+        assertEquals(InspectionRate.STRAIGHT, inspection.rate());
     }
 }
