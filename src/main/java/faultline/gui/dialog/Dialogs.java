@@ -63,10 +63,13 @@ public final class Dialogs {
             createProblemsDialog(file, exception.problems(), keepsScenario).setVisible(true);
             return;
         }
-        String sentence =
-                Messages.get("failed." + task, String.valueOf(file.getFileName()), ErrorMessages.describe(cause, file));
+        String sentence = TextWrap.wrap(Messages.get(
+                "failed." + task, String.valueOf(file.getFileName()), ErrorMessages.describe(cause, file)));
+        boolean opens = task == TaskKind.OPEN;
+        String text =
+                opens ? sentence + "\n" + Messages.get(keepsScenario ? "badFile.kept" : "badFile.example") : sentence;
         JOptionPane.showMessageDialog(
-                owner, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
+                owner, text, Messages.get(opens ? "badFile.title" : "failed.title"), JOptionPane.ERROR_MESSAGE);
     }
 
     /** Returns the message for an open file that another program has made unreadable. */
@@ -87,8 +90,8 @@ public final class Dialogs {
                 .toList();
         List<String> columns =
                 List.of(Messages.get("badFile.line"), Messages.get("badFile.column"), Messages.get("badFile.problem"));
-        String heading = Messages.get(
-                keepsScenario ? "badFile.heading" : "badFile.headingExample", String.valueOf(file.getFileName()));
+        String heading = Messages.get("badFile.heading", String.valueOf(file.getFileName())) + " "
+                + Messages.get(keepsScenario ? "badFile.kept" : "badFile.example");
         return new TableDialog(
                 owner,
                 Messages.get("badFile.title"),

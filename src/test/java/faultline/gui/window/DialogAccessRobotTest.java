@@ -215,7 +215,7 @@ class DialogAccessRobotTest {
     @Test
     void theMessageAboutAMissingFileIsNamedAndReachedByKeys() {
         runOnEdt(() -> driver.window().open(folder.resolve("gone.xml")));
-        check("Faultline");
+        check("Scenario not opened");
     }
 
     private void check(String title) {

@@ -89,7 +89,8 @@ class OpenRobotTest {
         runOnEdt(() -> driver.window().open(Path.of("office.xml"), () -> {
             throw new IOException("damaged");
         }));
-        driver.dialog("Faultline");
+        String text = WindowDriver.text(driver.dialog("Scenario not opened"));
+        assertTrue(text.contains("An example is open instead."), text);
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.waitForTitle("Office");
     }

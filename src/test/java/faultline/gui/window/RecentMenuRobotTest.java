@@ -63,10 +63,10 @@ class RecentMenuRobotTest {
         assertEquals(List.of("1  square.xml", "2  office.xml"), recent());
         Files.delete(office);
         chooseRecent(KeyEvent.VK_2);
-        JDialog dialog = driver.dialog("Faultline");
-        assertTrue(
-                WindowDriver.text(dialog).contains("office.xml cannot be opened: there is no such file"),
-                WindowDriver.text(dialog));
+        JDialog dialog = driver.dialog("Scenario not opened");
+        String text = WindowDriver.text(dialog);
+        assertTrue(text.contains("office.xml cannot be opened: there is no such file"), text);
+        assertTrue(text.contains("The current scenario remains open."), text);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
         assertEquals(List.of("1  square.xml"), recent());
