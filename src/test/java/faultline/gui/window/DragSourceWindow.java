@@ -12,9 +12,14 @@ import javax.swing.JLabel;
 /** A window from which a file can be dragged, as from a file manager. */
 final class DragSourceWindow {
 
+    private static final int WIDTH = 150;
+    private static final int HEIGHT = 120;
+    /** The distance from the edges of the screen, pixels. */
+    private static final int MARGIN = 20;
+
     private DragSourceWindow() {}
 
-    /** Creates the window, not yet visible, beside the window under test. */
+    /** Creates the window, not yet visible, at the right of the screen: over the window under test if that is wide. */
     static JFrame create(Path file) {
         JFrame frame = new JFrame("Files");
         JLabel label = new JLabel(file.getFileName().toString());
@@ -24,7 +29,8 @@ final class DragSourceWindow {
                         DnDConstants.ACTION_COPY,
                         gesture -> gesture.startDrag(DragSource.DefaultCopyDrop, new FileTransferable(file)));
         frame.add(label);
-        frame.setBounds(1430, 60, 150, 120);
+        int screen = frame.getToolkit().getScreenSize().width;
+        frame.setBounds(screen - WIDTH - MARGIN, 3 * MARGIN, WIDTH, HEIGHT);
         return frame;
     }
 
