@@ -37,7 +37,7 @@ class MaximisedRobotTest {
         Rectangle screen = callOnEdt(
                 () -> GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds());
         try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, SCENARIO, memory)) {
-            runOnEdt(() -> driver.window().setSize(1111, 777));
+            runOnEdt(() -> driver.window().setSize(1111, 666));
             waitForWidth(driver, 1111);
             runOnEdt(() -> driver.window().setExtendedState(Frame.MAXIMIZED_BOTH));
             waitUntilItFills(driver, screen);
@@ -51,7 +51,7 @@ class MaximisedRobotTest {
             driver.choose("quit");
         }
         assertFalse(memory.get(Preference.MAXIMISED));
-        assertEquals(777, memory.get(Preference.BOUNDS).orElseThrow().height);
+        assertEquals(666, memory.get(Preference.BOUNDS).orElseThrow().height);
     }
 
     /** Waits until a window is as wide as the screen but for borders. */
