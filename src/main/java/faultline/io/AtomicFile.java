@@ -64,6 +64,16 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
+    /**
+     * Deletes the temporary files that killed processes have left in a folder.
+     *
+     * @param folder a folder into which no process is writing
+     * @throws IOException if a file cannot be deleted
+     */
+    public static void deleteTemporaryFiles(Path folder) throws IOException {
+        TemporaryFile.deleteAll(folder);
+    }
+
     private static WriteProblem reason(Path file) {
         if (TemporaryFile.isProgramEnding()) {
             return WriteProblem.PROGRAM_ENDS;

@@ -8,6 +8,7 @@ import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermission;
@@ -112,7 +113,7 @@ final class TemporaryFile {
         if (!SEARCHED_FOLDERS.add(folder)) {
             return;
         }
-        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, PREFIX + "*" + SUFFIX)) {
+        try (DirectoryStream<Path> files = list(folder)) {
             for (Path file : files) {
                 if (!UnfinishedFiles.FILES.contains(file) && isAbandoned(file, now)) {
                     Files.deleteIfExists(file);
@@ -120,6 +121,23 @@ final class TemporaryFile {
             }
         } catch (IOException | DirectoryIteratorException e) {
             // The files may remain; they have no effect.
+        }
+    }
+
+    private static DirectoryStream<Path> list(Path folder) throws IOException {
+        return Files.newDirectoryStream(folder, PREFIX + "*" + SUFFIX);
+    }
+
+    /** Deletes all temporary files in a folder, however young they are. */
+    static void deleteAll(Path folder) throws IOException {
+        try (DirectoryStream<Path> files = list(folder)) {
+            for (Path file : files) {
+                if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+                    Files.deleteIfExists(file);
+                }
+            }
+        } catch (DirectoryIteratorException e) {
+            throw e.getCause();
         }
     }
 

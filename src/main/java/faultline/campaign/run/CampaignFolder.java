@@ -11,7 +11,6 @@ import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
@@ -194,18 +193,9 @@ public final class CampaignFolder {
     private void removeTemporaryFiles() throws IOException {
         for (Path inside : List.of(folder, plan(), replays())) {
             if (Files.isDirectory(inside)) {
-                try (Stream<Path> listed = Files.list(inside)) {
-                    for (Path file : listed.filter(CampaignFolder::isTemporary).toList()) {
-                        Files.deleteIfExists(file);
-                    }
-                }
+                AtomicFile.deleteTemporaryFiles(inside);
             }
         }
-    }
-
-    private static boolean isTemporary(Path file) {
-        return file.getFileName().toString().matches("\\.faultline-.+\\.tmp")
-                && Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS);
     }
 
     @Override
