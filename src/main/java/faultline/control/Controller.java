@@ -13,6 +13,13 @@ public interface Controller {
     Decision decide(Observation observation);
 
     /**
+     * {@return the name that the controller gives itself, on one line, the same at any time; empty if it gives none}
+     */
+    default String name() {
+        return "";
+    }
+
+    /**
      * Takes other settings, between two decisions. A controller without settings does nothing.
      *
      * @param settings the new settings, of the same kind as those that it was made with

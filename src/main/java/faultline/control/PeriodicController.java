@@ -71,6 +71,11 @@ public final class PeriodicController implements Controller, AutoCloseable {
     }
 
     @Override
+    public String name() {
+        return delegate.name();
+    }
+
+    @Override
     public void close() {
         if (delegate instanceof AutoCloseable closeable) {
             try {

@@ -4,15 +4,23 @@ package faultline.control;
 public final class StateTracker implements Controller {
 
     private final Controller delegate;
+    private final String name;
     private Telemetry last;
 
     /**
      * Tracks a controller.
      *
      * @param delegate the controller
+     * @param name its name, on one line; empty if it has none
      */
-    public StateTracker(Controller delegate) {
+    public StateTracker(Controller delegate, String name) {
         this.delegate = delegate;
+        this.name = name;
+    }
+
+    @Override
+    public String name() {
+        return name;
     }
 
     @Override

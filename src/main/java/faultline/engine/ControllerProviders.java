@@ -3,6 +3,7 @@ package faultline.engine;
 import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.control.StateTracker;
+import faultline.io.MessageText;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -53,7 +54,7 @@ public final class ControllerProviders {
      */
     public static Controller create(ControllerProvider provider, Map<String, String> settings) {
         try {
-            return new StateTracker(provider.create(settings));
+            return new StateTracker(provider.create(settings), MessageText.name(provider.name()));
         } catch (RuntimeException | Error e) {
             throw new RunFailedException("the controller \"" + provider.name() + "\" cannot be created: " + e, e);
         }

@@ -34,6 +34,7 @@ public final class Simulation implements AutoCloseable {
     private final SimulationSetup setup;
     private final World world;
     private final Controller controller;
+    private final String controllerName;
     private final ControllerHost controllerHost;
     /** The controller if it was made for this run and is not part of the program, otherwise null. */
     private final Controller foreignController;
@@ -104,6 +105,8 @@ public final class Simulation implements AutoCloseable {
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
         this.controller = controller;
         this.controllerSpec = setup.controller();
+        // Read before another thread may use the controller.
+        this.controllerName = controller.name();
         this.controllerHost = ControllerHost.create(controller, mode);
         this.activeDecision = new Decision(0, 0, Telemetry.ofState(ControllerFactory.initialState(setup.controller())));
         this.commandListener = listener;
@@ -281,6 +284,11 @@ public final class Simulation implements AutoCloseable {
     /** {@return the current settings of the controller} */
     public ControllerSpec controllerSpec() {
         return controllerSpec;
+    }
+
+    /** {@return the name that the controller gives itself, on one line; empty if it gives none} */
+    public String controllerName() {
+        return controllerName;
     }
 
     /**

@@ -41,10 +41,14 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         }
     }
 
+    /** The state of a child without a name until it names one. */
+    private static final String NAMELESS_STATE = "EXTERN";
+
     private final String who;
     private final ChildProcess child;
     private final Timeouts timeouts;
     private final boolean givesTruth;
+    private final String name;
     private final DriveTelemetry telemetry;
     private RobotSpec knownRobot;
     private Simulation simulation;
@@ -66,7 +70,8 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         this.givesTruth = givesTruth;
         this.knownRobot = run.robot();
         this.child = start(command, timeouts.answer(), errors);
-        this.telemetry = new DriveTelemetry(greet(run));
+        this.name = greet(run);
+        this.telemetry = new DriveTelemetry(name.isEmpty() ? NAMELESS_STATE : name);
     }
 
     private static ChildProcess start(String command, double patience, Consumer<String> errors) {
@@ -84,6 +89,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         }
     }
 
+    /** Greets the child, and returns the name that it gives itself; empty if it gives none. */
     private String greet(RunDescription run) {
         try {
             child.send(ProtocolMessages.hello(run));
@@ -92,7 +98,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
                 throw new ProtocolException(
                         "speaks protocol " + ready.whole("protocol"), "; expected " + ProtocolMessages.PROTOCOL);
             }
-            return ready.string("name", "EXTERN");
+            return MessageText.name(ready.string("name", ""));
         } catch (ProtocolException | IOException e) {
             throw failure(e, "before the first tick");
         }
@@ -127,6 +133,11 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         } catch (ProtocolException | IOException e) {
             throw failure(e, "at tick " + observation.tick());
         }
+    }
+
+    @Override
+    public String name() {
+        return name;
     }
 
     /** Stores the simulation, whose truth is sent with the next observation if this is enabled. */

@@ -29,6 +29,16 @@ public final class MessageText {
     }
 
     /**
+     * {@return the name that something gives itself, as it is shown: on one line, with single blanks, and shortened if
+     * it is long; empty if nothing visible is left}
+     *
+     * @param given the name as it was given
+     */
+    public static String name(String given) {
+        return excerpt(oneLine(given).replaceAll("\\s+", " ").strip());
+    }
+
+    /**
      * {@return a text with a blank instead of every character that could change how the rest is shown: control
      * characters, line separators and the controls of bidirectional text}
      *

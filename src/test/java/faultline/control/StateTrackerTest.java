@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class StateTrackerTest {
 
     private final Deque<Telemetry> given = new ArrayDeque<>();
-    private final StateTracker tracker = new StateTracker(observation -> new Decision(1, 2, given.remove()));
+    private final StateTracker tracker = new StateTracker(observation -> new Decision(1, 2, given.remove()), "");
 
     private static Telemetry state(String name) {
         return Telemetry.ofState(ControllerState.of(name));

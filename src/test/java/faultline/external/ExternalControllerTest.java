@@ -149,6 +149,29 @@ class ExternalControllerTest {
         return "echo '{\"type\":\"drive\",\"tick\":" + tick + ",\"left_v\":1,\"right_v\":1}';";
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            textBlock =
+                    """
+            ,"name":"my follower"                              | my follower
+            ,"name":"  my\\n\\tfollower \\u001b[31m\\u202e "     | my follower [31m
+            ,"name":"dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd" | dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd...
+            ,"name":"\\u0007"                                  | ``
+            ,"name":null                                       | ``
+            ``                                                 | ``
+            """)
+    void theNameOfAChildIsOneShortLine(String member, String name) {
+        String ready = "{\"type\":\"ready\",\"protocol\":1" + member + "}";
+        String command = shell("read l; printf '%s\n' '" + ready + "'; read l");
+        RunDescription run = RunDescription.of("faultline test", "Office", office(), 1);
+        try (ExternalController child =
+                new ExternalController(command, run, ExternalController.Timeouts.DEFAULT, false, errors::add)) {
+            assertEquals(name, child.name());
+        }
+    }
+
     @Test
     void anAnswerAfterALongSilenceIsWhole() throws Exception {
         String slow = "read l; echo '" + READY + "'; read l; sleep 1.5; " + drive("0")

@@ -375,7 +375,12 @@ public final class Session implements SessionView, AutoCloseable {
     }
 
     private SessionFrame currentFrame() {
-        return new SessionFrame(simulation.frame(), recorder.view(), meter.measures(), simulation.controllerSpec());
+        return new SessionFrame(
+                simulation.frame(),
+                recorder.view(),
+                meter.measures(),
+                simulation.controllerSpec(),
+                simulation.controllerName());
     }
 
     private SessionStatus currentStatus() {

@@ -21,8 +21,10 @@ import java.util.OptionalDouble;
  * @param recording the recording of the run up to that tick
  * @param measures the measures of the run up to that tick
  * @param controller the settings of the controller
+ * @param controllerName the name that the controller gives itself, on one line; empty if it gives none
  */
-public record SessionFrame(Frame frame, Recording recording, RunMeasures measures, ControllerSpec controller)
+public record SessionFrame(
+        Frame frame, Recording recording, RunMeasures measures, ControllerSpec controller, String controllerName)
         implements RunOutcome {
 
     /**
@@ -32,7 +34,7 @@ public record SessionFrame(Frame frame, Recording recording, RunMeasures measure
      * @param recording the recording up to the frame
      */
     public SessionFrame(Frame frame, Recording recording) {
-        this(frame, recording, RunMeasures.NONE, new ControllerSpec.None());
+        this(frame, recording, RunMeasures.NONE, new ControllerSpec.None(), "");
     }
 
     /** {@return the world at the end of the tick} */

@@ -73,7 +73,7 @@ final class DiagramPainter {
             paintState(state);
         }
         Font bold = SMALL_FONT.deriveFont(Font.BOLD);
-        String strategy = strategyText(frame);
+        String strategy = nameText(width / 3, bold) + strategyText(frame);
         double room = width - TEXT_MARGIN - g.getFontMetrics(bold).stringWidth(strategy);
         drawFitted(
                 strategy
@@ -83,6 +83,12 @@ final class DiagramPainter {
                 width - TEXT_MARGIN,
                 bold,
                 last.isPresent() ? colours.accent() : colours.muted());
+    }
+
+    /** Returns the name that the controller gives itself, if it does, shortened to a width in pixels. */
+    private String nameText(double room, Font font) {
+        String name = frame.controllerName();
+        return name.isEmpty() ? "" : ShortenedText.of(name, g.getFontMetrics(font), room) + " · ";
     }
 
     /** Returns which strategy of the ladder drives, if it is not the first one, before the last transition. */

@@ -280,7 +280,7 @@ public final class ControlPanel extends JPanel {
 
     /** Shows what a run has come to. */
     public void setRun(SessionFrame frame, SessionStatus status, Scenario scenario) {
-        controller.setSettings(frame.controller(), scenario.setup());
+        controller.setSettings(frame.controller(), frame.controllerName(), scenario.setup());
         run.setRun(frame, status, scenario);
     }
 

@@ -47,6 +47,9 @@ public final class ControllerForm {
     private final Consumer<ControllerSpec.BuiltIn> onChange;
     private final NamedChoice<ControllerKind> kind = new NamedChoice<>(
             ControllerKind.values(), value -> Messages.get("controller.kind." + value.name()), this::selectKind);
+    private final ValueLabel name =
+            new ValueLabel(() -> Messages.get("controller.name"), () -> List.of("a longer name"));
+    private final JLabel nameLabel = FormConstraints.label("controller.name", name);
     private final NumberSpinner distance = new NumberSpinner(
             "0.00##", MIN_DISTANCE, MAX_DISTANCE, 0.01, value -> change(old -> old.withDistance(value)));
     private final NamedChoice<WallSide> side = new NamedChoice<>(
@@ -74,6 +77,10 @@ public final class ControllerForm {
     public ControllerForm(Consumer<ControllerSpec.BuiltIn> onChange) {
         this.onChange = onChange;
         UiText.tip(diagnosis, "controller.diagnosis.tip");
+        UiText.tip(nameLabel, "controller.name.tip");
+        // The controller chooses the text.
+        name.putClientProperty("html.disable", true);
+        setName("");
         diagnosis.addActionListener(event -> change(old -> old.withDiagnosis(diagnosis.isSelected())));
         sections = List.of(
                 new TitledSection(createFollowerForm()),
@@ -85,11 +92,13 @@ public final class ControllerForm {
     private JPanel createFollowerForm() {
         JPanel form = new JPanel(new WrappingGridLayout());
         addRow(form, 0, "controller.kind", kind);
-        addRow(form, 1, "controller.distance", distance.withColumns(6));
-        addRow(form, 2, "controller.wallSide", side);
-        addRow(form, 3, "controller.timing", timing);
-        addRow(form, 4, "controller.period", period.withColumns(6));
-        form.add(diagnosis, FormConstraints.fillRow(1, 5));
+        form.add(nameLabel, FormConstraints.cell(0, 1));
+        form.add(name, FormConstraints.fillRow(1, 1));
+        addRow(form, 2, "controller.distance", distance.withColumns(6));
+        addRow(form, 3, "controller.wallSide", side);
+        addRow(form, 4, "controller.timing", timing);
+        addRow(form, 5, "controller.period", period.withColumns(6));
+        form.add(diagnosis, FormConstraints.fillRow(1, 6));
         return form;
     }
 
@@ -175,6 +184,14 @@ public final class ControllerForm {
             shown = changed;
             onChange.accept(changed);
         }
+    }
+
+    /** Shows the name that a controller gives itself; empty for one that gives none. */
+    void setName(String given) {
+        name.setValue(given);
+        name.setVisible(!given.isEmpty());
+        nameLabel.setVisible(!given.isEmpty());
+        name.setToolTipText(given.isEmpty() ? null : Messages.get("controller.name.full", given));
     }
 
     /**

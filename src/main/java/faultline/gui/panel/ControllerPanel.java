@@ -32,8 +32,10 @@ public final class ControllerPanel extends JPanel {
         editor.send(new Command.ConfigureController(changed));
     }
 
-    void setSettings(ControllerSpec current, SimulationSetup setup) {
+    /** Shows a controller, the name that it gives itself, empty for none, and the drive of a setup's robot. */
+    void setSettings(ControllerSpec current, String name, SimulationSetup setup) {
         assert EventQueue.isDispatchThread();
+        form.setName(name);
         editor.pendingEdits().setController(current);
         form.setController(
                 editor.pendingEdits().controller(), editor.pendingEdits().robot(), setup.dt());

@@ -118,6 +118,7 @@ class ControllerChoiceTest {
     void anotherProgramDrivesAndItsStateIsShown() throws Exception {
         choose("sh " + script("CIRCLE"));
         waitFor("the second session", () -> sessionCount == 2);
+        assertEquals("circle", SessionFrames.frame(workspace).controllerName());
         runOnEdt(run::step);
         Await.until("its state", () -> state().equals("CIRCLE"));
         assertFalse(callOnEdt(workspace::isChanged), "the scenario is as it was");

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
@@ -27,10 +28,13 @@ import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JFormattedTextField;
+import javax.swing.JLabel;
 import javax.swing.JSpinner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -77,7 +81,9 @@ class ControllerPanelTest {
             SessionFrames.poll(workspace).ifPresent(frame -> {
                 undo.pendingEdits().setRobot(frame.snapshot().robot());
                 panel.setSettings(
-                        frame.controller(), workspace.scenario().orElseThrow().setup());
+                        frame.controller(),
+                        frame.controllerName(),
+                        workspace.scenario().orElseThrow().setup());
             });
             return SessionFrames.poll(workspace)
                     .filter(frame -> condition.test(frame.controller()))
@@ -272,6 +278,31 @@ class ControllerPanelTest {
         public void runRepositioned(long tick) {
             undo.runRepositioned(tick);
         }
+    }
+
+    @Test
+    void theNameThatAControllerGivesItselfIsShownAsItIs() {
+        assertEquals(List.of(), texts("Name"));
+        String markup = "<html><b>my follower";
+        runOnEdt(() -> panel.setSettings(
+                new ControllerSpec.Extern(0),
+                markup,
+                workspace.scenario().orElseThrow().setup()));
+        assertEquals(List.of(markup), texts(markup));
+        assertEquals(List.of("Name"), texts("Name"));
+        assertNull(callOnEdt(() -> labels(markup).findFirst().orElseThrow().getClientProperty("html")));
+        await("the follower again", spec -> true);
+        assertEquals(List.of(), texts("Name"));
+    }
+
+    private List<String> texts(String text) {
+        return callOnEdt(() -> labels(text).map(JLabel::getText).toList());
+    }
+
+    /** Returns the visible labels with a text. */
+    private Stream<JLabel> labels(String text) {
+        return ComponentFinder.findAll(panel, JLabel.class)
+                .filter(label -> label.isVisible() && text.equals(label.getText()));
     }
 
     @Test
