@@ -1,10 +1,12 @@
 package faultline.gui.instrument;
 
+import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
+import faultline.engine.ControllerFactory;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
@@ -56,7 +58,10 @@ public final class StateDiagramView extends AccessibleComponent {
         assert EventQueue.isDispatchThread();
         boolean moved = frame == null
                 || frame.telemetry().transitions() != newest.telemetry().transitions()
-                || !frame.telemetry().state().equals(newest.telemetry().state());
+                || !frame.telemetry().state().equals(newest.telemetry().state())
+                || !frame.controllerName().equals(newest.controllerName())
+                || frame.controller() != newest.controller()
+                || (frame.snapshot().tick() == 0) != (newest.snapshot().tick() == 0);
         frame = newest;
         if (moved) {
             describe();
@@ -71,7 +76,11 @@ public final class StateDiagramView extends AccessibleComponent {
     }
 
     private static String accessibleText(SessionFrame newest) {
-        return Messages.get("diagram.now", StateText.name(newest.telemetry().state()))
+        boolean isForeign = !isFollower(newest) && !(newest.controller() instanceof ControllerSpec.BuiltIn);
+        String now = isForeign
+                ? foreignText(newest)
+                : Messages.get("diagram.now", StateText.name(newest.telemetry().state()));
+        return now
                 + DiagramPainter.lastTransition(newest)
                         .map(last -> ". " + DiagramPainter.transitionText(last))
                         .orElse("");
@@ -81,6 +90,30 @@ public final class StateDiagramView extends AccessibleComponent {
     private static boolean isFollower(SessionFrame shown) {
         ControllerState state = shown.telemetry().state();
         return state instanceof FollowerState || state.equals(FaultTolerantFollower.STOP);
+    }
+
+    /** Returns what is shown instead of the diagram. */
+    static String otherText(SessionFrame shown) {
+        return shown.controller() instanceof ControllerSpec.BuiltIn
+                ? Messages.get("diagram.other", StateText.name(shown.telemetry().state()))
+                : foreignText(shown);
+    }
+
+    private static String foreignText(SessionFrame shown) {
+        String name = shown.controllerName();
+        String who =
+                name.isEmpty() ? Messages.get("diagram.controller") : Messages.get("diagram.controller.named", name);
+        ControllerState state = shown.telemetry().state();
+        if (shown.snapshot().tick() == 0) {
+            return shown.controller() instanceof ControllerSpec.Extern
+                    ? Messages.get("diagram.notChosen")
+                    : Messages.get("diagram.undecided", who);
+        }
+        boolean namesState =
+                !state.name().equals(name) && !state.equals(ControllerFactory.initialState(shown.controller()));
+        return namesState
+                ? Messages.get("diagram.foreign.state", who, StateText.name(state))
+                : Messages.get("diagram.foreign", who);
     }
 
     private double scale() {
@@ -106,10 +139,7 @@ public final class StateDiagramView extends AccessibleComponent {
             new DiagramPainter(g, currentLayout(), Theme.current(), frame)
                     .paint(getWidth() / scale(), getHeight() / scale());
         } else {
-            paintMessage(
-                    g,
-                    Messages.get(
-                            "diagram.other", StateText.name(frame.telemetry().state())));
+            paintMessage(g, otherText(frame));
         }
     }
 

@@ -29,6 +29,7 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** The state diagram without a display: the current state, the last transition, and their descriptions. */
@@ -169,6 +170,30 @@ class StateDiagramViewTest {
     }
 
     @Test
+    void aControllerFromOutsideHasASentence() {
+        ControllerSpec chosen = new ControllerSpec.Provided("right-turner", 0, Map.of());
+        ControllerState unnamed = ControllerState.of("EXTERN");
+        assertEquals("The controller has not made a decision yet.", sentence(0, unnamed, chosen, ""));
+        assertEquals("The controller \"circle\" has not made a decision yet.", sentence(0, unnamed, chosen, "circle"));
+        assertEquals("The controller has no state diagram.", sentence(500, unnamed, chosen, ""));
+        assertEquals(
+                "The controller \"circle\" has no state diagram.",
+                sentence(500, ControllerState.of("circle"), chosen, "circle"));
+        assertEquals(
+                "The controller \"circle\" has no state diagram. It is in the state \"NEAR\".",
+                sentence(500, ControllerState.of("NEAR"), chosen, "circle"));
+        assertEquals(
+                "This scenario needs a controller from outside. Simulation > Choose controller chooses one.",
+                sentence(0, unnamed, new ControllerSpec.Extern(0), ""));
+    }
+
+    private static String sentence(long tick, ControllerState state, ControllerSpec spec, String name) {
+        SessionFrame of = SampleRuns.frame(tick);
+        Frame frame = frame(of.frame(), state, "");
+        return StateDiagramView.otherText(new SessionFrame(frame, of.recording(), of.measures(), spec, name));
+    }
+
+    @Test
     void aSentenceInLargeTextTakesMoreLines() {
         runOnEdt(() -> view.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 34)));
         BufferedImage picture = picture(SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 10));
@@ -207,9 +232,12 @@ class StateDiagramViewTest {
     }
 
     private static SessionFrame frame(ControllerState state, String rung) {
-        Frame old = FRAME.frame();
+        return new SessionFrame(frame(FRAME.frame(), state, rung), FRAME.recording());
+    }
+
+    private static Frame frame(Frame old, ControllerState state, String rung) {
         Telemetry telemetry = old.telemetry();
-        Frame frame = new Frame(
+        return new Frame(
                 old.snapshot(),
                 new Telemetry(
                         state,
@@ -223,6 +251,5 @@ class StateDiagramViewTest {
                 old.rightVolts(),
                 old.path(),
                 old.trajectoryHash());
-        return new SessionFrame(frame, FRAME.recording());
     }
 }
