@@ -35,6 +35,7 @@ public final class ControllerChooser implements WorkspaceListener {
     private final RunController runController;
     private final ComparisonController comparison;
     private final Consumer<String> note;
+    private final Consumer<String> removeNote;
     private final ErrorLines errorLines;
 
     private final Timer watch = new Timer(WATCH_MILLIS, event -> checkFiles());
@@ -51,7 +52,11 @@ public final class ControllerChooser implements WorkspaceListener {
     /** Whether the ghost starts with the next session. */
     private boolean ghostPending;
 
+    /** The times of the files that the controller of the session was loaded from. */
     private Map<Path, FileTime> files = Map.of();
+    /** The note about a changed file that was shown last. */
+    private String changedNote = "";
+
     /** Read by the threads that start runs. */
     private volatile String scenarioName = "";
 
@@ -71,6 +76,7 @@ public final class ControllerChooser implements WorkspaceListener {
         this.runController = runController;
         this.comparison = comparison;
         this.note = note;
+        this.removeNote = removeNote;
         this.errorLines = new ErrorLines(note, removeNote);
         workspace.addListener(this);
     }
@@ -151,6 +157,9 @@ public final class ControllerChooser implements WorkspaceListener {
             comparison.compareWith(ghostChoice, errorLines.forGhost());
         }
         watch.stop();
+        // The restart has loaded a changed file.
+        files = Map.of();
+        removeNote.accept(changedNote);
         ControllerSelection chosen = started;
         if (!chosen.isScenarios()) {
             BackgroundTasks.run(
@@ -175,8 +184,9 @@ public final class ControllerChooser implements WorkspaceListener {
     private void compare(Map<Path, FileTime> now) {
         now.forEach((file, time) -> {
             if (files.containsKey(file) && !time.equals(files.get(file))) {
-                note.accept(Messages.get(
-                        "chooseController.changed", file.getFileName().toString()));
+                changedNote = Messages.get(
+                        "chooseController.changed", file.getFileName().toString());
+                note.accept(changedNote);
             }
         });
         files = now;

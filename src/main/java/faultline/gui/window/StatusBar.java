@@ -49,6 +49,8 @@ final class StatusBar extends JPanel {
     private transient Vector2 cursorPoint;
 
     private int shownRefusals;
+    /** Why the run failed at the last frame, empty if it did not. */
+    private String shownFailure = "";
 
     StatusBar() {
         super(new StatusLayout(GAP, StatusCell.class::isInstance));
@@ -94,9 +96,15 @@ final class StatusBar extends JPanel {
         return NumberText.format("x %.3f  y %.3f  θ %s°", pose.x(), pose.y(), AngleText.degrees(pose.heading(), 1));
     }
 
-    /** Shows permanently why the run failed, or temporarily why a command was refused. */
+    /** Shows why the run failed for as long as it is so, or temporarily why a command was refused. */
     private void showNote(SessionStatus status) {
-        status.failure().ifPresent(this::showNote);
+        String failure = status.failure().orElse("");
+        if (!failure.isEmpty()) {
+            showNote(failure);
+        } else if (!shownFailure.isEmpty()) {
+            removeNote(shownFailure);
+        }
+        shownFailure = failure;
         if (status.refusals() != shownRefusals) {
             shownRefusals = status.refusals();
             status.lastRefusal().map(RefusalText::format).ifPresent(this::showNote);
@@ -108,6 +116,7 @@ final class StatusBar extends JPanel {
     /** Removes a note that is shown. */
     void clearNote() {
         note.setText("");
+        note.setToolTipText(null);
         noteFramesLeft = 0;
     }
 

@@ -91,6 +91,16 @@ class StatusBarTest {
     }
 
     @Test
+    void theReasonOfAFailureGoesWithTheFailedRun() {
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
+        show(frame, new SessionStatus(false, 1, 0, 0, null, "the controller does not answer"));
+        show(frame, new SessionStatus(false, 1, 0, 0, null, null));
+        assertEquals("Paused", texts().get(0));
+        assertFalse(texts().contains("the controller does not answer"));
+        assertFalse(callOnEdt(bar::isNoteShown));
+    }
+
+    @Test
     void aRefusalHidesTheLastCellsOfANarrowStatusBar() {
         runOnEdt(() -> bar.setSize(2000, 28));
         assertEquals(8, shown());
