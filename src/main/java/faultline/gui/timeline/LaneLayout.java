@@ -200,13 +200,14 @@ final class LaneLayout {
         TimelineItem item = items.get(index);
         int lane = laneOfItem[index];
         double row = (double) laneHeight(lane) / rowCounts[lane];
-        double height = row - 2.0 * PADDING;
         double y = laneTop(lane) + rows[index] * row + PADDING;
         if (!item.isInterval()) {
+            double height = row - 2.0 * PADDING;
             return new Rectangle2D.Double(axis.x(item.start()) - height / 2, y, height, height);
         }
         double x = axis.x(item.start());
-        return new Rectangle2D.Double(x, y, Math.max(MIN_WIDTH, axis.x(item.end()) - x), height);
+        // The padding of the next row keeps the bars apart, so that there is more room for their labels.
+        return new Rectangle2D.Double(x, y, Math.max(MIN_WIDTH, axis.x(item.end()) - x), row - PADDING);
     }
 
     /**

@@ -26,6 +26,9 @@ final class LanePainter {
     private static final int BAR_ALPHA = 120;
     private static final int BAND_ALPHA = 40;
     private static final int LABEL_ROOM = 6;
+    /** The width of the border of a bar. */
+    private static final int BORDER = 1;
+
     private static final int HANDLE = 3;
     private static final int SWATCH = 7;
     private static final int MIN_TICK_DISTANCE = 56;
@@ -77,7 +80,7 @@ final class LanePainter {
             double room = lanes.axis().left() - 3 * LABEL_ROOM - SWATCH;
             Color colour =
                     view.isEnabled() ? theme.palette().text() : theme.palette().muted();
-            paintText(name, 2.0 * LABEL_ROOM + SWATCH, y, lanes.rowHeight(), room, colour);
+            paintText(name, font, 2.0 * LABEL_ROOM + SWATCH, y, lanes.rowHeight(), room, colour);
             if (lanes.lanes().get(lane) instanceof Lane.SensorLane) {
                 paintSwatch(lane);
             }
@@ -96,15 +99,17 @@ final class LanePainter {
     }
 
     /** Paints a text in a row, shortened to a width. */
-    private void paintText(String text, double x, double top, double height, double width, Color colour) {
-        g.setFont(font);
+    private void paintText(
+            String text, Font textFont, double x, double top, double height, double width, Color colour) {
+        g.setFont(textFont);
         FontMetrics metrics = g.getFontMetrics();
         g.setColor(colour);
         g.drawString(ShortenedText.of(text, metrics, width), (float) x, baseline(top, height, metrics));
     }
 
     private static float baseline(double top, double height, FontMetrics metrics) {
-        return (float) (top + (height + metrics.getAscent() - metrics.getDescent()) / 2);
+        // Between two rows of pixels, a text would be blurred.
+        return (float) Math.floor(top + (height + metrics.getAscent() - metrics.getDescent()) / 2);
     }
 
     private void paintTicks() {
@@ -170,18 +175,25 @@ final class LanePainter {
     }
 
     private void paintLabel(int index, Rectangle2D bounds) {
-        if (bounds.getHeight() < lanes.rowHeight() / 2.0 + 2) {
+        if (bounds.getHeight() < lanes.rowHeight() / 2.0 + 3) {
             return;
         }
-        g.setFont(font);
+        Font labelFont = labelFont(bounds.getHeight());
+        g.setFont(labelFont);
         FontMetrics metrics = g.getFontMetrics();
         String text = TimelineText.label(lanes.items().get(index));
         double width = metrics.stringWidth(text);
         LaneLayout.LabelRoom room = lanes.labelRoom(index, width, LABEL_ROOM, view.getWidth());
         if (Math.min(width, metrics.stringWidth("mm…")) <= room.width()) {
             Color colour = theme.palette().text();
-            paintText(text, room.left(), bounds.getY(), bounds.getHeight(), Math.ceil(room.width()), colour);
+            paintText(text, labelFont, room.left(), bounds.getY(), bounds.getHeight(), Math.ceil(room.width()), colour);
         }
+    }
+
+    /** Returns a font whose letters do not touch the border of a bar of a height, pixels. */
+    private Font labelFont(double height) {
+        // On the screen, the letters may be one pixel higher than the size of the font.
+        return font.deriveFont((float) Math.min(font.getSize(), Math.floor(height - 2 * BORDER - 1)));
     }
 
     private void paintMark(Rectangle2D bounds, boolean selected) {
@@ -203,6 +215,7 @@ final class LanePainter {
         double x = lanes.axis().left() + LABEL_ROOM;
         paintText(
                 Messages.get("timeline.hint"),
+                font,
                 x,
                 lanes.laneTop(lane),
                 lanes.rowHeight(),

@@ -32,7 +32,7 @@ class LaneLayoutTest {
     void itemsThatOverlapHaveRowsWithRoomForTheirLabels() {
         LaneLayout lanes = layout(item("left", 0, 20), item("left", 10, 30), item("left", 20, 40), item("rear", 5, 9));
         for (int i = 0; i < 4; i++) {
-            assertEquals(ROW - 2, lanes.bounds(i).getHeight());
+            assertEquals(ROW - 1, lanes.bounds(i).getHeight());
             Rectangle2D bounds = lanes.bounds(i);
             IntStream.range(0, i).forEach(other -> assertFalse(bounds.intersects(lanes.bounds(other))));
         }

@@ -1,0 +1,100 @@
+package faultline.gui.timeline;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
+import faultline.gui.document.Workspace;
+import faultline.gui.edit.UndoController;
+import faultline.gui.theme.Theme;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The label of a bar in lanes of several heights, without a display. */
+@ExtendWith(EdtChecker.class)
+class LanePainterTest {
+
+    private static final int WIDTH = 800;
+    private static final int RULER = 14;
+    private static final int LABEL_WIDTH = 110;
+
+    private Workspace workspace;
+    private LaneView view;
+
+    @BeforeEach
+    void openWithOneLongFault() {
+        RunController run = callOnEdt(() -> {
+            Theme.LIGHT.install();
+            workspace = new Workspace();
+            RunController created = new RunController(workspace);
+            new DocumentStore(workspace).open(Path.of("scenarios/mirror.xml"));
+            return created;
+        });
+        SessionFrames.awaitScenario(workspace);
+        runOnEdt(() -> {
+            view = new LaneView(new TimelineEditor(workspace, run, new UndoController(run::send, () -> {})));
+            run.change(old -> old.withSetup(old.setup()
+                    .withTimeline(List.of(
+                            new TimedCommand(10, new Command.InjectFault("left", new Fault.Dropout(0.3))),
+                            new TimedCommand(50, new Command.ClearFaults("left"))))));
+            view.update(List.of(new Lane.SensorLane("left"), Lane.OTHER), new TimeAxis(0, WIDTH, 60), 0);
+        });
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    private BufferedImage picture(int rowHeight) {
+        return callOnEdt(() -> {
+            view.setSize(WIDTH, RULER + 2 * rowHeight);
+            BufferedImage image = new BufferedImage(WIDTH, view.getHeight(), BufferedImage.TYPE_INT_RGB);
+            Graphics2D graphics = image.createGraphics();
+            view.print(graphics);
+            graphics.dispose();
+            return image;
+        });
+    }
+
+    /** Returns how many pixels of a line of the bar, from its top, differ from those where there is no label. */
+    private long labelPixels(BufferedImage picture, Rectangle2D bar, int line) {
+        int y = (int) bar.getMinY() + line;
+        int left = (int) bar.getMinX() + 4;
+        // The first line of the grid is further to the right.
+        int right = left + LABEL_WIDTH;
+        long count = 0;
+        for (int x = left; x < right; x++) {
+            count += picture.getRGB(x, y) == picture.getRGB(right, y) ? 0 : 1;
+        }
+        return count;
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {12, 14, 17})
+    void theLabelOfABarDoesNotTouchItsBorder(int rowHeight) {
+        BufferedImage picture = picture(rowHeight);
+        Rectangle2D bar = callOnEdt(() -> view.lanes().bounds(0));
+        int height = (int) bar.getHeight();
+        for (int line : new int[] {0, height - 1}) {
+            assertEquals(0, labelPixels(picture, bar, line), "line " + line + " of " + height);
+        }
+        assertTrue(labelPixels(picture, bar, height / 2) > 10, "there is no label");
+    }
+}
