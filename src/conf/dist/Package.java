@@ -9,6 +9,8 @@ import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.spi.ToolProvider;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -28,6 +30,8 @@ public final class Package {
     private static final Path INPUT = DIST.resolve("input");
     private static final Path RUNTIME = DIST.resolve("runtime");
     private static final Path RESOURCES = Path.of("src/conf/dist/linux");
+    /** A link of Markdown, as its text and its target, that names neither a scheme nor a place in the same page. */
+    private static final Pattern RELATIVE_LINK = Pattern.compile("\\[([^\\]]*)]\\((?![a-z]+:|#)([^)\\s]+)\\)");
 
     private Package() {}
 
@@ -99,7 +103,21 @@ public final class Package {
     private static void copyExamples(Path target) throws IOException {
         copyFiles(Path.of("docs/examples/python"), ".py", target, ".py");
         copyFiles(Path.of("scenarios"), ".xml", target.resolve("scenarios"), ".faultline");
-        Files.copy(Path.of("docs/controllers.md"), target.resolveSibling("controllers.md"));
+        String page = Files.readString(Path.of("docs/controllers.md"));
+        Files.writeString(target.resolveSibling("controllers.md"), withInstalledLinks(page, target.getParent()));
+    }
+
+    /**
+     * Returns a page of the documentation whose relative links lead to files in a folder, in which the Python files are
+     * directly among the examples. A link to a page that the package does not have becomes its text.
+     */
+    private static String withInstalledLinks(String page, Path folder) {
+        return RELATIVE_LINK.matcher(page).replaceAll(link -> {
+            String file = link.group(2).replace("examples/python/", "examples/");
+            boolean installed = Files.exists(folder.resolve(file));
+            return Matcher.quoteReplacement(
+                    installed ? "[" + link.group(1) + "](" + file + ")" : link.group(1));
+        });
     }
 
     private static void copyFiles(Path folder, String ending, Path target, String newEnding) throws IOException {
