@@ -90,4 +90,17 @@ public final class JavaProcess {
         process.destroyForcibly().waitFor();
         return true;
     }
+
+    /**
+     * Ends a process by SIGTERM after a random time, unless it has ended by then. Returns whether it was ended so. Not
+     * on Windows, where a process cannot be asked to end.
+     */
+    public static boolean terminateWithin(long millis, Process process) throws InterruptedException {
+        if (process.waitFor(RANDOM.nextLong(millis), TimeUnit.MILLISECONDS)) {
+            return false;
+        }
+        process.destroy();
+        process.waitFor();
+        return true;
+    }
 }

@@ -83,9 +83,7 @@ final class ComparisonFiles implements AutoCloseable {
 
     /** Moves the written files into place. */
     void commit() throws IOException {
-        for (AtomicFile file : written.values()) {
-            file.commit();
-        }
+        AtomicFile.commitAll(written.values());
     }
 
     @Override

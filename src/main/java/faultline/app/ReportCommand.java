@@ -8,6 +8,7 @@ import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -39,13 +40,28 @@ final class ReportCommand {
                 .isPresent()) {
             throw new UsageException("--out or --table is a file of the campaign itself; expected another file");
         }
-        AtomicFile.write(target, report.html().getBytes(StandardCharsets.UTF_8));
-        if (table.isPresent()) {
-            AtomicFile.write(table.get(), report.cellsCsv().getBytes(StandardCharsets.UTF_8));
-        }
+        write(report, targets);
         output.println("report: " + target);
         table.ifPresent(file -> output.println("table: " + file));
         output.println("runs: " + report.runCount());
         return ExitCode.SUCCESS;
+    }
+
+    /** Writes the page to the first target and, if there is a second, the table to it. */
+    private static void write(CampaignReport report, List<Path> targets) throws IOException {
+        List<AtomicFile> files = new ArrayList<>();
+        try {
+            for (Path target : targets) {
+                String text = files.isEmpty() ? report.html() : report.cellsCsv();
+                AtomicFile file = AtomicFile.create(target);
+                files.add(file);
+                file.stream().write(text.getBytes(StandardCharsets.UTF_8));
+            }
+            AtomicFile.commitAll(files);
+        } finally {
+            for (AtomicFile file : files) {
+                file.close();
+            }
+        }
     }
 }

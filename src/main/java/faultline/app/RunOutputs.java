@@ -142,9 +142,7 @@ final class RunOutputs implements AutoCloseable {
         if (film != null) {
             film.close();
         }
-        for (AtomicFile file : files.values()) {
-            file.commit();
-        }
+        AtomicFile.commitAll(files.values());
     }
 
     private static BufferedImage renderImage(Frame frame) {

@@ -11,6 +11,10 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
 
 /**
  * A file that exists completely or not at all: written under a random name in the same folder, forced to the disk, and
@@ -120,6 +124,33 @@ public final class AtomicFile implements AutoCloseable {
      * @throws IOException if it cannot be moved
      */
     public void commit() throws IOException {
+        commitAll(List.of(this));
+    }
+
+    /**
+     * Moves the written files of one command into place. Nothing is moved before all are on the disk, and a signal that
+     * arrives after the first move ends the process after the last one. A file system that refuses a move, or a process
+     * that is killed in between, leaves some files as they were.
+     *
+     * @param files the files, each at another place
+     * @throws IOException if one cannot be moved
+     */
+    public static void commitAll(Collection<AtomicFile> files) throws IOException {
+        for (AtomicFile file : files) {
+            file.complete();
+        }
+        TemporaryFile.keepAliveDuring(() -> {
+            for (AtomicFile file : files) {
+                file.move();
+            }
+        });
+        Set<Path> folders = new LinkedHashSet<>();
+        files.stream().filter(file -> file.temporary != null).forEach(file -> folders.add(file.target.getParent()));
+        folders.forEach(TemporaryFile::forceFolder);
+    }
+
+    /** Writes what is still in the buffer, and forces it to the disk. The file stays open and locked. */
+    private void complete() throws IOException {
         stream.flush();
         if (temporary == null) {
             stream.close();
@@ -128,15 +159,28 @@ public final class AtomicFile implements AutoCloseable {
         }
         try {
             temporary.force();
-            stream.close();
             temporary.applyPermissions();
+        } catch (FileSystemException e) {
+            throw problem(e);
+        }
+    }
+
+    private void move() throws IOException {
+        if (temporary == null) {
+            return;
+        }
+        try {
+            stream.close();
             moveToTarget();
         } catch (FileSystemException e) {
-            throw TemporaryFile.isProgramEnding() ? stream.problem(WriteProblem.PROGRAM_ENDS, e) : stream.problem(e);
+            throw problem(e);
         }
         committed = true;
         temporary.forget();
-        TemporaryFile.forceFolder(target.getParent());
+    }
+
+    private MessageException problem(FileSystemException e) {
+        return TemporaryFile.isProgramEnding() ? stream.problem(WriteProblem.PROGRAM_ENDS, e) : stream.problem(e);
     }
 
     private void moveToTarget() throws IOException {

@@ -15,6 +15,8 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantLock;
 
 /**
  * A new file with a random name, which becomes another file or is deleted, at the latest when the process ends. Until
@@ -32,8 +34,10 @@ final class TemporaryFile {
     private static final class UnfinishedFiles {
 
         private static final Set<Path> FILES = ConcurrentHashMap.newKeySet();
+        /** Held while files are created, moved into place or deleted. */
+        private static final ReentrantLock LOCK = new ReentrantLock();
         /** Whether the process is ending, so that a new file would remain. */
-        private static boolean ended;
+        private static volatile boolean ended;
 
         static {
             try {
@@ -44,18 +48,37 @@ final class TemporaryFile {
         }
 
         /** Creates a file, unless the process is ending. No file is created while all are deleted. */
-        private static synchronized TemporaryFile create(Path target) throws IOException {
-            if (ended) {
-                throw new FileSystemException(target.toString(), null, "the program is ending");
+        private static TemporaryFile create(Path target) throws IOException {
+            LOCK.lock();
+            try {
+                if (ended) {
+                    throw new FileSystemException(target.toString(), null, "the program is ending");
+                }
+                return TemporaryFile.createRegistered(target);
+            } finally {
+                LOCK.unlock();
             }
-            return TemporaryFile.createRegistered(target);
         }
 
-        private static synchronized boolean isEnded() {
-            return ended;
+        private static void keepAlive(Moves moves) throws IOException {
+            LOCK.lock();
+            try {
+                moves.make();
+            } finally {
+                LOCK.unlock();
+            }
         }
 
-        private static synchronized void deleteAll() {
+        private static void deleteAll() {
+            try {
+                if (!LOCK.tryLock(MAX_SECONDS_OF_MOVES, TimeUnit.SECONDS)) {
+                    // The file system does not answer, so nothing could be deleted.
+                    return;
+                }
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                return;
+            }
             ended = true;
             for (Path file : FILES) {
                 try {
@@ -64,8 +87,17 @@ final class TemporaryFile {
                     // The process is ending, so the failure cannot be reported.
                 }
             }
+            LOCK.unlock();
         }
     }
+
+    /** Moves several files into place. */
+    interface Moves {
+        void make() throws IOException;
+    }
+
+    /** The time for which the end of the process waits for files that are moved into place, seconds. */
+    private static final int MAX_SECONDS_OF_MOVES = 30;
 
     private static final int MAX_MILLIS_WITHOUT_LOCK = 10_000;
 
@@ -74,6 +106,8 @@ final class TemporaryFile {
 
     private final Path path;
     private final Set<PosixFilePermission> permissions;
+    /** Null until the file is opened. */
+    private FileChannel channel;
 
     private TemporaryFile(Path path, Set<PosixFilePermission> permissions) {
         this.path = path;
@@ -90,7 +124,15 @@ final class TemporaryFile {
 
     /** Returns whether the process is ending, so that all temporary files are deleted and no other is created. */
     static boolean isProgramEnding() {
-        return UnfinishedFiles.isEnded();
+        return UnfinishedFiles.ended;
+    }
+
+    /**
+     * Moves files into place. If a signal arrives meanwhile, the process ends after the last move; if it is ending
+     * already, the files do not exist any more and the first move fails.
+     */
+    static void keepAliveDuring(Moves moves) throws IOException {
+        UnfinishedFiles.keepAlive(moves);
     }
 
     private static TemporaryFile createRegistered(Path target) throws IOException {
@@ -167,7 +209,7 @@ final class TemporaryFile {
 
     /** Opens the file, and locks it where the system can do that. */
     FileChannel open() throws IOException {
-        FileChannel channel = FileChannel.open(path, StandardOpenOption.WRITE);
+        channel = FileChannel.open(path, StandardOpenOption.WRITE);
         try {
             channel.tryLock();
         } catch (IOException e) {
@@ -183,11 +225,9 @@ final class TemporaryFile {
         }
     }
 
-    /** Forces the content to the disk. */
+    /** Forces the content to the disk. The lock remains, which a second channel would end when it is closed. */
     void force() throws IOException {
-        try (FileChannel channel = FileChannel.open(path, StandardOpenOption.WRITE)) {
-            channel.force(true);
-        }
+        channel.force(true);
     }
 
     /** Forces the names in a folder to the disk, where the system can do that. */

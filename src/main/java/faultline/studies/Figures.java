@@ -69,21 +69,26 @@ public final class Figures {
                 new PathFigure("rules-noise", "Noise of 4 mm on all sensors", "noisy-sensors.xml", room));
     }
 
-    /** Writes all figures to a folder, which is created if necessary, and calls the listener for each. */
+    /**
+     * Writes all figures to a folder, which is created if necessary, and calls the listener for each. The files take
+     * their places together when all are written.
+     */
     public static void writeAll(Path path, SvgTheme appearance, FigureListener progress) throws IOException {
-        writeAll(FigureFolder.create(path, appearance), allFigures(), progress);
+        writeAll(path, appearance, allFigures(), progress);
     }
 
-    static void writeAll(FigureFolder folder, List<Figure> figures, FigureListener progress) throws IOException {
+    static void writeAll(Path path, SvgTheme appearance, List<Figure> figures, FigureListener progress)
+            throws IOException {
         ExecutorService workers =
                 Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
-        try {
+        try (FigureFolder folder = FigureFolder.create(path, appearance)) {
             List<Future<?>> futures = new ArrayList<>();
             figures.forEach(figure -> futures.add(workers.submit(() -> writeAll(figure, folder))));
             for (int i = 0; i < futures.size(); i++) {
                 await(futures.get(i));
                 progress.figureWritten(i + 1, futures.size());
             }
+            folder.commit();
         } finally {
             workers.shutdownNow();
         }

@@ -19,6 +19,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
@@ -129,6 +131,28 @@ class KilledWriterTest {
         finish(run());
         assertArrayEquals(complete.get(2), Files.readAllBytes(folder.resolve("trace.csv")));
         assertEquals(outputs, names());
+    }
+
+    /** The signal arrives when the first output is in place, if the others are not in place by then. */
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void aRunThatIsEndedWhileItsOutputsTakeTheirPlacesLeavesAllNew() throws Exception {
+        List<String> outputs = List.of("end.png", "journal.xml", "trace.csv");
+        for (int i = 0; i < JavaProcess.KILLS; i++) {
+            for (String output : outputs) {
+                Files.write(folder.resolve(output), OLD);
+            }
+            Process process = run();
+            while (process.isAlive() && Files.size(folder.resolve("trace.csv")) == OLD.length) {
+                Thread.onSpinWait();
+            }
+            process.destroy();
+            assertTrue(process.waitFor(60, TimeUnit.SECONDS));
+            for (String output : outputs) {
+                assertTrue(Files.size(folder.resolve(output)) > OLD.length, output);
+            }
+            assertEquals(outputs, names());
+        }
     }
 
     @Test

@@ -18,7 +18,10 @@ class ControlPanelFigureTest {
     /** In a scaled picture letters are wider than in the layout, which cut the ends of labels off. */
     @Test
     void thePictureIsPaintedAtTheScaleOfItsLayout(@TempDir Path folder) throws IOException {
-        new ControlPanelFigure().write(new FigureFolder(folder, SvgTheme.LIGHT));
+        try (FigureFolder figures = FigureFolder.create(folder, SvgTheme.LIGHT)) {
+            new ControlPanelFigure().write(figures);
+            figures.commit();
+        }
         int width = ImageIO.read(folder.resolve("fig1-panel.png").toFile()).getWidth();
         assertEquals(TextSize.NORMAL, GuiRobot.callOnEdt(TextSize::current));
         GuiRobot.runOnEdt(TextSize.LARGEST::install);

@@ -6,15 +6,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.JavaProcess;
 import faultline.paint.surface.SvgTheme;
 import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
@@ -52,7 +56,7 @@ class KilledFiguresTest {
                         || figure instanceof StateDiagramFigure
                         || figure instanceof StepResponse)
                 .toList();
-        Figures.writeAll(FigureFolder.create(out, colours), figures, (done, all) -> {});
+        Figures.writeAll(out, colours, figures, (done, all) -> {});
     }
 
     private static List<Path> files(Path out) throws IOException {
@@ -90,6 +94,31 @@ class KilledFiguresTest {
                 "figures: killed " + JavaProcess.KILLS + " times, " + temporary + " temporary files left in between");
         write(killed, SvgTheme.LIGHT);
         assertEquals(names(light), names(killed));
+    }
+
+    /** SIGTERM, unlike {@code kill -9}, lets the moves end that have begun. */
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void figuresThatAreEndedBySigtermAreAllOldOrAllNew() throws Exception {
+        Path light = folder.resolve("light");
+        Path dark = folder.resolve("dark");
+        Path ended = folder.resolve("ended");
+        write(light, SvgTheme.LIGHT);
+        write(dark, SvgTheme.DARK);
+        for (int i = 0; i < JavaProcess.KILLS; i++) {
+            Process process = JavaProcess.startAndAwaitOutput(FiguresLoop.class.getName(), List.of("" + ended));
+            assertTrue(JavaProcess.terminateWithin(WRITING_MILLIS, process));
+            assertTrue(
+                    contents(ended).equals(contents(light)) || contents(ended).equals(contents(dark)));
+        }
+    }
+
+    private static Map<String, ByteBuffer> contents(Path out) throws IOException {
+        Map<String, ByteBuffer> contents = new TreeMap<>();
+        for (Path file : files(out)) {
+            contents.put(file.getFileName().toString(), ByteBuffer.wrap(Files.readAllBytes(file)));
+        }
+        return contents;
     }
 
     private static void assertOneOf(Path one, Path other, Path file) throws IOException {

@@ -12,13 +12,32 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 
-/** An existing folder for figures, and the appearance of the pictures. */
-public record FigureFolder(Path path, SvgTheme appearance) {
+/**
+ * A folder for figures, and the appearance of the pictures. The files take their places together when all are written;
+ * without a commit nothing changes. Several threads may write at the same time.
+ */
+public final class FigureFolder implements AutoCloseable {
+
+    private final Path path;
+    private final SvgTheme appearance;
+    private final List<AtomicFile> files = new CopyOnWriteArrayList<>();
+
+    private FigureFolder(Path path, SvgTheme appearance) {
+        this.path = path;
+        this.appearance = appearance;
+    }
 
     /** Returns the folder at a path, which is created if necessary. */
     public static FigureFolder create(Path path, SvgTheme appearance) throws IOException {
         return new FigureFolder(Files.createDirectories(path), appearance);
+    }
+
+    /** {@return the appearance of the pictures} */
+    public SvgTheme appearance() {
+        return appearance;
     }
 
     /** Writes a picture. */
@@ -41,14 +60,29 @@ public record FigureFolder(Path path, SvgTheme appearance) {
 
     /** Writes a bitmap. Its letters depend on the fonts of the machine, so these files may differ between machines. */
     public void writePng(String name, BufferedImage image) throws IOException {
-        try (AtomicFile file = AtomicFile.create(target(name + ".png"))) {
-            PngImage.write(image, file.stream());
-            file.commit();
-        }
+        PngImage.write(image, open(name + ".png").stream());
     }
 
     private void write(String name, String text) throws IOException {
-        AtomicFile.write(target(name), text.getBytes(StandardCharsets.UTF_8));
+        open(name).stream().write(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private AtomicFile open(String name) throws IOException {
+        AtomicFile file = AtomicFile.create(target(name));
+        files.add(file);
+        return file;
+    }
+
+    /** Moves the written files into place. */
+    public void commit() throws IOException {
+        AtomicFile.commitAll(files);
+    }
+
+    @Override
+    public void close() throws IOException {
+        for (AtomicFile file : files) {
+            file.close();
+        }
     }
 
     /** Returns the path of a file, which must not be a link to another file of the folder. */
