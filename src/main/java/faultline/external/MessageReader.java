@@ -145,9 +145,7 @@ final class MessageReader {
     }
 
     private static String textOf(Object value) {
-        return value instanceof Double number && Double.isFinite(number)
-                ? DecimalText.format(number)
-                : String.valueOf(value);
+        return value instanceof Double number ? DecimalText.format(number) : String.valueOf(value);
     }
 
     private ProtocolException wrong(String name, String allowed) {

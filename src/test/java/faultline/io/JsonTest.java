@@ -2,6 +2,7 @@ package faultline.io;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
@@ -65,6 +66,14 @@ class JsonTest {
         assertEquals(0x1p63, JsonParser.parse("9223372036854775808"));
         assertEquals(9007199254740991.0, JsonParser.parse("9007199254740991"));
         assertEquals(0x1p53, JsonParser.parse("9007199254740992.0"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1e999", "-1E+400", "1e99999999999"})
+    void aNumberBeyondAllDoublesKeepsItsText(String text) throws JsonException {
+        Number number = (Number) JsonParser.parse(text);
+        assertEquals(text, number.toString());
+        assertTrue(Double.isInfinite(number.doubleValue()));
     }
 
     @Test

@@ -60,9 +60,13 @@ public final class ValueSyntax {
         if (trimmed.isEmpty() || trimmed.contains("..")) {
             return Optional.empty();
         }
-        return Optional.of(words(trimmed).stream()
+        return Optional.of(fixed(words(trimmed)));
+    }
+
+    private static List<AttributeValue> fixed(List<String> texts) {
+        return texts.stream()
                 .<AttributeValue>map(AttributeValue.FixedValue::new)
-                .toList());
+                .toList();
     }
 
     private static List<String> words(String text) {
@@ -74,6 +78,12 @@ public final class ValueSyntax {
         Optional<BigDecimal> to = DecimalText.parse(interval.group(2));
         if (from.isEmpty() || to.isEmpty() || from.get().compareTo(to.get()) >= 0) {
             return Optional.empty();
+        }
+        for (String bound : List.of(interval.group(1), interval.group(2))) {
+            if (Double.isInfinite(new BigDecimal(bound).doubleValue())) {
+                // Beyond the limits of every attribute, whose check then names this bound.
+                return Optional.of(fixed(List.of(bound)));
+            }
         }
         if (interval.group(3) == null) {
             return Optional.of(

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ValueSyntaxTest {
@@ -40,6 +41,13 @@ class ValueSyntaxTest {
     void aChoiceIsDrawnFrom() {
         assertEquals(List.of("off"), texts("any of off stuck", 0.49));
         assertEquals(List.of("stuck"), texts("any of off stuck", 0.5));
+    }
+
+    /** The check of the attribute then repeats the bound as it was written. */
+    @ParameterizedTest
+    @CsvSource({"0..1e999, 1e999", "0..1e999/3, 1e999", "-1e400..1, -1e400", "-1e999..1e999/5, -1e999"})
+    void aBoundBeyondAllDoublesIsTheOnlyValue(String syntax, String bound) {
+        assertEquals(List.of(bound), texts(syntax, 0.5));
     }
 
     @ParameterizedTest
