@@ -2,6 +2,7 @@ package faultline.app;
 
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
+import faultline.io.LinkResolver;
 import faultline.io.MessageText;
 import java.io.File;
 import java.math.BigDecimal;
@@ -154,6 +155,16 @@ final class Arguments {
     Optional<Path> fileOption(String option) throws UsageException {
         Optional<String> value = value(option);
         return value.isEmpty() ? Optional.empty() : Optional.of(parsePath(value.get()));
+    }
+
+    /** Throws an exception if an output would replace an input or another output. */
+    static void requireDistinct(List<Path> inputs, List<Path> outputs) throws UsageException {
+        Optional<Path> conflict = LinkResolver.findConflict(inputs, outputs);
+        if (conflict.isPresent()) {
+            throw new UsageException(
+                    "the output " + MessageText.quoted(conflict.get().toString())
+                            + " is an input or another output; expected a file of its own");
+        }
     }
 
     /**

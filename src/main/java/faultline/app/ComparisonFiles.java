@@ -1,7 +1,6 @@
 package faultline.app;
 
 import faultline.io.AtomicFile;
-import faultline.io.LinkResolver;
 import faultline.io.MessageText;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -9,7 +8,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /**
  * The files that {@code compare} writes: a page, a table, and a replay for each controller. All are opened before the
@@ -58,12 +56,7 @@ final class ComparisonFiles implements AutoCloseable {
     void requireDistinct(List<Path> inputs) throws UsageException {
         List<Path> all = new ArrayList<>(List.of(page, table));
         all.addAll(replays);
-        Optional<Path> conflict = LinkResolver.findConflict(inputs, all);
-        if (conflict.isPresent()) {
-            throw new UsageException(
-                    "the output " + MessageText.quoted(conflict.get().toString())
-                            + " is an input or another output; expected a file of its own");
-        }
+        Arguments.requireDistinct(inputs, all);
     }
 
     /** Opens all files. */

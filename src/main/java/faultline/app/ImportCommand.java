@@ -13,6 +13,7 @@ import faultline.scenario.xml.ScenarioLimits;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -92,15 +93,19 @@ final class ImportCommand {
         if (parts.length != 3) {
             throw UsageException.ofValue("--start", text, allowed);
         }
-        double x = number("--start", parts[0], allowed).doubleValue();
-        double y = number("--start", parts[1], allowed).doubleValue();
-        return new Pose(x, y, Degrees.toRadians(number("--start", parts[2], allowed)));
+        List<BigDecimal> numbers = new ArrayList<>();
+        for (String part : parts) {
+            numbers.add(parse(part).orElseThrow(() -> UsageException.ofValue("--start", text, allowed)));
+        }
+        return new Pose(numbers.get(0).doubleValue(), numbers.get(1).doubleValue(), Degrees.toRadians(numbers.get(2)));
     }
 
     private static BigDecimal number(String option, String text, String allowed) throws UsageException {
-        return DecimalText.parse(text)
-                .filter(value -> value.abs().compareTo(MAX_COORDINATE) <= 0)
-                .orElseThrow(() -> UsageException.ofValue(option, text, allowed));
+        return parse(text).orElseThrow(() -> UsageException.ofValue(option, text, allowed));
+    }
+
+    private static Optional<BigDecimal> parse(String text) {
+        return DecimalText.parse(text).filter(value -> value.abs().compareTo(MAX_COORDINATE) <= 0);
     }
 
     private void print(Path target, FloorPlan plan, Scenario scenario) {

@@ -5,7 +5,6 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.TraceFormat;
 import faultline.external.ControllerChoice;
 import faultline.io.DidYouMean;
-import faultline.io.LinkResolver;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioLimits;
 import java.math.BigDecimal;
@@ -134,8 +133,12 @@ record RunOptions(
                 arguments.fileOption(output.option()).ifPresent(path -> outputs.put(output, path));
             }
         }
+        TraceFormat format = traceFormat(arguments);
         Path trace = outputs.get(Output.TRACE);
-        if (traceFormat(arguments) == TraceFormat.TWO && trace != null) {
+        if (trace == null && arguments.has("--trace-format")) {
+            throw new UsageException("--trace-format needs --trace OUT.csv");
+        }
+        if (format == TraceFormat.TWO) {
             outputs.put(Output.TRACE_HEADER, trace.resolveSibling(trace.getFileName() + ".json"));
         }
         return outputs;
@@ -167,16 +170,14 @@ record RunOptions(
     private void checkFilesDiffer() throws UsageException {
         List<Path> inputs = new ArrayList<>(child.files(controller().stream().toList()));
         inputs.add(file);
-        if (LinkResolver.findConflict(inputs, List.copyOf(outputs.values())).isPresent()) {
-            throw new UsageException("two of the files are the same one; expected a file of its own for each output");
-        }
+        Arguments.requireDistinct(inputs, List.copyOf(outputs.values()));
     }
 
     private void checkThreads() throws UsageException {
         if (controller().filter(ControllerChoice::isCommand).isPresent()
                 && arguments.value("--threads").filter("controller"::equals).isPresent()) {
-            throw new UsageException(
-                    "--threads is \"controller\", allowed with --controller is none: the child runs by itself");
+            throw UsageException.ofValue(
+                    "--threads", "controller", "none, because the child process of --controller runs by itself");
         }
     }
 

@@ -218,8 +218,10 @@ class CommandLineTest {
             run a.xml --until NaN           | --until is "NaN"; expected a number from 0 to 10000000 seconds
             run a.xml --until 1e999         | --until is "1e999"; expected a number from 0 to 10000000 seconds
             run a.xml --threads controler   | --threads is "controler"; expected controller or none; did you mean "controller"?
-            run a.xml --trace b --image ./b | two of the files are the same one; expected a file of its own for each output
-            run a.xml --journal a.xml       | two of the files are the same one; expected a file of its own for each output
+            run a.xml --trace b --image ./b | the output "./b" is an input or another output; expected a file of its own
+            run a.xml --journal a.xml       | the output "a.xml" is an input or another output; expected a file of its own
+            run a.xml --trace-format 2      | --trace-format needs --trace OUT.csv
+            run a.xml --threads controller --controller cat | --threads is "controller"; expected none, because the child process of --controller runs by itself
             run a.xml --trace=              | "" is no name for a file
             campaign a.xml --resum          | there is no option "--resum" here; expected --out, --jobs, --shard, --resume; did you mean "--resume"?
             campaign a.xml --resume=yes     | --resume takes no value

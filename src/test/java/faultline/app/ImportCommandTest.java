@@ -60,6 +60,7 @@ class ImportCommandTest {
             --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1"; expected a whole number from 0 to 999999999
             --out x.xml --resolution 1 --smooth -1 | --smooth is "-1"; expected a number of cells from 0 to 100000
             --out x.xml --resolution 1 --start 1,2 | --start is "1,2"; expected x,y,heading in metres and degrees
+            --out x.xml --resolution 1 --start 1,2,1e999 | --start is "1,2,1e999"; expected x,y,heading in metres and degrees
             """)
     void badUsageIsReported(String arguments, String sentence) throws Exception {
         assertEquals(2, importMap(arguments.split(" ")));
