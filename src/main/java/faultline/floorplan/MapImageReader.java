@@ -11,6 +11,7 @@ import java.io.BufferedInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
@@ -58,6 +59,9 @@ final class MapImageReader {
             return readWithImageIo(file);
         } catch (FloorPlanException e) {
             throw e;
+        } catch (FileSystemException e) {
+            // Its message is only the name of the file.
+            throw new FloorPlanException(file, ProblemKind.UNREADABLE_FILE.with());
         } catch (IOException | RuntimeException e) {
             throw new FloorPlanException(file, FloorPlanProblem.UNREADABLE_IMAGE.with(reason(e)));
         }

@@ -5,14 +5,14 @@ import faultline.studies.figure.Figure;
 import faultline.studies.figure.FigureFolder;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletionService;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorCompletionService;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 
 /** Writes all figures and studies, on all cores. */
 public final class Figures {
@@ -82,11 +82,16 @@ public final class Figures {
         ExecutorService workers =
                 Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
         try (FigureFolder folder = FigureFolder.create(path, appearance)) {
-            List<Future<?>> futures = new ArrayList<>();
-            figures.forEach(figure -> futures.add(workers.submit(() -> writeAll(figure, folder))));
-            for (int i = 0; i < futures.size(); i++) {
-                await(futures.get(i));
-                progress.figureWritten(i + 1, futures.size());
+            CompletionService<Void> written = new ExecutorCompletionService<>(workers);
+            for (Figure figure : figures) {
+                written.submit(() -> {
+                    figure.write(folder);
+                    return null;
+                });
+            }
+            for (int i = 0; i < figures.size(); i++) {
+                awaitNext(written);
+                progress.figureWritten(i + 1, figures.size());
             }
             folder.commit();
         } finally {
@@ -94,23 +99,16 @@ public final class Figures {
         }
     }
 
-    private static void writeAll(Figure figure, FigureFolder folder) {
+    /** Waits for the next figure, whichever it is, so that a failure is reported at once. */
+    private static void awaitNext(CompletionService<Void> written) throws IOException {
         try {
-            figure.write(folder);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static void await(Future<?> future) throws IOException {
-        try {
-            future.get();
+            written.take().get();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IOException("the figures were interrupted", e);
         } catch (ExecutionException e) {
-            if (e.getCause() instanceof UncheckedIOException unwritten) {
-                throw unwritten.getCause();
+            if (e.getCause() instanceof IOException failure) {
+                throw failure;
             }
             throw new IllegalStateException(e.getCause());
         }

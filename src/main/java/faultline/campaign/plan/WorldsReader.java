@@ -72,6 +72,9 @@ final class WorldsReader {
         String file = fields.id("file");
         String label = fields.text("name").orElse(stem(file));
         fields.reportUnknownAndMissing();
+        if (!fields.isValid("file", file)) {
+            return Optional.empty();
+        }
         if (!labels.add(label) || scenarios.containsKey(file)) {
             problems.add(node, PlanProblem.DUPLICATE_SCENARIO.with(MessageText.excerpt(label)));
             return Optional.empty();

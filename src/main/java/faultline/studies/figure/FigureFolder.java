@@ -10,6 +10,7 @@ import faultline.paint.surface.SvgTheme;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -30,8 +31,14 @@ public final class FigureFolder implements AutoCloseable {
         this.appearance = appearance;
     }
 
-    /** Returns the folder at a path, which is created if necessary. */
+    /**
+     * Returns the folder at a path, which is created if necessary. A folder that cannot be written to is refused at
+     * once, not after the first figure has been computed.
+     */
     public static FigureFolder create(Path path, SvgTheme appearance) throws IOException {
+        if (Files.isDirectory(path) && !Files.isWritable(path)) {
+            throw new AccessDeniedException(path.toString());
+        }
         return new FigureFolder(Files.createDirectories(path), appearance);
     }
 

@@ -1,9 +1,12 @@
 package faultline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.campaign.RoomRules;
+import faultline.scenario.xml.ScenarioException;
 import java.io.File;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -44,6 +47,21 @@ class PlanReaderTest {
             """)
     void everyMistakeIsReportedAtItsPlace(String element, String problem) {
         assertEquals(List.of(problem), SamplePlan.problems(element));
+    }
+
+    @Test
+    void aWorldWithoutAValidFileIsReportedOnce() {
+        String plan = SamplePlan.text("", "<worlds><scenario file=\"a,b.xml\"/></worlds>");
+        PlanFiles.Resolver none = (number, name) -> {
+            throw new AssertionError("nothing is to be read");
+        };
+        ScenarioException refusal = assertThrows(
+                ScenarioException.class,
+                () -> PlanReader.read("plan.xml", plan.getBytes(StandardCharsets.UTF_8), none));
+        assertEquals(
+                List.of("plan.xml:2:35: file of <scenario> is \"a,b.xml\"; expected 1 to 100 characters, none of them a"
+                        + " comma, a double quote or a control character"),
+                refusal.problems().stream().map(Object::toString).toList());
     }
 
     @Test

@@ -7,8 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.paint.surface.SvgTheme;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.net.URI;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,5 +50,31 @@ class FigureFolderTest {
         Files.createSymbolicLink(folder.resolve("image.png"), Path.of("other.png"));
         BufferedImage image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
         assertThrows(IOException.class, () -> figures().writePng("image", image));
+    }
+
+    /** The files of the JDK are a folder that nobody can write to. */
+    @Test
+    void aFolderThatCannotBeWrittenToIsRefusedAtOnce() {
+        Path modules = FileSystems.getFileSystem(URI.create("jrt:/")).getPath("/modules");
+        AccessDeniedException refusal =
+                assertThrows(AccessDeniedException.class, () -> FigureFolder.create(modules, SvgTheme.LIGHT));
+        assertEquals("/modules", refusal.getFile());
+    }
+
+    @Test
+    void nothingChangesWithoutACommit() throws IOException {
+        Path old = Files.writeString(folder.resolve("table.csv"), "old");
+        try (FigureFolder figures = figures()) {
+            figures.writeCsv("table", TABLE);
+            figures.writeCsv("other", TABLE);
+            assertEquals("old", Files.readString(old));
+        }
+        assertEquals(List.of(old), files());
+    }
+
+    private List<Path> files() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.sorted().toList();
+        }
     }
 }
