@@ -65,7 +65,7 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
         }
         return given.number(
                         "--patience",
-                        value -> value.signum() > 0 && value.compareTo(MAX_PATIENCE) <= 0,
+                        value -> value.doubleValue() > 0 && value.compareTo(MAX_PATIENCE) <= 0,
                         "none or a number of seconds above 0, up to " + MAX_PATIENCE)
                 .orElse(ExternalController.Timeouts.DEFAULT.answer());
     }

@@ -220,6 +220,7 @@ class CommandLineTest {
             run a.xml --threads controler   | --threads is "controler"; expected controller or none; did you mean "controller"?
             run a.xml --trace b --image ./b | the output "./b" is an input or another output; expected a file of its own
             run a.xml --journal a.xml       | the output "a.xml" is an input or another output; expected a file of its own
+            run a.xml --controller cat --patience 1e-999 | --patience is "1e-999"; expected none or a number of seconds above 0, up to 10000000
             run a.xml --trace-format 2      | --trace-format needs --trace OUT.csv
             run a.xml --threads controller --controller cat | --threads is "controller"; expected none, because the child process of --controller runs by itself
             run a.xml --trace=              | "" is no name for a file
