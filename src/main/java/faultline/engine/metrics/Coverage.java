@@ -1,7 +1,6 @@
 package faultline.engine.metrics;
 
 import faultline.geometry.Vector2;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 
@@ -28,17 +27,13 @@ final class Coverage {
     /** Walls are compared with the path by squares of this side first, metres. */
     private static final double AREA_SIZE = 1;
 
-    /** A bound of the error of a distance, metres. */
-    private static final double ROUNDING = 1e-9;
-
     private final WallReference walls;
     private final double distance;
-    /** The index, from 0, of the visited point that lies in a cell. */
+    /** The cells in which a visited point lies. */
     private final CellNumbers visited = new CellNumbers();
-    /** The points visited since the share was last computed, the number of those before, and the squares around. */
-    private final List<Vector2> pending = new ArrayList<>();
+    /** The points visited since the share was last computed, and the squares around. */
+    private final PointCells pending = new PointCells(TOLERANCE + WallReference.ROUNDING);
 
-    private int settled;
     private final CellNumbers pendingAreas = new CellNumbers();
     private Vector2 last = new Vector2(Double.POSITIVE_INFINITY, 0);
     /** Made when it is first needed. */
@@ -58,7 +53,7 @@ final class Coverage {
         if (centre.distanceTo(last) >= MIN_STEP) {
             long cell = CellKey.of(centre, SPACING);
             if (!visited.contains(cell)) {
-                visited.put(cell, settled + pending.size());
+                visited.put(cell, 0);
                 pending.add(centre);
                 pendingAreas.put(CellKey.of(centre, AREA_SIZE), 0);
             }
@@ -73,11 +68,10 @@ final class Coverage {
 
     /** Returns the share so far, in [0, 1]; empty if nothing was passed. May be called repeatedly during a run. */
     OptionalDouble share() {
-        if (!pending.isEmpty()) {
+        if (!pending.points().isEmpty()) {
             places = places == null ? new PlaceMap(walls, distance, SPACING, JOIN_DISTANCE) : places;
             sampleNearPath();
             places.blocks().forEach(blocks -> blocks.forEach(this::markPassed));
-            settled += pending.size();
             pending.clear();
             pendingAreas.clear();
             share = greatestShare();
@@ -88,9 +82,9 @@ final class Coverage {
     /** Samples the walls near the pending points; points nearer to the last one than the tolerance need no look. */
     private void sampleNearPath() {
         Vector2 from = null;
-        for (Vector2 point : pending) {
+        for (Vector2 point : pending.points()) {
             if (from == null || point.distanceTo(from) > TOLERANCE) {
-                places.sampleNear(point, 2 * TOLERANCE + ROUNDING);
+                places.sampleNear(point, 2 * TOLERANCE + WallReference.ROUNDING);
                 from = point;
             }
         }
@@ -98,7 +92,7 @@ final class Coverage {
 
     private void markPassed(PlaceBlock block) {
         for (int i = nextNearPath(block, 0); i < block.size(); i = nextNearPath(block, i + 1)) {
-            if (block.isFree(i) && !block.isPassed(i) && isPassed(block.place(i))) {
+            if (block.isFree(i) && !block.isPassed(i) && pending.isNear(block.place(i), TOLERANCE)) {
                 block.setPassed(i);
                 if (block.piece(i) == PlaceBlock.NO_PIECE) {
                     places.fill(block, i, pieces++);
@@ -146,26 +140,5 @@ final class Coverage {
             }
         }
         return false;
-    }
-
-    private boolean isPassed(Vector2 place) {
-        long column = CellKey.index(place.x(), SPACING);
-        long row = CellKey.index(place.y(), SPACING);
-        int reach = (int) Math.ceil(TOLERANCE / SPACING);
-        // The nearest cells come first, because most places were passed closely or not at all.
-        for (int i = 0; i <= 2 * reach; i++) {
-            for (int j = 0; j <= 2 * reach; j++) {
-                int point = visited.get(CellKey.of(column + alternating(i), row + alternating(j)));
-                if (point >= settled && pending.get(point - settled).distanceTo(place) <= TOLERANCE) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    /** Returns 0, 1, -1, 2, -2 and so on for 0, 1, 2, 3, 4. */
-    private static int alternating(int index) {
-        return index % 2 == 0 ? -index / 2 : (index + 1) / 2;
     }
 }

@@ -6,6 +6,7 @@ import faultline.world.CandidateBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -22,14 +23,8 @@ final class PlaceBlock {
     /** The maximum number of places of a block near other walls. */
     static final int SHORT = 64;
 
-    /** The walls that may be too near are found for this number of places at once. */
-    private static final int AHEAD = 8;
-
     /** The maximum number of places of a block alone. */
     static final int LONG = 4096;
-
-    /** A bound of the error of a distance, metres. */
-    private static final double ROUNDING = 1e-9;
 
     private final PlaceRow row;
     private final int from;
@@ -42,6 +37,8 @@ final class PlaceBlock {
     private final boolean connected;
     private final BitSet passed;
     private int[] pieces;
+    /** The number of free places. */
+    private int free;
 
     /** Creates the block of some places of a row. */
     PlaceBlock(PlaceRow row, int from, int end, double joinDistance) {
@@ -54,6 +51,7 @@ final class PlaceBlock {
         connected = step <= joinDistance;
         passed = new BitSet(0);
         pieces = new int[] {NO_PIECE};
+        free = size;
     }
 
     /** Creates a block that shares the places of an arc with another, which is in the same place of another wall. */
@@ -67,6 +65,7 @@ final class PlaceBlock {
         connected = other.connected;
         passed = other.passed;
         pieces = other.pieces;
+        free = other.free;
     }
 
     /**
@@ -126,76 +125,67 @@ final class PlaceBlock {
         if (alone) {
             return;
         }
-        if (size > SHORT) {
-            pieces = new int[size];
-            return;
-        }
         pieces = new int[size];
-        Arrays.fill(pieces, NO_PIECE);
+        if (size <= SHORT) {
+            Arrays.fill(pieces, NO_PIECE);
+            occupy(near, distance);
+        }
+    }
+
+    /** Marks the places that are nearer to some walls than the distance. */
+    private void occupy(CandidateBuffer near, double distance) {
         List<ConvexShape> close = new ArrayList<>();
+        double least = radius + distance;
         for (int i = 0; i < near.size(); i++) {
-            if (near.shape(i).distanceTo(centre.x(), centre.y()) <= radius + distance) {
+            double toCentre = near.shape(i).distanceTo(centre.x(), centre.y());
+            if (WallReference.nearness(toCentre, distance) - radius > WallReference.ROUNDING) {
+                Arrays.fill(pieces, OCCUPIED);
+                free = 0;
+                return;
+            }
+            if (toCentre <= radius + distance) {
                 close.add(near.shape(i));
             }
+            if (toCentre < least) {
+                // The nearest wall comes first, because it occupies most.
+                least = toCentre;
+                Collections.swap(close, 0, close.size() - 1);
+            }
         }
-        occupy(close, distance);
+        for (int i = 0; i < close.size() && free > 0; i++) {
+            occupy(close.get(i), distance);
+        }
     }
 
     /** Marks the places that are nearer to a wall than the distance. */
-    private void occupy(List<ConvexShape> close, double distance) {
-        List<ConvexShape> ahead = List.of();
-        int known = 0;
-        // The wall that was too near to the last place is tried first.
-        ConvexShape blocker = null;
-        for (int i = 0; i < size; i++) {
-            Vector2 place = place(i);
-            if (blocker == null || WallReference.nearness(blocker, place, distance) <= 0) {
-                if (i >= known) {
-                    ahead = within(close, place, distance + AHEAD * step);
-                    known = i + AHEAD;
+    private void occupy(ConvexShape wall, double distance) {
+        int i = 0;
+        while (i < size) {
+            if (pieces[i] == OCCUPIED) {
+                i++;
+                continue;
+            }
+            double nearness = WallReference.nearness(wall, place(i), distance);
+            // Each of the next places is nearer or farther by a step at most: as many as these do not change sides.
+            int alike = (int) Math.min(size, (Math.abs(nearness) - WallReference.ROUNDING) / step);
+            int end = Math.min(size, i + 1 + Math.max(0, alike));
+            for (; i < end; i++) {
+                if (nearness > 0 && pieces[i] != OCCUPIED) {
+                    pieces[i] = OCCUPIED;
+                    free--;
                 }
-                blocker = findBlocker(ahead, place, distance);
-            }
-            if (blocker != null) {
-                i = occupy(i, WallReference.nearness(blocker, place, distance));
             }
         }
-    }
-
-    private static List<ConvexShape> within(List<ConvexShape> walls, Vector2 place, double radius) {
-        List<ConvexShape> within = new ArrayList<>();
-        for (ConvexShape wall : walls) {
-            if (wall.distanceTo(place.x(), place.y()) <= radius) {
-                within.add(wall);
-            }
-        }
-        return within;
-    }
-
-    /** Returns a wall that is too near to a place, null if there is none. */
-    private static ConvexShape findBlocker(List<ConvexShape> walls, Vector2 place, double distance) {
-        for (ConvexShape wall : walls) {
-            if (WallReference.nearness(wall, place, distance) > 0) {
-                return wall;
-            }
-        }
-        return null;
-    }
-
-    /**
-     * Marks a place as occupied, and those after it that must be, too, because they are nearer to it than the margin.
-     *
-     * @return the last place marked
-     */
-    private int occupy(int index, double margin) {
-        int last = (int) Math.min(size - 1, index + Math.max(0, (margin - ROUNDING) / step));
-        Arrays.fill(pieces, index, last + 1, OCCUPIED);
-        return last;
     }
 
     /** Returns whether all places are free, in one piece, and apart from those of any other wall. */
     boolean isAlone() {
         return pieces.length < size;
+    }
+
+    /** Returns whether any place is free. */
+    boolean hasFree() {
+        return free > 0;
     }
 
     boolean isFree(int index) {

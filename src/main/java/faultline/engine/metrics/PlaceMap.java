@@ -108,11 +108,13 @@ final class PlaceMap {
         return arc.outside(wall, neighbour);
     }
 
+    /** Returns blocks of the places of a row that have free ones. */
     private List<PlaceBlock> newBlocks(ConvexShape wall, PlaceRow row) {
         List<PlaceBlock> blocks = new ArrayList<>();
         for (int from = 0; from < row.size(); from += PlaceBlock.LONG) {
             addBlocks(wall, row, from, Math.min(from + PlaceBlock.LONG, row.size()), blocks);
         }
+        blocks.removeIf(block -> !block.hasFree());
         blocks.forEach(this::addToCells);
         return blocks;
     }

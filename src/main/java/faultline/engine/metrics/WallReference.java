@@ -16,6 +16,9 @@ import java.util.List;
  */
 public final class WallReference {
 
+    /** A bound of the error of a distance, metres. */
+    static final double ROUNDING = 1e-9;
+
     private static final double NONE = Double.POSITIVE_INFINITY;
 
     private final WorldSpec world;
@@ -143,7 +146,16 @@ public final class WallReference {
      * not nearer.
      */
     static double nearness(ConvexShape wall, Vector2 place, double distance) {
-        return distance * (1 - 1e-6) - wall.nearestTo(place).distanceTo(place);
+        double estimate = nearness(wall.distanceTo(place.x(), place.y()), distance);
+        // The nearest point, which creates an object, decides only where rounding could matter.
+        return Math.abs(estimate) > ROUNDING
+                ? estimate
+                : nearness(wall.nearestTo(place).distanceTo(place), distance);
+    }
+
+    /** Returns by how much a wall at a distance from a place is nearer than the places of the walls are, metres. */
+    static double nearness(double toWall, double distance) {
+        return distance * (1 - 1e-6) - toWall;
     }
 
     /** Returns the walls near a point, and perhaps others, until the next call. */
