@@ -81,12 +81,12 @@ public final class HeadlessRun {
             List<TickObserver> observers,
             BooleanSupplier finished,
             WallFollowingMetrics wall) {
-        Set<ControllerState> states = new LinkedHashSet<>();
+        VisitedStates states = new VisitedStates();
         List<TickObserver> all = new ArrayList<>(observers);
         all.add(wall);
         List<RunEvent> diagnosis = new ArrayList<>();
         all.add(new DiagnosisRecorder(diagnosis::add));
-        all.add(simulation -> states.add(simulation.telemetry().state()));
+        all.add(states);
         long began = System.nanoTime();
         List<String> refused = new ArrayList<>();
         CommandListener noting = result -> result.refusal()
@@ -102,6 +102,22 @@ public final class HeadlessRun {
             }
             double seconds = (System.nanoTime() - began) / NANOS_PER_SECOND;
             return result(simulation, wall, states, refused, diagnosis, seconds);
+        }
+    }
+
+    /** Lists the states of the controller in the order in which the run first had them. */
+    private static final class VisitedStates implements TickObserver {
+        private final Set<ControllerState> visited = new LinkedHashSet<>();
+        private ControllerState last;
+
+        @Override
+        public void observe(Simulation simulation) {
+            ControllerState state = simulation.telemetry().state();
+            // A set is slow for every tick.
+            if (state != last) {
+                visited.add(state);
+                last = state;
+            }
         }
     }
 
@@ -131,7 +147,7 @@ public final class HeadlessRun {
     private static RunResult result(
             Simulation simulation,
             WallFollowingMetrics wall,
-            Set<ControllerState> states,
+            VisitedStates states,
             List<String> refused,
             List<RunEvent> diagnosis,
             double seconds) {
@@ -140,7 +156,7 @@ public final class HeadlessRun {
                 simulation.setup().timeOf(simulation.ticks()),
                 simulation.time() / seconds,
                 simulation.telemetry().state(),
-                List.copyOf(states),
+                List.copyOf(states.visited),
                 coverage(wall),
                 wall.distanceRms().orElse(Double.NaN),
                 wall.followRms().orElse(Double.NaN),
