@@ -13,42 +13,34 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 
 /** Finds the command that the arguments name, runs it, and turns a failure into one line and an exit code. */
 final class CommandLine {
 
-    /** Runs a command with the arguments after its name. */
-    private interface Handler {
-        int run(List<String> arguments) throws UsageException, ScenarioException, IOException;
-    }
-
     /** The option that shows all commands, also after one of them. */
     private static final String HELP = "--help";
 
-    /** The implementations of the commands; the classes of commands that are not used are not loaded. */
-    private final Map<String, Handler> handlers = new LinkedHashMap<>();
+    private static final List<String> COMMANDS = List.of(
+            "run",
+            "compare",
+            "check",
+            "campaign",
+            "merge",
+            "report",
+            "figures",
+            "serve",
+            "controller",
+            "import",
+            HELP,
+            "--version",
+            "--window",
+            "--startup-time");
 
     private final CommandOutput output;
 
     CommandLine(CommandOutput output) {
         this.output = output;
-        handlers.put("run", arguments -> new RunCommand(output).run(arguments));
-        handlers.put("compare", arguments -> new CompareCommand(output).run(arguments));
-        handlers.put("check", arguments -> new CheckCommand(output).run(arguments));
-        handlers.put("campaign", arguments -> new CampaignCommand(output).run(arguments));
-        handlers.put("merge", arguments -> new CampaignCommand(output).merge(arguments));
-        handlers.put("report", arguments -> new ReportCommand(output).run(arguments));
-        handlers.put("figures", arguments -> new FiguresCommand(output).run(arguments));
-        handlers.put("serve", arguments -> new ProtocolCommands(output).serve(arguments));
-        handlers.put("controller", arguments -> new ProtocolCommands(output).controller(arguments));
-        handlers.put("import", arguments -> new ImportCommand(output).run(arguments));
-        handlers.put(HELP, arguments -> println(HelpText.help()));
-        handlers.put("--version", arguments -> println(HelpText.version()));
-        handlers.put("--window", arguments -> new WindowCommand(output).runWithDialogs(arguments));
-        handlers.put("--startup-time", arguments -> new WindowCommand(output).measureStartup(arguments));
     }
 
     /** Runs a command, given the arguments of the process, and returns its {@link ExitCode}. */
@@ -115,18 +107,35 @@ final class CommandLine {
             return new WindowCommand(output).run();
         }
         String first = args.get(0);
-        if (handlers.containsKey(first)) {
-            if (args.contains(HELP)) {
-                return println(HelpText.help());
-            }
-            return handlers.get(first).run(args.subList(1, args.size()));
+        if (COMMANDS.contains(first)) {
+            return run(args.contains(HELP) ? HELP : first, args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {
             throw new UsageException("there is no command " + MessageText.quoted(first) + "; expected "
-                    + String.join(", ", handlers.keySet()) + " or a scenario file"
-                    + DidYouMean.hint(first, handlers.keySet()));
+                    + String.join(", ", COMMANDS) + " or a scenario file"
+                    + DidYouMean.hint(first, COMMANDS));
         }
         return new WindowCommand(output).run(args);
+    }
+
+    /** Runs a command with the arguments after its name. The classes of the other commands are not loaded. */
+    private int run(String command, List<String> arguments) throws UsageException, ScenarioException, IOException {
+        return switch (command) {
+            case "run" -> new RunCommand(output).run(arguments);
+            case "compare" -> new CompareCommand(output).run(arguments);
+            case "check" -> new CheckCommand(output).run(arguments);
+            case "campaign" -> new CampaignCommand(output).run(arguments);
+            case "merge" -> new CampaignCommand(output).merge(arguments);
+            case "report" -> new ReportCommand(output).run(arguments);
+            case "figures" -> new FiguresCommand(output).run(arguments);
+            case "serve" -> new ProtocolCommands(output).serve(arguments);
+            case "controller" -> new ProtocolCommands(output).controller(arguments);
+            case "import" -> new ImportCommand(output).run(arguments);
+            case "--version" -> println(HelpText.version());
+            case "--window" -> new WindowCommand(output).runWithDialogs(arguments);
+            case "--startup-time" -> new WindowCommand(output).measureStartup(arguments);
+            default -> println(HelpText.help());
+        };
     }
 
     private static boolean looksLikeFile(String argument) throws UsageException {

@@ -1,7 +1,5 @@
 package faultline.control;
 
-import java.util.Arrays;
-
 /** A state of a controller: one of the wall follower's six, or one that another controller names. */
 public sealed interface ControllerState permits FollowerState, ControllerState.Named {
 
@@ -14,11 +12,12 @@ public sealed interface ControllerState permits FollowerState, ControllerState.N
      * @param name the name of the state
      */
     static ControllerState of(String name) {
-        return Arrays.stream(FollowerState.values())
-                .filter(state -> state.name().equals(name))
-                .<ControllerState>map(state -> state)
-                .findFirst()
-                .orElseGet(() -> new Named(name));
+        for (FollowerState state : FollowerState.values()) {
+            if (state.name().equals(name)) {
+                return state;
+            }
+        }
+        return new Named(name);
     }
 
     /**
@@ -35,8 +34,10 @@ public sealed interface ControllerState permits FollowerState, ControllerState.N
          * @throws IllegalArgumentException if the wall follower has a state of the same name
          */
         public Named {
-            if (Arrays.stream(FollowerState.values()).map(Enum::name).anyMatch(name::equals)) {
-                throw new IllegalArgumentException("the wall follower has a state of its own called " + name);
+            for (FollowerState state : FollowerState.values()) {
+                if (state.name().equals(name)) {
+                    throw new IllegalArgumentException("the wall follower has a state of its own called " + name);
+                }
             }
         }
 

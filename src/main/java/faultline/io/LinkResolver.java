@@ -34,6 +34,9 @@ public final class LinkResolver {
      * @param outputs files that are to be written, which need not exist
      */
     public static Optional<Path> findConflict(Collection<Path> inputs, Collection<Path> outputs) {
+        if (outputs.isEmpty()) {
+            return Optional.empty();
+        }
         Set<Object> seen = new HashSet<>();
         inputs.forEach(input -> seen.add(identity(input)));
         return outputs.stream()

@@ -13,13 +13,13 @@ import faultline.scenario.xml.XmlElement;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.function.BiFunction;
 
 /** Reads obstacles, in the world and in the timeline, and counts the obstacles and points of the file. */
 final class ObstacleReader {
+
+    private static final List<String> ELEMENT_NAMES =
+            List.of("rectangle", "circle", "ellipse", "polygon", "wall", "plan");
 
     /** The shapes whose surface can be specular. */
     private static final List<String> SPECULAR_SHAPES = List.of("rectangle", "polygon", "wall", "plan");
@@ -27,31 +27,15 @@ final class ObstacleReader {
     private static final List<String> CHILD_ELEMENTS = List.of("motion");
 
     private final Problems problems;
-    private final Map<String, BiFunction<XmlElement, AttributeReader, ObstacleShape>> shapeReaders =
-            new LinkedHashMap<>();
-    private final List<String> elementNames;
     private int partCount;
 
     ObstacleReader(Problems problems) {
         this.problems = problems;
-        shapeReaders.put(
-                "rectangle",
-                (node, f) -> new ObstacleShape.RectangleShape(
-                        f.number("width", NumberRange.SIZE), f.number("height", NumberRange.SIZE)));
-        shapeReaders.put("circle", (node, f) -> new ObstacleShape.CircleShape(f.number("radius", NumberRange.SIZE)));
-        shapeReaders.put(
-                "ellipse",
-                (node, f) -> new ObstacleShape.EllipseShape(
-                        f.number("rx", NumberRange.SIZE), f.number("ry", NumberRange.SIZE)));
-        shapeReaders.put("polygon", (node, f) -> new ObstacleShape.PolygonShape(readPoints(node, f, 3)));
-        shapeReaders.put("wall", (node, f) -> new ObstacleShape.WallShape(readPoints(node, f, 2)));
-        shapeReaders.put("plan", this::readPlan);
-        elementNames = List.copyOf(shapeReaders.keySet());
     }
 
     /** Returns the names of the elements that are obstacles. */
     List<String> elementNames() {
-        return elementNames;
+        return ELEMENT_NAMES;
     }
 
     /** Returns the obstacle of an element whose name is one of {@link #elementNames()}. */
@@ -65,13 +49,29 @@ final class ObstacleReader {
                 fields.number("x", NumberRange.COORDINATE),
                 fields.number("y", NumberRange.COORDINATE),
                 fields.angle("heading", NumberRange.ANGLE, 0));
-        ObstacleShape shape = shapeReaders.get(node.name()).apply(node, fields);
+        ObstacleShape shape = readShape(node, fields);
         double specular = SPECULAR_SHAPES.contains(node.name())
                 ? fields.angle("specular", NumberRange.INCIDENCE_ANGLE, Obstacle.MATT)
                 : Obstacle.MATT;
         fields.reportUnknownAndMissing();
         WaypointPath motion = node.firstChild("motion").map(this::readMotion).orElse(WaypointPath.NONE);
         return new Obstacle(id, shape, pose, motion, specular);
+    }
+
+    private ObstacleShape readShape(XmlElement node, AttributeReader fields) {
+        return switch (node.name()) {
+            case "rectangle" ->
+                new ObstacleShape.RectangleShape(
+                        fields.number("width", NumberRange.SIZE), fields.number("height", NumberRange.SIZE));
+            case "circle" -> new ObstacleShape.CircleShape(fields.number("radius", NumberRange.SIZE));
+            case "ellipse" ->
+                new ObstacleShape.EllipseShape(
+                        fields.number("rx", NumberRange.SIZE), fields.number("ry", NumberRange.SIZE));
+            case "polygon" -> new ObstacleShape.PolygonShape(readPoints(node, fields, 3));
+            case "wall" -> new ObstacleShape.WallShape(readPoints(node, fields, 2));
+            case "plan" -> readPlan(node, fields);
+            default -> throw new IllegalArgumentException("no element of an obstacle: " + node.name());
+        };
     }
 
     private WaypointPath readMotion(XmlElement node) {

@@ -25,20 +25,6 @@ final class CommandHandler {
     private final SensorArray sensors;
     private final MotionStep motionStep;
     private final LongSupplier tick;
-    private final CommandCases<CommandResult> cases = new CommandCases<>(
-            this::switchSensor,
-            this::configureSensor,
-            this::injectFault,
-            this::clearFault,
-            this::clearFaults,
-            this::injectMotorFault,
-            this::clearMotorFault,
-            this::clearMotorFaults,
-            this::moveObstacle,
-            this::placeObstacle,
-            this::removeObstacle,
-            this::setPlatform,
-            this::configureController);
 
     CommandHandler(
             WorldSpec spec,
@@ -57,7 +43,21 @@ final class CommandHandler {
 
     /** Executes a command, or refuses it. */
     CommandResult execute(Command command) {
-        return command.match(cases);
+        // Made here, because most runs have no command, and a world would start later with these functions.
+        return command.match(new CommandCases<>(
+                this::switchSensor,
+                this::configureSensor,
+                this::injectFault,
+                this::clearFault,
+                this::clearFaults,
+                this::injectMotorFault,
+                this::clearMotorFault,
+                this::clearMotorFaults,
+                this::moveObstacle,
+                this::placeObstacle,
+                this::removeObstacle,
+                this::setPlatform,
+                this::configureController));
     }
 
     private CommandResult executed(Command command, Command... inverse) {
