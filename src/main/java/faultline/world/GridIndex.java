@@ -195,17 +195,21 @@ final class GridIndex implements SpatialIndex {
             return;
         }
         beginQuery();
-        int lastRow = row(y + distance);
+        int endRow = row(y + distance) + 1;
         int firstColumn = column(x - distance);
-        int lastColumn = column(x + distance);
-        for (int row = row(y - distance); row <= lastRow; row++) {
-            int end = starts[row * columns + lastColumn + 1];
-            for (int entry = starts[row * columns + firstColumn]; entry < end; entry++) {
-                int shape = entries[entry];
-                if (lastQuery[shape] != query) {
-                    lastQuery[shape] = query;
-                    found.add(shapes[shape], owners[shape], shape);
-                }
+        int endColumn = column(x + distance) + 1;
+        for (int row = row(y - distance); row < endRow; row++) {
+            addEntries(starts[row * columns + firstColumn], starts[row * columns + endColumn], found);
+        }
+    }
+
+    /** Adds the shapes of some entries that the present query has not added yet. */
+    private void addEntries(int from, int end, CandidateBuffer found) {
+        for (int entry = from; entry < end; entry++) {
+            int shape = entries[entry];
+            if (lastQuery[shape] != query) {
+                lastQuery[shape] = query;
+                found.add(shapes[shape], owners[shape], shape);
             }
         }
     }
