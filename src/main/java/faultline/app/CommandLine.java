@@ -134,7 +134,8 @@ final class CommandLine {
             case "--version" -> println(HelpText.version());
             case "--window" -> new WindowCommand(output).runWithDialogs(arguments);
             case "--startup-time" -> new WindowCommand(output).measureStartup(arguments);
-            default -> println(HelpText.help());
+            case HELP -> println(HelpText.help());
+            default -> throw new IllegalArgumentException("no command: " + command);
         };
     }
 
