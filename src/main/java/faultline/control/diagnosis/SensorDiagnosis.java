@@ -106,10 +106,11 @@ public final class SensorDiagnosis {
         assessment = new TrustAssessment(sensors);
         inspection = new SensorInspection(grid, reckoning, clock, motion, report);
         inspection.setWantedDistance(wantedDistance);
-        wallComparison = new WallComparison(motion, reckoning, assessment, inspection);
+        JumpCheck jumpCheck = new JumpCheck(motion, assessment, inspection);
+        wallComparison = new WallComparison(motion, reckoning, assessment, inspection, jumpCheck);
         checks = sensors.length == 0
                 ? new PacedCheck[0]
-                : new PacedCheck[] {wallComparison, new SpinComparison(sensors, reckoning, assessment), inspection};
+                : new PacedCheck[] {wallComparison, jumpCheck, new SpinComparison(sensors, reckoning, assessment), inspection};
     }
 
     private void testSignals(double[] readings) {

@@ -19,6 +19,9 @@ final class WallAgreement {
     /** The number of successive legs in which the same sensor must differ. */
     private static final int LEGS = 3;
 
+    /** The number of legs in which a part of the wall passes from the sensor ahead to the one that faces the wall. */
+    private static final int STRAIGHT_LEGS = 2;
+
     /** If distances differ by more than this, they are of different surfaces, or one is wrong, metres. */
     private static final double DIFFERS = 0.03;
 
@@ -48,6 +51,10 @@ final class WallAgreement {
     private int odd = NONE;
     private double difference;
     private int legs;
+    /** The number of successive legs in which all three agree. */
+    private int straightLegs;
+    /** What the one that faces the wall measured in the last leg, metres. */
+    private double wallDistance;
 
     /**
      * Processes the distances at a place of the path.
@@ -79,6 +86,24 @@ final class WallAgreement {
     void restart(double distance, double heading) {
         beginLeg(distance, heading);
         legs = 0;
+        straightLegs = 0;
+    }
+
+    /** Returns whether all three have agreed since the sensor ahead saw the part of the wall that is now beside it. */
+    boolean isStraight() {
+        return straightLegs >= STRAIGHT_LEGS && (count == 0 || spread() < AGREES);
+    }
+
+    /** Returns the distance from the robot's centre to the wall in the last leg, metres. */
+    double wallDistance() {
+        return wallDistance;
+    }
+
+    /** Returns by how much the mean distances of this leg differ, metres. */
+    private double spread() {
+        double least = Math.min(sums[0], Math.min(sums[1], sums[2]));
+        double greatest = Math.max(sums[0], Math.max(sums[1], sums[2]));
+        return (greatest - least) / count;
     }
 
     private void beginLeg(double distance, double heading) {
@@ -89,8 +114,11 @@ final class WallAgreement {
     }
 
     private int endLeg(double distance, double heading) {
-        int differs = Math.abs(heading - headingBefore) > MAX_TURN ? NONE : differing();
+        boolean turned = Math.abs(heading - headingBefore) > MAX_TURN;
+        int differs = turned ? NONE : differing();
         double by = differs == NONE ? 0 : (sums[differs] - sums[(differs + 1) % SENSORS]) / count;
+        straightLegs = !turned && distance > distanceBefore && spread() < AGREES ? straightLegs + 1 : 0;
+        wallDistance = sums[WallLine.BESIDE] / count;
         beginLeg(distance, heading);
         boolean again = differs != NONE && differs == odd && Math.abs(by - difference) < STEADY;
         legs = differs == NONE ? 0 : again ? legs + 1 : 1;

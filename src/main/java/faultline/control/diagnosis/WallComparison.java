@@ -14,6 +14,7 @@ final class WallComparison extends PacedCheck {
     private final DeadReckoning reckoning;
     private final TrustAssessment assessment;
     private final SensorInspection inspection;
+    private final JumpCheck jumpCheck;
     private final WallAgreement agreement = new WallAgreement();
     private final CurvatureEstimate curvature = new CurvatureEstimate();
     private WallLine line;
@@ -26,12 +27,14 @@ final class WallComparison extends PacedCheck {
             MotionAccumulator motion,
             DeadReckoning reckoning,
             TrustAssessment assessment,
-            SensorInspection inspection) {
+            SensorInspection inspection,
+            JumpCheck jumpCheck) {
         super(MotionAccumulator.Total.DISTANCE);
         this.motion = motion;
         this.reckoning = reckoning;
         this.assessment = assessment;
         this.inspection = inspection;
+        this.jumpCheck = jumpCheck;
         waitForNext();
     }
 
@@ -46,10 +49,14 @@ final class WallComparison extends PacedCheck {
 
     /**
      * Records that the reading of a sensor has jumped. If it is one on the wall's side, only distances from here on are
-     * compared, and all sensors are inspected more often for a while.
+     * compared, and all sensors are inspected more often for a while. If it is the one that faces a wall that was
+     * straight so far, the jump is checked.
      */
     void jump(InspectedSensor sensor) {
         if (line.contains(sensor)) {
+            if (line.sensor(WallLine.BESIDE) == sensor && agreement.isStraight()) {
+                jumpCheck.begin(line, agreement.wallDistance());
+            }
             agreement.restart(motion.netDistance(), motion.heading());
             inspection.attend();
         }

@@ -21,9 +21,9 @@ final class WallLine {
     private record WallRay(
             InspectedSensor sensor, int index, double range, double x, double y, double cos, double sin) {
 
-        static WallRay of(InspectedSensor sensor) {
+        static WallRay of(InspectedSensor sensor, double normal) {
             MountedCone cone = sensor.cone();
-            double nearest = Math.max(cone.bearing() - cone.half(), Math.min(cone.bearing() + cone.half(), QUARTER));
+            double nearest = Math.max(cone.bearing() - cone.half(), Math.min(cone.bearing() + cone.half(), normal));
             return new WallRay(
                     sensor,
                     sensor.index(),
@@ -61,11 +61,11 @@ final class WallLine {
         for (InspectedSensor sensor : sensors) {
             double off = QUARTER - sensor.cone().bearing();
             if (Math.abs(off) < sensor.cone().half()) {
-                facing = WallRay.of(sensor);
+                facing = WallRay.of(sensor, QUARTER);
             } else if (off > MIN_SLANT && off < MAX_SLANT) {
-                ahead = WallRay.of(sensor);
+                ahead = WallRay.of(sensor, QUARTER);
             } else if (-off > MIN_SLANT && -off < MAX_SLANT) {
-                behind = WallRay.of(sensor);
+                behind = WallRay.of(sensor, QUARTER);
             }
         }
         rays = facing == null || ahead == null || behind == null ? null : new WallRay[] {ahead, facing, behind};
@@ -97,6 +97,19 @@ final class WallLine {
     /** Returns the lateral distance from the robot's centre to the wall that a sensor of the line sees, metres. */
     double aside(int place, double[] readings) {
         return rays[place].y(readings[rays[place].index]);
+    }
+
+    /**
+     * Returns the distance from the robot's centre to the wall that a sensor of the line sees, metres.
+     *
+     * @param place the sensor: ahead, beside, or behind the robot
+     * @param readings the readings of all sensors
+     * @param turn the angle from the wall to the robot, radians, positive to the left
+     */
+    double aside(int place, double[] readings, double turn) {
+        WallRay ray = WallRay.of(rays[place].sensor, QUARTER - turn);
+        double reading = readings[ray.index];
+        return ray.x(reading) * StrictMath.sin(turn) + ray.y(reading) * StrictMath.cos(turn);
     }
 
     /**

@@ -30,7 +30,8 @@ class WallComparisonTest {
     private final TrustAssessment assessment = new TrustAssessment(sensors);
     private final SensorInspection inspection = new SensorInspection(
             new EvidenceGrid(sensors.length + 1), reckoning, new MotionClock(), motion, new HealthReport(robot));
-    private final WallComparison check = new WallComparison(motion, reckoning, assessment, inspection);
+    private final JumpCheck jumpCheck = new JumpCheck(motion, assessment, inspection);
+    private final WallComparison check = new WallComparison(motion, reckoning, assessment, inspection, jumpCheck);
 
     @BeforeEach
     void refit() {
@@ -144,6 +145,35 @@ class WallComparisonTest {
         assertEquals(InspectionRate.STRAIGHT, inspection.rate());
         check.jump(sensors[FRONT_LEFT]);
         assertEquals(InspectionRate.FULL, inspection.rate());
+    }
+
+    @Test
+    void aJumpOfTheSensorThatFacesAStraightWallIsChecked() {
+        drive(0.3, 0);
+        check.jump(sensors[LEFT]);
+        assertTrue(jumpCheck.isDue(motion));
+    }
+
+    @Test
+    void aJumpOfAnotherSensorIsNotChecked() {
+        drive(0.3, 0);
+        check.jump(sensors[FRONT_LEFT]);
+        assertFalse(jumpCheck.isDue(motion));
+    }
+
+    @Test
+    void aJumpIsNotCheckedBeforeTheWallWasAheadOfTheRobot() {
+        drive(0.2, 0);
+        check.jump(sensors[LEFT]);
+        assertFalse(jumpCheck.isDue(motion));
+    }
+
+    @Test
+    void aJumpIsNotCheckedWhereTheSensorAheadHasSeenSomething() {
+        drive(0.3, 0);
+        drive(0.1, 0, FRONT_LEFT, -0.1);
+        check.jump(sensors[LEFT]);
+        assertFalse(jumpCheck.isDue(motion));
     }
 
     private void letRateFall() {

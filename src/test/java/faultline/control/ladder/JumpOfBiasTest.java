@@ -18,10 +18,7 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/**
- * A bias that sets in while the robot follows a long straight wall is found soon, and in the sensor that has it. The
- * sensor that faces the wall is left out where it reads too much, because the robot then turns on the spot.
- */
+/** A bias that sets in while the robot follows a long straight wall is found soon, and in the sensor that has it. */
 class JumpOfBiasTest {
 
     @ParameterizedTest
@@ -29,6 +26,11 @@ class JumpOfBiasTest {
         "front-left, 0.12",
         "front-left, 0.2",
         "front-left, -0.1",
+        "left, 0.06",
+        "left, 0.08",
+        "left, 0.12",
+        "left, 0.3",
+        "left, -0.06",
         "left, -0.1",
         "rear-left, 0.12",
         "rear-left, 0.2",
