@@ -5,12 +5,12 @@ package faultline.control.diagnosis;
  * decay at the same rate over time.
  */
 enum InspectionRate {
-    /** While something is suspicious, shortly after a jump or a drift, or while a surface is near. */
+    /** While something is suspicious or a surface is near. */
     FULL(1, 5, 12, 24),
-    /** While nothing is suspicious and the robot turns. */
-    TURNING(2, 3, 6, 12),
+    /** While nothing is suspicious, but the robot turns, a reading has just jumped, or a surface may be ahead. */
+    REDUCED(3, 2, 4, 8),
     /** While nothing is suspicious and the robot drives straight on. */
-    STRAIGHT(4, 1, 3, 6);
+    STRAIGHT(8, 1, 2, 3);
 
     /** The number of times that a measurement is tested again. */
     static final int RETESTS = 3;

@@ -23,6 +23,11 @@ final class MissedSurfaces {
         this.reckoning = reckoning;
     }
 
+    /** Returns whether a sensor is tested, because it looks ahead. */
+    static boolean applies(MountedCone cone) {
+        return Math.abs(cone.bearing()) < cone.half();
+    }
+
     /**
      * Tests whether a sensor that looks diagonally ahead predicts a surface that the front sensor does not see.
      *
@@ -61,7 +66,7 @@ final class MissedSurfaces {
         }
         for (InspectedSensor front : sensors) {
             double due = expected + by.x() - front.cone().x();
-            boolean blind = Math.abs(front.cone().bearing()) < front.cone().half()
+            boolean blind = applies(front.cone())
                     && front.isTrusted()
                     && readings[front.index()] >= front.cone().range()
                     && due + PredictedSurface.FARTHER < front.cone().range();

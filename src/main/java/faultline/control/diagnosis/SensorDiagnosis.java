@@ -110,7 +110,9 @@ public final class SensorDiagnosis {
         wallComparison = new WallComparison(motion, reckoning, assessment, inspection, jumpCheck);
         checks = sensors.length == 0
                 ? new PacedCheck[0]
-                : new PacedCheck[] {wallComparison, jumpCheck, new SpinComparison(sensors, reckoning, assessment), inspection};
+                : new PacedCheck[] {
+                    wallComparison, jumpCheck, new SpinComparison(sensors, reckoning, assessment), inspection
+                };
     }
 
     private void testSignals(double[] readings) {
@@ -166,6 +168,16 @@ public final class SensorDiagnosis {
     public void distrustMisleading(int sensor) {
         assessment.distrust(sensors[sensor], SensorFinding.MISLEADING, motion.time());
         refreshReport(sensors[sensor]);
+    }
+
+    /** {@return whether a sensor has been found blind just now, because it misses a surface ahead of the robot} */
+    public boolean hasMissedSurface() {
+        for (InspectedSensor sensor : sensors) {
+            if (sensor.finding() == SensorFinding.BLIND && sensor.since() == motion.time()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** {@return the number of sensors that are diagnosed} */

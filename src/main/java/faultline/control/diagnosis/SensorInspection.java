@@ -37,7 +37,7 @@ final class SensorInspection extends PacedCheck {
     /** A contradiction is suspicious for this long, seconds. */
     private static final double SUSPICION = 1;
 
-    /** A jump of a reading, or a drift, brings the full rate for this long, seconds. */
+    /** A jump of a reading, or a drift, keeps the rate of a straight path away for this long, seconds. */
     private static final double ATTENTION = 0.5;
 
     /** A robot that turns faster than this does not drive straight on, radians per second. */
@@ -54,6 +54,8 @@ final class SensorInspection extends PacedCheck {
     private final ArcCheck arcCheck;
     /** The sensors in the order in which they are inspected. */
     private InspectedSensor[] sensors = {};
+    /** The indices of those that look diagonally ahead. */
+    private int[] diagonal = {};
 
     private TrustAssessment assessment;
     private MissedSurfaces missedSurfaces;
@@ -92,6 +94,10 @@ final class SensorInspection extends PacedCheck {
     void refit(InspectedSensor[] refitted, double radius, TrustAssessment trust) {
         bodyRadius = radius;
         sensors = inOrder(refitted);
+        diagonal = Arrays.stream(refitted)
+                .filter(sensor -> NearSurfaceCheck.applies(sensor.cone()))
+                .mapToInt(InspectedSensor::index)
+                .toArray();
         assessment = trust;
         missedSurfaces = new MissedSurfaces(refitted, trust, grid, reckoning);
     }
@@ -128,15 +134,17 @@ final class SensorInspection extends PacedCheck {
         waitFor(Math.max(time, due + STEP * sensors.length * rate.interval()));
     }
 
-    /**
-     * Inspects the sensors at the full rate for some time, because a reading on the wall's side has jumped or drifts.
-     */
+    /** Inspects the sensors soon and more often for some time: a reading on the wall's side has jumped or drifts. */
     void attend() {
-        double time = motion.time();
-        attentionUntil = time + ATTENTION;
+        attentionUntil = motion.time() + ATTENTION;
+        hasten();
+    }
+
+    /** Inspects the sensors as soon as at the full rate. */
+    void hasten() {
         if (rate != InspectionRate.FULL) {
             rate = InspectionRate.FULL;
-            waitFor(Math.min(due, time + STEP * sensors.length));
+            waitFor(Math.min(due, motion.time() + STEP * sensors.length));
         }
     }
 
@@ -147,10 +155,11 @@ final class SensorInspection extends PacedCheck {
     }
 
     private InspectionRate rateAfter(double[] readings, double time) {
-        if (isSuspicious(time) || time < attentionUntil || isClose(readings)) {
+        if (isSuspicious(time) || isClose(readings)) {
             return InspectionRate.FULL;
         }
-        return Math.abs(motion.turnRate()) > TURNING ? InspectionRate.TURNING : InspectionRate.STRAIGHT;
+        boolean reduced = time < attentionUntil || Math.abs(motion.turnRate()) > TURNING || mayMissSurface(readings);
+        return reduced ? InspectionRate.REDUCED : InspectionRate.STRAIGHT;
     }
 
     /** Returns the rate until the next inspection. */
@@ -163,10 +172,26 @@ final class SensorInspection extends PacedCheck {
         return !assessment.allTrusted() || time - assessment.lastSuspicion() < SUSPICION;
     }
 
-    /** Returns whether a surface that may cross the path is near. */
-    private boolean isClose(double[] readings) {
+    /**
+     * Returns whether the front sensor sees nothing but the diagonal one on the side away from the wall does: the rate
+     * of its readings may show that a surface is ahead.
+     */
+    private boolean mayMissSurface(double[] readings) {
+        boolean seen = false;
+        boolean missed = false;
         for (InspectedSensor sensor : sensors) {
-            if (readings[sensor.index()] < CLOSE && NearSurfaceCheck.applies(sensor.cone())) {
+            MountedCone cone = sensor.cone();
+            double reading = readings[sensor.index()];
+            seen |= ApproachCheck.applies(cone) && reading < cone.range();
+            missed |= MissedSurfaces.applies(cone) && reading >= cone.range();
+        }
+        return seen && missed;
+    }
+
+    /** Returns whether a surface that may cross the path is near. */
+    boolean isClose(double[] readings) {
+        for (int sensor : diagonal) {
+            if (readings[sensor] < CLOSE) {
                 return true;
             }
         }

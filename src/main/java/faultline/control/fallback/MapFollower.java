@@ -3,6 +3,7 @@ package faultline.control.fallback;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry.WallControl;
 import faultline.control.diagnosis.DeadReckoning;
+import faultline.control.diagnosis.EvidenceGrid;
 import faultline.control.diagnosis.MountedCone;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.geometry.Angles;
@@ -98,6 +99,7 @@ public final class MapFollower {
     private double sinceWall;
     private double untilPlan;
     private final Scan scan = new Scan();
+    private final Retreat retreat = new Retreat();
     private WallControl wallControl = WallControl.NONE;
     private double v;
     private double omega;
@@ -125,6 +127,7 @@ public final class MapFollower {
         sinceWall = atWall ? LOST / 2 : LOST + 1;
         untilPlan = 0;
         scan.end();
+        retreat.end();
         state = atWall ? FollowerState.FOLLOW : FollowerState.SEARCH;
         stuck = false;
         progress.reset();
@@ -142,6 +145,9 @@ public final class MapFollower {
         stuck |= progress.isStuck(at(), lap, robot.speed(), dt);
         untilPlan -= dt;
         sinceWall += Math.abs(at().rolled());
+        if (driveDirection == DriveDirection.FORWARDS && diagnosis.hasMissedSurface()) {
+            retreat.start();
+        }
         if (untilPlan <= 0) {
             untilPlan = scan.isActive() ? SCAN_PLANNING : PLANNING;
             driveDirection = DriveDirection.of(diagnosis);
@@ -167,6 +173,16 @@ public final class MapFollower {
 
     private double known(double towards) {
         return directionFinder.known(at(), towards, 0.6, robot.length() / 2, robot.width() / 2);
+    }
+
+    /** The robot has come from there. What its body covered is known except for the cells at the border. */
+    private double knownBehind() {
+        return directionFinder.known(
+                at(),
+                at().heading() + StrictMath.PI,
+                NEEDED,
+                robot.length() / 2,
+                robot.width() / 2 - EvidenceGrid.CELL);
     }
 
     /**
@@ -290,6 +306,15 @@ public final class MapFollower {
     }
 
     private void act() {
+        if (retreat.isActive()) {
+            retreat.advance(at().rolled());
+            if (knownBehind() >= NEEDED / 2) {
+                v = -robot.speed();
+                omega = 0;
+                return;
+            }
+            retreat.end();
+        }
         if (scan.isActive()) {
             if (scan.advance(at().turned())) {
                 endScan();

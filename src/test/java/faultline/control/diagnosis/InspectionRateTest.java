@@ -15,6 +15,8 @@ class InspectionRateTest {
 
     private static final double DT = 0.01;
     private static final double VOLTS = 6;
+    /** The number of ticks after which an inspection is due at any rate. */
+    private static final int LONG = 80;
 
     private final RobotSpec robot = RobotSpec.DEFAULT;
     private final InspectedSensor[] sensors =
@@ -38,10 +40,10 @@ class InspectionRateTest {
     }
 
     private InspectionRate rateAfter(double leftVolts, double rightVolts) {
-        reckoning.advance(robot, leftVolts, rightVolts, DT, 50);
-        motion.advance(reckoning.rolled(), reckoning.turned(), 50 * DT);
+        reckoning.advance(robot, leftVolts, rightVolts, DT, LONG);
+        motion.advance(reckoning.rolled(), reckoning.turned(), LONG * DT);
         while (inspection.isDue(motion)) {
-            inspection.run(readings, 50);
+            inspection.run(readings, LONG);
         }
         return inspection.rate();
     }
@@ -54,8 +56,8 @@ class InspectionRateTest {
     @Test
     void aRobotInOpenSpaceIsInspectedLessOftenOnStraightPartsThanInTurns() {
         assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
-        assertEquals(InspectionRate.TURNING, rateAfter(VOLTS, -VOLTS));
-        assertTrue(InspectionRate.STRAIGHT.interval() > InspectionRate.TURNING.interval());
+        assertEquals(InspectionRate.REDUCED, rateAfter(VOLTS, -VOLTS));
+        assertTrue(InspectionRate.STRAIGHT.interval() > InspectionRate.REDUCED.interval());
     }
 
     @Test
@@ -75,6 +77,17 @@ class InspectionRateTest {
         readings[robot.indexOf("front-right")] = 0.15;
         assertEquals(InspectionRate.FULL, rateAfter(VOLTS, VOLTS));
         readings[robot.indexOf("front-right")] = 0.25;
+        assertEquals(InspectionRate.REDUCED, rateAfter(VOLTS, VOLTS));
+    }
+
+    @Test
+    void aSurfaceThatOnlyTheDiagonalSensorAwayFromTheWallSeesBringsTheReducedRate() {
+        readings[robot.indexOf("front-right")] = 0.7;
+        assertEquals(InspectionRate.REDUCED, rateAfter(VOLTS, VOLTS));
+        readings[robot.indexOf("front")] = 0.7;
+        assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
+        readings[robot.indexOf("front-right")] = Reading.NOTHING;
+        readings[robot.indexOf("front-left")] = 0.7;
         assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
     }
 
@@ -88,7 +101,7 @@ class InspectionRateTest {
     }
 
     @Test
-    void attentionBringsTheFullRateForHalfASecond() {
+    void attentionBringsAnInspectionSoonAndKeepsTheRateOfStraightPathsAwayForHalfASecond() {
         assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
         inspection.attend();
         double start = motion.time();
@@ -96,12 +109,23 @@ class InspectionRateTest {
         double interval = DT * sensors.length;
         assertEquals(interval, untilDue(), 1e-9);
         inspection.run(readings, 1);
-        while (inspection.rate() == InspectionRate.FULL) {
-            assertEquals(interval, untilDue(), 1e-9);
+        double reduced = interval * InspectionRate.REDUCED.interval();
+        while (inspection.rate() != InspectionRate.STRAIGHT) {
+            assertEquals(InspectionRate.REDUCED, inspection.rate());
+            assertEquals(reduced, untilDue(), 1e-9);
             inspection.run(readings, 1);
         }
-        assertEquals(0.5, motion.time() - start, interval);
         assertTrue(motion.time() - start > 0.5 - DT / 2, "not before");
+        assertEquals(0.5, motion.time() - start, reduced);
+    }
+
+    @Test
+    void hasteLastsForOneInspection() {
+        assertEquals(InspectionRate.STRAIGHT, rateAfter(VOLTS, VOLTS));
+        inspection.hasten();
+        assertEquals(DT * sensors.length, untilDue(), 1e-9);
+        inspection.run(readings, 1);
+        assertEquals(InspectionRate.STRAIGHT, inspection.rate());
     }
 
     @Test
@@ -121,7 +145,7 @@ class InspectionRateTest {
     @Test
     void theNextInspectionIsDueAfterTheTimeOfItsRate() {
         assertTrue(inspection.isDue(motion), "the first");
-        for (InspectionRate rate : new InspectionRate[] {InspectionRate.STRAIGHT, InspectionRate.TURNING}) {
+        for (InspectionRate rate : new InspectionRate[] {InspectionRate.STRAIGHT, InspectionRate.REDUCED}) {
             assertEquals(rate, rateAfter(VOLTS, rate == InspectionRate.STRAIGHT ? VOLTS : -VOLTS));
             int ticks = 0;
             while (!inspection.isDue(motion)) {

@@ -10,6 +10,8 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The sensors on the wall's side are compared at equal distances of the path. */
 class WallComparisonTest {
@@ -174,6 +176,24 @@ class WallComparisonTest {
         drive(0.1, 0, FRONT_LEFT, -0.1);
         check.jump(sensors[LEFT]);
         assertFalse(jumpCheck.isDue(motion));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "front-left, 0.19, FULL",
+        "front-right, 0.19, FULL",
+        "front-left, 0.21, STRAIGHT",
+        "front, 0.1, STRAIGHT",
+        "left, 0.1, STRAIGHT",
+        "rear-right, 0.1, STRAIGHT"
+    })
+    void onlyASurfaceNearADiagonalFrontSensorBringsTheFullRate(String sensor, double reading, InspectionRate expected) {
+        letRateFall();
+        double[] readings = new double[sensors.length];
+        Arrays.fill(readings, Reading.NOTHING);
+        readings[robot.indexOf(sensor)] = reading;
+        check.run(readings, 1);
+        assertEquals(expected, inspection.rate());
     }
 
     private void letRateFall() {

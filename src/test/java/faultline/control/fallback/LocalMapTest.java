@@ -125,7 +125,7 @@ class LocalMapTest {
         drive(robot, 0, 0, 1);
         diagnosis.markUnseen(1.1, 0);
         diagnosis.markUnseen(1.1, 0.5);
-        drive(robot, 3, 3, 100);
+        drive(robot, 3, 3, 130);
         refresh();
         assertTrue(map.isKnown(1.1, 0), "the front sensor saw it free");
         assertTrue(map.toSurface(1.1, 0) > 0.1);

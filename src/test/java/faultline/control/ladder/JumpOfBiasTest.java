@@ -37,7 +37,7 @@ class JumpOfBiasTest {
         "rear-left, -0.1"
     })
     void isFoundWithinTwoSeconds(String sensor, double bias) {
-        for (double onset = 11; onset <= 15; onset++) {
+        for (double onset = 12; onset <= 16; onset++) {
             assertFoundInTime(sensor, bias, onset);
         }
     }
