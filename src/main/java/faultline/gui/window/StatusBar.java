@@ -19,6 +19,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JToolTip;
 
 /**
  * One line about the run: its state, time, pace, controller state, pose and the cursor position, and at the end a note.
@@ -43,7 +44,7 @@ final class StatusBar extends JPanel {
     private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
     private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
     private final StatusCell scale = cell("status.scale", "0000 px/m");
-    private final JLabel note = new JLabel();
+    private final JLabel note = new PlainLabel();
     private int noteFramesLeft;
     /** Null while the cursor is outside the canvas. */
     private transient Vector2 cursorPoint;
@@ -51,6 +52,23 @@ final class StatusBar extends JPanel {
     private int shownRefusals;
     /** Why the run failed at the last frame, empty if it did not. */
     private String shownFailure = "";
+
+    /** A label whose text and tip are never read as HTML: a note may repeat what another program has written. */
+    private static final class PlainLabel extends JLabel {
+
+        private static final String NO_HTML = "html.disable";
+
+        PlainLabel() {
+            putClientProperty(NO_HTML, true);
+        }
+
+        @Override
+        public JToolTip createToolTip() {
+            JToolTip tip = super.createToolTip();
+            tip.putClientProperty(NO_HTML, true);
+            return tip;
+        }
+    }
 
     StatusBar() {
         super(new StatusLayout(GAP, StatusCell.class::isInstance));
