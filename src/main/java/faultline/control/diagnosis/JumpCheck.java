@@ -12,21 +12,16 @@ final class JumpCheck extends PacedCheck {
     /** The time after a jump over which the distances are averaged, seconds. */
     private static final double DURATION = 0.1;
 
-    /** A sensor is wrong if its distance differs from the one before by more than this, metres. */
-    private static final double DIFFERS = 0.03;
-
     /** A distance is still the one before if it differs by less than this, metres. */
     private static final double AGREES = 0.02;
 
     /** The maximum turn during the check, radians. */
     private static final double MAX_TURN = StrictMath.toRadians(12);
 
-    private static final int SENSORS = 3;
-
     private final MotionAccumulator motion;
     private final TrustAssessment assessment;
     private final SensorInspection inspection;
-    private final double[] sums = new double[SENSORS];
+    private final double[] sums = new double[WallLine.SENSORS];
     private WallLine line;
     /** The distance from the robot's centre to the wall before the jump, metres. */
     private double before;
@@ -70,7 +65,7 @@ final class JumpCheck extends PacedCheck {
             stop();
             return;
         }
-        for (int i = 0; i < SENSORS; i++) {
+        for (int i = 0; i < WallLine.SENSORS; i++) {
             sums[i] += line.aside(i, readings, turn);
         }
         count++;
@@ -86,9 +81,9 @@ final class JumpCheck extends PacedCheck {
     /** Returns whether the sensor that faces the wall differs from the distance before, and the others do not. */
     private boolean isWrong() {
         boolean wrong = true;
-        for (int i = 0; i < SENSORS; i++) {
+        for (int i = 0; i < WallLine.SENSORS; i++) {
             double by = Math.abs(sums[i] / count - before);
-            wrong &= i == WallLine.BESIDE ? by > DIFFERS : by < AGREES;
+            wrong &= i == WallLine.BESIDE ? by > WallAgreement.DIFFERS : by < AGREES;
         }
         return wrong;
     }

@@ -23,7 +23,7 @@ final class WallAgreement {
     private static final int STRAIGHT_LEGS = 2;
 
     /** If distances differ by more than this, they are of different surfaces, or one is wrong, metres. */
-    private static final double DIFFERS = 0.03;
+    static final double DIFFERS = 0.03;
 
     /** Distances agree if they differ by less than this, metres. */
     private static final double AGREES = 0.012;
@@ -40,9 +40,7 @@ final class WallAgreement {
     /** The maximum turn of the robot in a leg, because beside a straight wall it drives straight, radians. */
     private static final double MAX_TURN = StrictMath.toRadians(3);
 
-    private static final int SENSORS = 3;
-
-    private final double[] sums = new double[SENSORS];
+    private final double[] sums = new double[WallLine.SENSORS];
     /** The distance at the start of this leg, metres. */
     private double distanceBefore;
 
@@ -70,7 +68,7 @@ final class WallAgreement {
             restart(distance, heading);
             return NONE;
         }
-        for (int i = 0; i < SENSORS; i++) {
+        for (int i = 0; i < WallLine.SENSORS; i++) {
             sums[i] += line.aside(i, readings);
         }
         count++;
@@ -116,7 +114,7 @@ final class WallAgreement {
     private int endLeg(double distance, double heading) {
         boolean turned = Math.abs(heading - headingBefore) > MAX_TURN;
         int differs = turned ? NONE : differing();
-        double by = differs == NONE ? 0 : (sums[differs] - sums[(differs + 1) % SENSORS]) / count;
+        double by = differs == NONE ? 0 : (sums[differs] - sums[(differs + 1) % WallLine.SENSORS]) / count;
         straightLegs = !turned && distance > distanceBefore && spread() < AGREES ? straightLegs + 1 : 0;
         wallDistance = sums[WallLine.BESIDE] / count;
         beginLeg(distance, heading);
@@ -129,9 +127,9 @@ final class WallAgreement {
 
     /** Returns the sensor that differs from two that agree, or {@link #NONE}. */
     private int differing() {
-        for (int i = 0; i < SENSORS; i++) {
-            double one = sums[(i + 1) % SENSORS] / count;
-            double other = sums[(i + 2) % SENSORS] / count;
+        for (int i = 0; i < WallLine.SENSORS; i++) {
+            double one = sums[(i + 1) % WallLine.SENSORS] / count;
+            double other = sums[(i + 2) % WallLine.SENSORS] / count;
             double least = Math.min(one, other);
             double greatest = Math.max(one, other);
             double suspect = sums[i] / count;

@@ -48,6 +48,9 @@ final class WallLine {
         }
     }
 
+    /** The number of sensors. */
+    static final int SENSORS = 3;
+
     /** The index of the sensor that faces the wall, between the one ahead and the one behind. */
     static final int BESIDE = 1;
 

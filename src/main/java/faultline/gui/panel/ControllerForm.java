@@ -78,8 +78,7 @@ public final class ControllerForm {
         this.onChange = onChange;
         UiText.tip(diagnosis, "controller.diagnosis.tip");
         UiText.tip(nameLabel, "controller.name.tip");
-        // The controller chooses the text.
-        name.putClientProperty("html.disable", true);
+        UiText.plain(name);
         setName("");
         diagnosis.addActionListener(event -> change(old -> old.withDiagnosis(diagnosis.isSelected())));
         sections = List.of(

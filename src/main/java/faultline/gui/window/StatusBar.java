@@ -44,7 +44,12 @@ final class StatusBar extends JPanel {
     private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
     private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
     private final StatusCell scale = cell("status.scale", "0000 px/m");
-    private final JLabel note = new PlainLabel();
+    private final JLabel note = UiText.plain(new JLabel() {
+        @Override
+        public JToolTip createToolTip() {
+            return UiText.plain(super.createToolTip());
+        }
+    });
     private int noteFramesLeft;
     /** Null while the cursor is outside the canvas. */
     private transient Vector2 cursorPoint;
@@ -52,23 +57,6 @@ final class StatusBar extends JPanel {
     private int shownRefusals;
     /** Why the run failed at the last frame, empty if it did not. */
     private String shownFailure = "";
-
-    /** A label whose text and tip are never read as HTML: a note may repeat what another program has written. */
-    private static final class PlainLabel extends JLabel {
-
-        private static final String NO_HTML = "html.disable";
-
-        PlainLabel() {
-            putClientProperty(NO_HTML, true);
-        }
-
-        @Override
-        public JToolTip createToolTip() {
-            JToolTip tip = super.createToolTip();
-            tip.putClientProperty(NO_HTML, true);
-            return tip;
-        }
-    }
 
     StatusBar() {
         super(new StatusLayout(GAP, StatusCell.class::isInstance));
