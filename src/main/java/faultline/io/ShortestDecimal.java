@@ -172,14 +172,15 @@ public final class ShortestDecimal {
     /** Writes f 10^k, where f has 16 or 17 digits, and returns the end of the text. */
     private static int write(long f, int k, byte[] text, int start) {
         // -1 if there are 16.
-        int less = (int) (f - MIN_WITH_ALL_DIGITS >> 63);
+        long less = f - MIN_WITH_ALL_DIGITS >> 63;
         long digits = f + (9 * f & less);
         // The first digit is at the power of ten point - 1.
-        int point = DIGITS + less + k;
+        int point = DIGITS + (int) less + k;
         long upper = digits / EIGHT_DIGITS;
-        int first = (int) upper / EIGHT_DIGITS;
-        long middle = eightDigits((int) upper - first * EIGHT_DIGITS);
-        long last = eightDigits((int) (digits - upper * EIGHT_DIGITS));
+        // By 10^8: exact for at most nine digits.
+        long first = upper * 1_441_151_881 >>> 57;
+        long middle = eightDigits(upper - first * EIGHT_DIGITS);
+        long last = eightDigits(digits - upper * EIGHT_DIGITS);
         int zeros = last == 0 ? 8 + trailingZeros(middle) : trailingZeros(last);
         int place = point < MIN_POINT ? 1 : point;
         int before = place > 0 ? 1 : 2 - place;
@@ -195,18 +196,21 @@ public final class ShortestDecimal {
 
     /** Returns the number of zeros at the end of eight digits. */
     private static int trailingZeros(long digits) {
-        return Long.numberOfLeadingZeros(digits) / Byte.SIZE;
+        return Long.numberOfLeadingZeros(digits) >>> 3;
     }
 
-    /** Returns the eight digits of a number, one in each byte, the first in the lowest. */
-    private static long eightDigits(int number) {
-        int upper = number / 10_000;
-        long fours = upper | (long) (number - 10_000 * upper) << 32;
-        // Each half by 100, then each quarter by 10: products with reciprocals that are exact for such small numbers.
+    /**
+     * Returns the eight digits of a number, one in each byte, the first in the lowest. Each step divides all parts of
+     * the number by products with reciprocals that are exact for such small numbers, and puts the remainders beside the
+     * quotients: 2^16 (n - 100 q) + q = 2^16 n - (2^16 100 - 1) q.
+     */
+    private static long eightDigits(long number) {
+        long upper = number * 109_951_163 >>> 40;
+        long fours = (number << 32) - ((10_000L << 32) - 1) * upper;
         long hundreds = fours * 10_486 >>> 20 & 0x7F_0000_007FL;
-        long twos = hundreds | fours - 100 * hundreds << 16;
+        long twos = (fours << 16) - ((100 << 16) - 1) * hundreds;
         long tens = twos * 103 >>> 10 & 0xF_000F_000F_000FL;
-        return tens | twos - 10 * tens << Byte.SIZE;
+        return (twos << 8) - ((10 << 8) - 1) * tens;
     }
 
     private static int writeExponent(int negative, byte[] text, int end) {
