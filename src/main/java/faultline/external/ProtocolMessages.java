@@ -64,18 +64,15 @@ final class ProtocolMessages {
         json.endArray().endObject();
     }
 
-    /** Returns an observation. The robot is written only if it was changed, and the truth only if it is given. */
+    /** Returns an observation. The robot is written only if it was changed. */
     static JsonWriter observe(Observation observation, boolean robotChanged) {
         JsonWriter json = new JsonWriter().member("type", "observe");
-        writeReadings(json, observation);
-        if (robotChanged) {
-            writeRobot(json.name("robot"), observation.robot());
-        }
+        writeReadings(json, observation, robotChanged);
         return json;
     }
 
-    /** Writes the tick, the time and the readings of an observation. */
-    static void writeReadings(JsonWriter json, Observation observation) {
+    /** Writes the tick, the time and the readings of an observation, and its robot if that was changed. */
+    static void writeReadings(JsonWriter json, Observation observation, boolean robotChanged) {
         json.member("tick", observation.tick()).member("t_s", observation.tick() * observation.dt());
         json.name("readings_m").beginArray();
         for (double reading : observation.readings()) {
@@ -86,6 +83,9 @@ final class ProtocolMessages {
             json.value(!Reading.isOff(reading));
         }
         json.endArray();
+        if (robotChanged) {
+            writeRobot(json.name("robot"), observation.robot());
+        }
     }
 
     private static void writeReading(JsonWriter json, double reading) {

@@ -9,6 +9,7 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.io.JsonWriter;
 import faultline.io.MessageText;
+import faultline.robot.RobotSpec;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -31,6 +32,8 @@ public final class SimulationServer {
     private final InputStream in;
     private final OutputStream out;
     private final LineBuffer lines = new LineBuffer();
+    /** The robot that the client was told last. */
+    private RobotSpec knownRobot;
 
     /**
      * Creates a server.
@@ -94,6 +97,7 @@ public final class SimulationServer {
      * @throws RunFailedException if a request violates the protocol
      */
     public void run(SimulationSetup setup) throws IOException {
+        knownRobot = setup.robot();
         if (!send(ProtocolMessages.hello(RunDescription.of(program, scenario, setup, 1)))) {
             return;
         }
@@ -152,15 +156,15 @@ public final class SimulationServer {
 
     private String answer(Episode episode) {
         Observation observation = episode.observation();
+        boolean robotChanged = !observation.robot().equals(knownRobot);
+        knownRobot = observation.robot();
         JsonWriter json;
         if (episode.isOver()) {
             String hash = String.format(Locale.ROOT, "%016x", episode.simulation.trajectoryHash());
             json = ProtocolMessages.end("duration", hash, Map.of());
-            ProtocolMessages.writeReadings(json, observation);
+            ProtocolMessages.writeReadings(json, observation, robotChanged);
         } else {
-            json = ProtocolMessages.observe(
-                    observation,
-                    !observation.robot().equals(episode.simulation.setup().robot()));
+            json = ProtocolMessages.observe(observation, robotChanged);
         }
         if (givesTruth) {
             ProtocolMessages.writeTruth(json, episode.simulation);

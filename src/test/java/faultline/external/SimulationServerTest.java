@@ -17,25 +17,36 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Requests in, observations out. */
 class SimulationServerTest {
 
+    @TempDir
+    private Path folder;
+
     private static List<String> serve(String... requests) throws Exception {
         return serveText(String.join("\n", requests) + "\n");
     }
 
     private static List<String> serveText(String requests) throws Exception {
+        return serveText(office(), requests);
+    }
+
+    private static List<String> serveText(SimulationSetup setup, String requests) throws Exception {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         byte[] in = requests.getBytes(StandardCharsets.UTF_8);
-        new SimulationServer("faultline test", "Office", true, new ByteArrayInputStream(in), out).run(office());
+        new SimulationServer("faultline test", "Office", true, new ByteArrayInputStream(in), out).run(setup);
         return out.toString(StandardCharsets.UTF_8).lines().toList();
     }
 
@@ -91,6 +102,36 @@ class SimulationServerTest {
         String drive = "{\"type\":\"drive\",\"left_v\":2,\"right_v\":3,\"ticks\":50}";
         List<String> answers = serve(drive, "{\"type\":\"reset\"}", drive);
         assertEquals(answers.get(1), answers.get(3));
+    }
+
+    /** The range is 0.4 m from tick 2 on and 0.8 m from tick 4 on, as at the start; the last tick changes it again. */
+    @Test
+    void aRobotThatIsChangedBackIsToldToo() throws Exception {
+        SimulationSetup setup = Scenario.load(Files.writeString(
+                        folder.resolve("tuned.xml"),
+                        """
+                        <scenario xmlns="urn:faultline:scenario:1" duration="0.06">
+                          <world width="6" height="4"/>
+                          <robot x="3" y="2"/>
+                          <timeline>
+                            <tune at="0.02" sensor="left" range="0.4"/>
+                            <tune at="0.04" sensor="left" range="0.8"/>
+                            <tune at="0.06" sensor="left" range="0.3"/>
+                          </timeline>
+                        </scenario>
+                        """))
+                .setup();
+        String drive = "{\"type\":\"drive\",\"left_v\":1,\"right_v\":1}\n";
+        List<String> answers = serveText(setup, drive.repeat(6) + "{\"type\":\"reset\"}\n{\"type\":\"reset\"}\n");
+        List<String> ranges =
+                answers.stream().skip(1).map(SimulationServerTest::leftRange).toList();
+        assertEquals(List.of("", "0.4", "", "0.8", "", "0.3", "0.8", ""), ranges);
+    }
+
+    /** Returns the range of the left sensor if a message describes the robot. */
+    private static String leftRange(String message) {
+        Matcher range = Pattern.compile("\"id\":\"left\".*?\"range_m\":([0-9.]+)").matcher(message);
+        return range.find() ? range.group(1) : "";
     }
 
     @Test
