@@ -30,6 +30,7 @@ final class RunCommand {
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
         RunOptions options = RunOptions.parse(arguments);
         options.child().jars().forEach(ControllerChoice::addJar);
+        options.checkController();
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
         requireController(scenario, options.controller().isPresent());
         try (RunOutputs outputs = new RunOutputs(options)) {

@@ -88,7 +88,6 @@ record RunOptions(
                 pace(arguments),
                 ControllerOptions.parse(arguments, arguments.has("--controller")));
         options.checkFilesDiffer();
-        options.checkThreads();
         return options;
     }
 
@@ -173,9 +172,13 @@ record RunOptions(
         Arguments.requireDistinct(inputs, List.copyOf(outputs.values()));
     }
 
-    private void checkThreads() throws UsageException {
-        if (controller().filter(ControllerChoice::isCommand).isPresent()
-                && arguments.value("--threads").filter("controller"::equals).isPresent()) {
+    /** Throws an exception if an option does not fit the controller. The controllers of the jars must be known. */
+    void checkController() throws UsageException {
+        boolean isChild = controller().filter(ControllerChoice::isCommand).isPresent();
+        if (child.truth() && !isChild) {
+            throw new UsageException("--truth needs --controller COMMAND");
+        }
+        if (isChild && arguments.value("--threads").filter("controller"::equals).isPresent()) {
             throw UsageException.ofValue(
                     "--threads", "controller", "none, because the child process of --controller runs by itself");
         }

@@ -95,6 +95,8 @@ class JavaExampleTest {
         assertEquals("none", value(output, "collision"));
         assertTrue(Double.parseDouble(value(output, "coverage")) > 0.8, output);
         assertEquals("EXTERN SEARCH TURN FOLLOW", value(output, "states"));
+        // Each run of the program finds the controllers of the jar itself.
+        forgetJar();
         assertEquals(
                 value(output, "trajectory_hash"),
                 value(
@@ -108,6 +110,17 @@ class JavaExampleTest {
                                 "--jar",
                                 jar.toString()),
                         "trajectory_hash"));
+    }
+
+    @Test
+    void theTruthIsForControllersInChildProcesses() {
+        String usage = "faultline: --truth needs --controller COMMAND (see faultline --help)\n";
+        for (String name : List.of("my-follower", "wall-follower", "none")) {
+            forgetJar();
+            assertEquals(
+                    usage,
+                    run("run", "scenarios/yard.xml", "--controller", name, "--jar", jar.toString(), "--truth"));
+        }
     }
 
     @Test
