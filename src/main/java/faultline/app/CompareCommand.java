@@ -71,6 +71,9 @@ final class CompareCommand {
         if (choices.size() < 2 || choices.stream().distinct().count() < choices.size()) {
             throw new UsageException("compare needs --controller at least twice, each time with another one");
         }
+        if (options.truth() && choices.stream().noneMatch(ControllerChoice::isCommand)) {
+            throw new UsageException("--truth needs --controller COMMAND");
+        }
         List<Path> inputs = new ArrayList<>(options.files(choices));
         inputs.add(file);
         ComparisonFiles files = new ComparisonFiles(page, choices.size());
@@ -104,7 +107,12 @@ final class CompareCommand {
             for (String choice : choices) {
                 compared.add(runAll(choice, scenario, seeds, options, files.replay(compared.size()), replays));
             }
-            return write(new ControllerComparison(scenario, compared, windowCommands), compared, files, replays);
+            ControllerComparison comparison =
+                    new ControllerComparison(scenario, compared, windowCommands, options.truth());
+            if (options.truth()) {
+                output.println("truth: given to the controllers in child processes");
+            }
+            return write(comparison, compared, files, replays);
         }
     }
 

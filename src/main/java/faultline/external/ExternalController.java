@@ -165,7 +165,8 @@ public final class ExternalController implements Controller, TickObserver, AutoC
      */
     public void finish(String reason, String trajectoryHash, Map<String, String> summary) {
         try {
-            child.send(ProtocolMessages.end(reason, trajectoryHash, summary).finish());
+            child.send(ProtocolMessages.end(reason, trajectoryHash, summary, givesTruth)
+                    .finish());
         } catch (ProtocolException gone) {
             // A child that has already ended needs no message.
         }

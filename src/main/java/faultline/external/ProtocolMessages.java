@@ -140,14 +140,17 @@ final class ProtocolMessages {
                 sensors);
     }
 
-    /** Returns the last message of a run. */
-    static JsonWriter end(String reason, String trajectoryHash, Map<String, String> summary) {
+    /** Returns the last message of a run, whose summary also says whether the controller was given the ground truth. */
+    static JsonWriter end(String reason, String trajectoryHash, Map<String, String> summary, boolean givesTruth) {
         JsonWriter json = new JsonWriter()
                 .member("type", "end")
                 .member("reason", reason)
                 .member("trajectory_hash", trajectoryHash)
                 .name("summary")
                 .beginObject();
+        if (givesTruth) {
+            json.member("truth", "given to the controller");
+        }
         summary.forEach(json::member);
         return json.endObject();
     }

@@ -161,7 +161,7 @@ public final class SimulationServer {
         JsonWriter json;
         if (episode.isOver()) {
             String hash = String.format(Locale.ROOT, "%016x", episode.simulation.trajectoryHash());
-            json = ProtocolMessages.end("duration", hash, Map.of());
+            json = ProtocolMessages.end("duration", hash, Map.of(), givesTruth);
             ProtocolMessages.writeReadings(json, observation, robotChanged);
         } else {
             json = ProtocolMessages.observe(observation, robotChanged);

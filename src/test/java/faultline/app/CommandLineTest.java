@@ -319,9 +319,10 @@ class CommandLineTest {
     void aControllerThatIsGivenTheTruthIsNamedInTheSummary() {
         String child = "sh -c 'read hello; echo \"{\\\"type\\\":\\\"ready\\\",\\\"protocol\\\":1}\"; read line;"
                 + " case $line in *truth*) echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":0,"
-                + "\\\"left_v\\\":1,\\\"right_v\\\":1}\";; esac'";
+                + "\\\"left_v\\\":1,\\\"right_v\\\":1}\";; esac; read end; echo \"$end\" >&2'";
         CommandResult run = command("run", COLLIDING_SCENARIO, "--until", "0.01", "--truth", "--controller", child);
         assertEquals("given to the controller", run.value("truth"), run.err);
+        assertTrue(run.err.contains("\"summary\":{\"truth\":\"given to the controller\",\"ticks\":\"1\","), run.err);
     }
 
     @Test

@@ -87,6 +87,18 @@ class CompareCommandTest {
     }
 
     @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void aComparisonSaysThatControllersWereGivenTheTruth() throws Exception {
+        CommandResult result = compare("--controller", "none", "--controller", STRAIGHT, "--until", "1", "--truth");
+        assertEquals(0, result.code, result.err);
+        assertTrue(result.out.startsWith("truth: given to the controllers in child processes\n"), result.out);
+        assertTrue(Files.readString(page()).contains("Controllers in child processes were given the ground truth."));
+        CommandResult none = compare("--controller", "none", "--controller", "wall-follower", "--truth");
+        assertEquals(2, none.code, none.out);
+        assertEquals("faultline: --truth needs --controller COMMAND (see faultline --help)\n", none.err);
+    }
+
+    @Test
     void thePageNeedsNothingButItself() throws Exception {
         CommandResult result =
                 compare("--controller", "wall-follower", "--controller", "none", "--seeds", "3", "--until", "5");

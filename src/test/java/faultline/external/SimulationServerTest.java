@@ -87,6 +87,7 @@ class SimulationServerTest {
         List<String> answers = serve("{\"type\":\"drive\",\"left_v\":2.5,\"right_v\":3,\"ticks\":1000}");
         String end = answers.get(1);
         assertTrue(end.startsWith("{\"type\":\"end\",\"reason\":\"duration\""), end);
+        assertTrue(end.contains("\"summary\":{\"truth\":\"given to the controller\"}"), end);
         assertTrue(end.contains(String.format(Locale.ROOT, "\"trajectory_hash\":\"%016x\"", expected)), end);
     }
 

@@ -14,6 +14,7 @@ public final class ControllerComparison {
     private final Scenario scenario;
     private final List<ControllerRuns> controllers;
     private final List<String> windowCommands;
+    private final boolean truth;
 
     /**
      * Creates a comparison.
@@ -21,11 +22,14 @@ public final class ControllerComparison {
      * @param scenario the scenario of all runs
      * @param controllers the controllers, at least one, each with the same seeds
      * @param windowCommands the commands that show pairs of the controllers in the window
+     * @param truth whether controllers in child processes were given the ground truth
      */
-    public ControllerComparison(Scenario scenario, List<ControllerRuns> controllers, List<String> windowCommands) {
+    public ControllerComparison(
+            Scenario scenario, List<ControllerRuns> controllers, List<String> windowCommands, boolean truth) {
         this.scenario = scenario;
         this.controllers = List.copyOf(controllers);
         this.windowCommands = List.copyOf(windowCommands);
+        this.truth = truth;
     }
 
     /** {@return the commands that show pairs of the controllers in the window} */
@@ -122,7 +126,8 @@ public final class ControllerComparison {
                 .toList();
         return Html.section(
                 "Numbers",
-                Html.paragraph("Means over the seeds with their 95 % confidence intervals.")
+                Html.paragraph("Means over the seeds with their 95 % confidence intervals."
+                                + (truth ? " Controllers in child processes were given the ground truth." : ""))
                         + Html.table("numbers", header(), rows));
     }
 
