@@ -17,11 +17,13 @@ final class DriveTelemetry {
         telemetry = Telemetry.ofState(ControllerState.of(initialState));
     }
 
-    /** Returns the decision of a drive message; a message without a state keeps the last one. */
+    /** Returns the decision of a drive message; a message without a state, or with blanks only, keeps the last one. */
     Decision decide(DriveMessage drive, long tick) {
         if (!drive.state().isEmpty() && !drive.state().equals(lastState)) {
             lastState = drive.state();
-            telemetry = telemetry.entering(XmlText.oneLine(lastState), XmlText.oneLine(drive.why()), tick);
+            String state = XmlText.oneLine(lastState);
+            telemetry =
+                    state.isEmpty() ? telemetry : telemetry.entering(state, XmlText.oneLine(drive.why()), tick);
         }
         return new Decision(drive.leftVolts(), drive.rightVolts(), telemetry);
     }

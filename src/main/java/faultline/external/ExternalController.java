@@ -8,6 +8,7 @@ import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.io.JsonWriter;
 import faultline.io.MessageText;
+import faultline.io.XmlText;
 import faultline.robot.RobotSpec;
 import java.io.IOException;
 import java.util.List;
@@ -98,7 +99,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
                 throw new ProtocolException(
                         "speaks protocol " + ready.whole("protocol"), "; expected " + ProtocolMessages.PROTOCOL);
             }
-            return MessageText.name(ready.string("name", ""));
+            return XmlText.oneLine(MessageText.name(ready.string("name", "")));
         } catch (ProtocolException | IOException e) {
             throw failure(e, "before the first tick");
         }

@@ -196,7 +196,8 @@ public final class JsonParser {
     private char parseCodeUnit() throws JsonException {
         int unit = 0;
         for (int i = 0; i < 4; i++) {
-            int digit = Character.digit(peek(), 16);
+            // The digits of other scripts are digits to Java, but not to JSON.
+            int digit = peek() < 128 ? Character.digit(peek(), 16) : -1;
             if (digit < 0) {
                 throw problem("an escape needs four hexadecimal digits");
             }

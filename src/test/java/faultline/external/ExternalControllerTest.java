@@ -160,6 +160,7 @@ class ExternalControllerTest {
             ,"name":"dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd" | dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd...
             ,"name":"\\u0007"                                  | ``
             ,"name":null                                       | ``
+            ,"name":"\\uffff a"                               | a
             ``                                                 | ``
             """)
     void theNameOfAChildIsOneShortLine(String member, String name) {

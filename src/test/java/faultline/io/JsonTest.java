@@ -42,6 +42,7 @@ class JsonTest {
             "a               | the text ends too early at character 3
             "\\x"            | there is no such escape at character 4
             "\\u12g4"        | an escape needs four hexadecimal digits at character 6
+            "\\u００４１"   | an escape needs four hexadecimal digits at character 4
             "\\u12           | the text ends too early at character 6
             -x               | a digit is missing at character 2
             1e+              | a digit is missing at character 4
