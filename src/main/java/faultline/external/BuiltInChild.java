@@ -5,6 +5,8 @@ import faultline.control.ControllerSpec;
 import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.engine.ControllerFactory;
+import faultline.engine.RunFailedException;
+import faultline.io.DecimalText;
 import faultline.io.JsonWriter;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
@@ -40,6 +42,7 @@ public final class BuiltInChild {
      *
      * @param spec the controller
      * @throws IOException if a message cannot be read or written
+     * @throws RunFailedException if the simulator violates the protocol
      */
     public void run(ControllerSpec spec) throws IOException {
         try {
@@ -52,28 +55,59 @@ public final class BuiltInChild {
                 if (type.equals("end")) {
                     return;
                 }
+                if (type.equals("hello")) {
+                    dt = checkHello(message);
+                }
                 if (message.has("robot")) {
                     robot = ProtocolMessages.readRobot(message.object("robot"));
                 }
                 if (type.equals("hello")) {
-                    dt = message.number("dt_s");
                     send(new JsonWriter()
                             .member("type", "ready")
                             .member("protocol", ProtocolMessages.PROTOCOL)
                             .member("name", ControllerFactory.initialState(spec).name()));
                 } else if (type.equals("observe")) {
-                    Observation observation = new Observation(message.whole("tick"), dt, robot, readings(message));
+                    Observation observation = observation(message, dt, robot);
                     send(answer(controller.decide(observation), observation.tick()));
                 }
             }
         } catch (ProtocolException e) {
-            throw new IOException("the simulator " + e.getMessage(), e);
+            throw new RunFailedException("the simulator " + e.getMessage(), e);
         }
     }
 
-    private static double[] readings(MessageReader message) throws ProtocolException {
+    /** Returns the length of a tick, seconds. */
+    private static double checkHello(MessageReader hello) throws ProtocolException {
+        if (hello.whole("protocol") != ProtocolMessages.PROTOCOL) {
+            throw new ProtocolException(
+                    "speaks protocol " + hello.whole("protocol"), "; expected " + ProtocolMessages.PROTOCOL);
+        }
+        hello.object("robot");
+        double dt = hello.number("dt_s");
+        if (dt <= 0) {
+            throw new ProtocolException("has ticks of " + DecimalText.format(dt) + " s", "; expected more than 0");
+        }
+        return dt;
+    }
+
+    private static Observation observation(MessageReader message, double dt, RobotSpec robot)
+            throws ProtocolException {
+        if (dt == 0) {
+            throw new ProtocolException("wrote an observe message", " before the hello message");
+        }
+        return new Observation(
+                message.whole("tick"), dt, robot, readings(message, robot.sensors().size()));
+    }
+
+    private static double[] readings(MessageReader message, int sensors) throws ProtocolException {
         double[] readings = message.numbers("readings_m", Reading.NOTHING);
         boolean[] answers = message.flags("answers");
+        if (readings.length != sensors || answers.length != sensors) {
+            throw new ProtocolException(
+                    "wrote an observe message",
+                    " with " + readings.length + " readings and " + answers.length + " answers; expected " + sensors
+                            + " of each, one for each sensor");
+        }
         for (int i = 0; i < readings.length; i++) {
             readings[i] = answers[i] ? readings[i] : Reading.OFF;
         }

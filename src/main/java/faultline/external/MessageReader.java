@@ -116,18 +116,18 @@ final class MessageReader {
         return objects;
     }
 
-    /** Returns an array of numbers in which {@code null} represents a given value. */
+    /** Returns an array of finite numbers in which {@code null} represents a given value. */
     double[] numbers(String name, double nullValue) throws ProtocolException {
         if (!(members.get(name) instanceof List<?> list)) {
-            throw wrong(name, "an array of numbers");
+            throw wrong(name, "an array of finite numbers");
         }
         double[] numbers = new double[list.size()];
         for (int i = 0; i < numbers.length; i++) {
             Object value = list.get(i);
-            if (value != JsonParser.NULL && !(value instanceof Number)) {
-                throw wrong(name, "an array of numbers");
-            }
             numbers[i] = value instanceof Number number ? number.doubleValue() : nullValue;
+            if (value != JsonParser.NULL && !(value instanceof Number && Double.isFinite(numbers[i]))) {
+                throw wrong(name, "an array of finite numbers");
+            }
         }
         return numbers;
     }

@@ -5,6 +5,7 @@ import faultline.engine.Simulation;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.io.JsonWriter;
+import faultline.io.MessageText;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
@@ -116,6 +117,14 @@ final class ProtocolMessages {
 
     /** Reads the robot of a {@code hello} or {@code observe} message. */
     static RobotSpec readRobot(MessageReader robot) throws ProtocolException {
+        try {
+            return toRobot(robot);
+        } catch (IllegalArgumentException e) {
+            throw new ProtocolException("describes a robot that cannot be", ": " + MessageText.oneLine(e.getMessage()));
+        }
+    }
+
+    private static RobotSpec toRobot(MessageReader robot) throws ProtocolException {
         List<SensorSpec> sensors = new ArrayList<>();
         for (MessageReader sensor : robot.objects("sensors")) {
             sensors.add(new SensorSpec(
