@@ -67,7 +67,6 @@ final class MapYamlFlow {
     static int next(String text, int index) {
         char c = text.charAt(index);
         boolean isQuote = (c == '"' || c == '\'') && (index == 0 || " \t\n,:[{".indexOf(text.charAt(index - 1)) >= 0);
-        int end = isQuote ? text.indexOf(c, index + 1) : index;
-        return end < 0 ? text.length() : end + 1;
+        return isQuote ? Math.min(text.length(), MapYamlScalar.closing(text, index) + 1) : index + 1;
     }
 }

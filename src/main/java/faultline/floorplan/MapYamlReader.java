@@ -88,34 +88,25 @@ final class MapYamlReader {
     }
 
     private void parse(String text) throws FloorPlanException {
-        String[] lines = text.replaceFirst("^\uFEFF", "").split("\\R", -1);
         String listKey = "";
-        for (int i = 0; i < lines.length; i++) {
-            int number = i + 1;
-            StringBuilder joined = new StringBuilder(stripComment(lines[i]));
-            // A mapping in braces or a list in brackets ends in the line that closes it.
-            int open = MapYamlFlow.begins(joined.toString()) ? MapYamlFlow.depth(joined.toString()) : 0;
-            while (open > 0 && i + 1 < lines.length) {
-                String next = stripComment(lines[++i]);
-                open += MapYamlFlow.depth(next);
-                joined.append('\n').append(next);
-            }
-            String line = joined.toString();
-            String content = line.strip();
-            if (content.startsWith("- ") && entries.containsKey(listKey)) {
-                entries.get(listKey).values().add(unquote(content.substring(2).strip()));
+        for (MapYamlLines.YamlLine line : MapYamlLines.of(text, KEYS)) {
+            String content = line.text().strip();
+            if (MapYamlLines.isItem(content) && entries.containsKey(listKey)) {
+                entries.get(listKey)
+                        .values()
+                        .add(MapYamlScalar.read(content.substring(1).strip()));
             } else if (content.startsWith("{") && content.endsWith("}")) {
-                parseBraces(number, line);
-            } else if (!isMark(line)) {
-                listKey = parseEntry(number, 1, line);
+                parseBraces(line.number(), line.text());
+            } else if (!isMark(line.text())) {
+                listKey = parseEntry(line.number(), 1, line.text());
             }
         }
     }
 
-    /** Returns whether a line is empty, or begins or ends a document. */
+    /** Returns whether a line begins or ends a document. */
     private static boolean isMark(String line) {
         String content = line.strip();
-        return content.isEmpty() || content.equals("---") || content.equals("...") || line.startsWith("%");
+        return content.equals("---") || content.equals("...") || line.startsWith("%");
     }
 
     private void parseBraces(int lineNumber, String text) throws FloorPlanException {
@@ -138,7 +129,7 @@ final class MapYamlReader {
         if (colon < 0) {
             throw problem(lineNumber, firstColumn, FloorPlanProblem.LINE.with(MessageText.excerpt(line.strip())));
         }
-        String key = unquote(line.substring(0, colon).strip());
+        String key = MapYamlScalar.read(line.substring(0, colon).strip());
         String value = line.substring(colon + 1).strip();
         int column = line.length() - line.substring(colon + 1).stripLeading().length() + firstColumn;
         if (entries.containsKey(key)) {
@@ -151,29 +142,15 @@ final class MapYamlReader {
     private static List<String> splitValue(String value) {
         List<String> values = new ArrayList<>();
         if (value.startsWith("[") && value.endsWith("]")) {
-            for (String part : value.substring(1, value.length() - 1).split(",", -1)) {
-                values.add(unquote(part.strip()));
+            // YAML allows a comma after the last item.
+            String items = value.substring(1, value.length() - 1).strip().replaceFirst(",$", "");
+            for (String part : items.split(",", -1)) {
+                values.add(MapYamlScalar.read(part.strip()));
             }
         } else if (!value.isEmpty()) {
-            values.add(unquote(value));
+            values.add(MapYamlScalar.read(value));
         }
         return values;
-    }
-
-    /** Removes a comment: a number sign at the beginning or after a blank, outside of quotes. */
-    private static String stripComment(String line) {
-        for (int i = 0; i < line.length(); i = MapYamlFlow.next(line, i)) {
-            if (line.charAt(i) == '#' && (i == 0 || Character.isWhitespace(line.charAt(i - 1)))) {
-                return line.substring(0, i);
-            }
-        }
-        return line;
-    }
-
-    private static String unquote(String text) {
-        boolean quoted = text.length() >= 2
-                && (text.startsWith("\"") && text.endsWith("\"") || text.startsWith("'") && text.endsWith("'"));
-        return quoted ? text.substring(1, text.length() - 1) : text;
     }
 
     private MapDescription toDescription() throws FloorPlanException {
@@ -238,7 +215,7 @@ final class MapYamlReader {
         }
         String name = single("mode");
         for (MapMode mode : MapMode.values()) {
-            if (mode.fileName().equals(name)) {
+            if (mode.fileName().equalsIgnoreCase(name)) {
                 return mode;
             }
         }

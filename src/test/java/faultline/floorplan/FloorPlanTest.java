@@ -30,6 +30,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -194,7 +195,13 @@ class FloorPlanTest {
                         + "  origin: [-10,\n 2.5,\n 0.5],\n negate: 1,\n}\n",
                 "image: m.pgm\r\nresolution: 0.05\r\norigin: [-10, # x\r\n  2.5, 0.5\r\n]\r\nnegate: On\r\n",
                 "\uFEFFimage: m.pgm\nresolution: 0.05\norigin:\n- -10\n- 2.5\n- 0.5\n"
-                        + "negate: TRUE\nnote: it's [open # \"here\n"
+                        + "negate: TRUE\nnote: it's [open # \"here\n",
+                "image: m.pgm\nresolution: 0.05\norigin: [-10, 2.5, 0.5, ]\nnegate: 1\nmode: Trinary\n",
+                "image:\n  m.pgm\nresolution:\n  0.05\norigin:\n\n  [-10,\n  2.5, 0.5]\nnegate: 1\n",
+                "image: m.pgm\nresolution: 0.05\norigin:\n-\t-10\n-\t2.5\n-\t0.5\nnegate: 1\n",
+                "about: |\n  A hall [1\n  with: walls\n\n  # 7\nmeta:\n  image: b.pgm\n  resolution: 7\n"
+                        + "image: m.pgm\nresolution: 0.05\nrooms:\n- name: a\n  image: c\n-\n  name: b\n"
+                        + "  image: d\norigin: [-10, 2.5, 0.5]\nnegate: 1\nwhy: some words\n  and more\n"
             })
     void bracesListsOverSeveralLinesAndMarksAreUnderstood(String content) throws IOException {
         write("m.pgm", PLAIN);
@@ -204,6 +211,36 @@ class FloorPlanTest {
         assertEquals(new BigDecimal("0.05"), description.resolution().stripTrailingZeros());
         assertEquals(0.5, description.yaw());
         assertTrue(description.negate());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            textBlock =
+                    """
+            Bob's hall: "west" # 2.pgm | 'Bob''s hall: "west" # 2.pgm'
+            Bob's hall: "west" # 2.pgm | "Bob's hall: \\"west\\" # 2.pgm" # a comment
+            Bob's hall, west.pgm       | Bob's@  hall,@@   west.pgm
+            hall.pgm                   | "h\\x61\\u006c\\U0000006C.pgm"
+            C\\maps\\x.pgm             | "C\\maps\\x.pgm"
+            x\\uD83G.pgm               | "x\\uD83G.pgm"
+            ''.pgm                     | "''.pgm"
+            """)
+    void theNameOfAnImageIsPlainOrQuoted(String name, String scalar) throws IOException {
+        write(name, PLAIN);
+        Path yaml = write("m.yaml", "image: " + scalar.replace('@', '\n') + "\nresolution: 0.05\n");
+        FloorPlan plan = FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT);
+        assertEquals(folder.resolve(name), plan.description().image());
+    }
+
+    @Test
+    @Timeout(10)
+    void aLongValueInManyLinesIsReadInLinearTime() throws IOException {
+        Path yaml = write("m.yaml", "resolution: 1\nimage: x\n" + " y\n".repeat(300_000));
+        IOException e =
+                assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
+        assertTrue(e.getMessage().startsWith(yaml + ":2:8: image is \"x y y y"), e::getMessage);
     }
 
     @ParameterizedTest

@@ -1,0 +1,126 @@
+package faultline.floorplan;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+
+/**
+ * Divides the text of a YAML file into the lines of its outer mapping. A value that continues over several lines is one
+ * line. The content of a key that map_server does not know, such as a mapping or a text, is left out.
+ */
+final class MapYamlLines {
+
+    /** A key with a colon, as opposed to the continuation of a value. */
+    private static final Pattern ENTRY = Pattern.compile("[\\w\"']+\\s*:(\\s.*)?", Pattern.DOTALL);
+
+    private static final int NONE = Integer.MAX_VALUE;
+
+    private final String[] source;
+    private final List<String> keys;
+    private final List<YamlLine> lines = new ArrayList<>();
+    /** The index of the next line of the file. */
+    private int next;
+
+    /**
+     * A line of the outer mapping.
+     *
+     * @param number its number in the file, or that of its first part
+     * @param text the text without comments; parts in brackets or braces are separated by line breaks
+     */
+    record YamlLine(int number, String text) {}
+
+    private MapYamlLines(String text, List<String> keys) {
+        this.source = text.replaceFirst("^\uFEFF", "").split("\\R", -1);
+        this.keys = keys;
+    }
+
+    /** Returns the lines of a text, given the keys that map_server knows. */
+    static List<YamlLine> of(String text, List<String> keys) {
+        MapYamlLines reader = new MapYamlLines(text, keys);
+        reader.read();
+        return reader.lines;
+    }
+
+    private void read() {
+        int ignoredIndent = NONE;
+        while (next < source.length) {
+            int number = next + 1;
+            String line = stripComment(source[next++]);
+            int indent = indent(line);
+            if (line.isBlank() || indent > ignoredIndent || indent == ignoredIndent && isItem(line)) {
+                continue;
+            }
+            String joined = joinValue(joinFlow(line), indent);
+            ignoredIndent = isUnknown(joined) ? indent : NONE;
+            lines.add(new YamlLine(number, joined));
+        }
+    }
+
+    /** Adds the lines up to the one that closes a mapping in braces or a list in brackets. */
+    private String joinFlow(String line) {
+        if (!MapYamlFlow.begins(line)) {
+            return line;
+        }
+        StringBuilder joined = new StringBuilder(line);
+        int open = MapYamlFlow.depth(line);
+        while (open > 0 && next < source.length) {
+            String more = stripComment(source[next++]);
+            open += MapYamlFlow.depth(more);
+            joined.append('\n').append(more);
+        }
+        return joined.toString();
+    }
+
+    /** Adds the following lines that continue the value of a known key: they are indented, and neither key nor item. */
+    private String joinValue(String line, int indent) {
+        StringBuilder joined = new StringBuilder(line);
+        while (keys.contains(key(line)) && next < source.length) {
+            String more = stripComment(source[next]);
+            if (!more.isBlank() && !isContinuation(more, indent)) {
+                break;
+            }
+            next++;
+            if (line.strip().endsWith(":") && more.strip().startsWith("[")) {
+                return joinFlow(line + " " + more.strip());
+            }
+            if (!more.isBlank()) {
+                joined.append(' ').append(more.strip());
+            }
+        }
+        return joined.toString();
+    }
+
+    private static boolean isContinuation(String line, int indent) {
+        return indent(line) > indent
+                && !isItem(line)
+                && !ENTRY.matcher(line.strip()).matches();
+    }
+
+    private boolean isUnknown(String line) {
+        return line.indexOf(':') >= 0 && !line.strip().startsWith("{") && !isItem(line) && !keys.contains(key(line));
+    }
+
+    private static String key(String line) {
+        return MapYamlScalar.read(line.substring(0, Math.max(0, line.indexOf(':'))).strip());
+    }
+
+    private static int indent(String line) {
+        return line.length() - line.stripLeading().length();
+    }
+
+    /** Returns whether a line is an item of a list. */
+    static boolean isItem(String line) {
+        String content = line.strip();
+        return content.startsWith("-") && (content.length() == 1 || Character.isWhitespace(content.charAt(1)));
+    }
+
+    /** Removes a comment: a number sign at the beginning or after a blank, outside of quotes. */
+    private static String stripComment(String line) {
+        for (int i = 0; i < line.length(); i = MapYamlFlow.next(line, i)) {
+            if (line.charAt(i) == '#' && (i == 0 || Character.isWhitespace(line.charAt(i - 1)))) {
+                return line.substring(0, i);
+            }
+        }
+        return line;
+    }
+}

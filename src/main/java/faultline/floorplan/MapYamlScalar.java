@@ -1,0 +1,76 @@
+package faultline.floorplan;
+
+/** Reads plain and quoted scalars of YAML. */
+final class MapYamlScalar {
+
+    private static final String ESCAPES = "0abtnvfre \"/\\N_LP";
+    private static final String ESCAPED = "\0\u0007\b\t\n\u000B\f\r\u001B \"/\\\u0085\u00A0\u2028\u2029";
+
+    private MapYamlScalar() {}
+
+    /**
+     * Returns the text of a scalar. Text in double quotes with an escape that YAML does not have, such as a path of
+     * Windows, is returned as it is.
+     */
+    static String read(String text) {
+        if (text.length() < 2 || text.charAt(0) != text.charAt(text.length() - 1)) {
+            return text;
+        }
+        String inner = text.substring(1, text.length() - 1);
+        return switch (text.charAt(0)) {
+            case '\'' -> inner.replace("''", "'");
+            case '"' -> unescape(inner);
+            default -> text;
+        };
+    }
+
+    /** Returns the index of the quotation mark that closes a quoted text, or the length of the text. */
+    static int closing(String text, int opening) {
+        char quote = text.charAt(opening);
+        int i = opening + 1;
+        while (i < text.length()) {
+            boolean doubled = quote == '\'' && text.startsWith("''", i);
+            boolean escape = quote == '"' && text.charAt(i) == '\\';
+            if (text.charAt(i) == quote && !doubled) {
+                return i;
+            }
+            i += doubled || escape ? 2 : 1;
+        }
+        return text.length();
+    }
+
+    private static String unescape(String text) {
+        StringBuilder unescaped = new StringBuilder();
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            if (c != '\\') {
+                unescaped.append(c);
+                continue;
+            }
+            char kind = i + 1 < text.length() ? text.charAt(i + 1) : '?';
+            int digits = kind == 'x' ? 2 : kind == 'u' ? 4 : kind == 'U' ? 8 : 0;
+            int character = digits == 0 ? escaped(kind) : parseHex(text, i + 2, digits);
+            if (character < 0) {
+                return text;
+            }
+            unescaped.appendCodePoint(character);
+            i += 1 + digits;
+        }
+        return unescaped.toString();
+    }
+
+    private static int escaped(char kind) {
+        int index = ESCAPES.indexOf(kind);
+        return index < 0 ? -1 : ESCAPED.charAt(index);
+    }
+
+    /** Returns the character with a code in hexadecimal digits, or -1 if it is none. */
+    private static int parseHex(String text, int from, int digits) {
+        String code = text.substring(Math.min(from, text.length()), Math.min(from + digits, text.length()));
+        if (!code.matches("[0-9A-Fa-f]{" + digits + "}")) {
+            return -1;
+        }
+        long character = Long.parseLong(code, 16);
+        return character <= Character.MAX_CODE_POINT ? (int) character : -1;
+    }
+}
