@@ -118,6 +118,8 @@ final class MapImageReader {
             throw new FloorPlanException(
                     file, FloorPlanProblem.PIXEL_BITS.with(colors.getComponentSize(0), MAX_GREY_BITS));
         }
+        // getRGB rounds 16 bits of opacity to 8.
+        Raster alpha = image.getAlphaRaster();
         int white = grey ? (1 << colors.getComponentSize(0)) - 1 : WHITE_SUM;
         MapImage map = new MapImage(image.getWidth(), image.getHeight(), white);
         for (int y = 0; y < image.getHeight(); y++) {
@@ -128,7 +130,7 @@ final class MapImageReader {
                 } else {
                     int argb = image.getRGB(x, y);
                     int sum = (argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff);
-                    map.set(index, sum, argb >>> 24 < 255);
+                    map.set(index, sum, argb >>> 24 < 255 || alpha != null && !isOpaque(alpha, 0, x, y));
                 }
             }
         }
@@ -136,7 +138,11 @@ final class MapImageReader {
     }
 
     private static void setGrey(MapImage map, int index, Raster raster, ColorModel colors, int x, int y) {
-        boolean transparent = colors.hasAlpha() && raster.getSample(x, y, 1) < (1 << colors.getComponentSize(1)) - 1;
-        map.set(index, raster.getSample(x, y, 0), transparent);
+        map.set(index, raster.getSample(x, y, 0), colors.hasAlpha() && !isOpaque(raster, 1, x, y));
+    }
+
+    private static boolean isOpaque(Raster raster, int band, int x, int y) {
+        int bits = raster.getSampleModel().getSampleSize(band);
+        return bits > MAX_GREY_BITS || raster.getSample(x, y, band) == (1 << bits) - 1;
     }
 }

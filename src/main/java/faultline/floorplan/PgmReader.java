@@ -61,7 +61,8 @@ final class PgmReader {
     }
 
     private void readRaw(MapImage image, int max) throws IOException {
-        advance(); // exactly one blank ends the header
+        skipComment();
+        advance(); // exactly one blank ends the header, or the end of a comment right behind the maximum value
         int bytesEach = max < 256 ? 1 : 2;
         int count = image.width() * image.height();
         long start = position;
@@ -107,11 +108,18 @@ final class PgmReader {
 
     private void skipBlanksAndComments() throws IOException {
         while (next >= 0 && (Character.isWhitespace(next) || next == '#')) {
-            boolean comment = next == '#';
-            advance();
-            while (comment && next >= 0 && next != '\n' && next != '\r') {
+            skipComment();
+            if (next >= 0) {
                 advance();
             }
+        }
+    }
+
+    /** Goes to the end of the line if a comment is next. */
+    private void skipComment() throws IOException {
+        boolean comment = next == '#';
+        while (comment && next >= 0 && next != '\n' && next != '\r') {
+            advance();
         }
     }
 }

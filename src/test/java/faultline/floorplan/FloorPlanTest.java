@@ -58,6 +58,10 @@ class FloorPlanTest {
                 expected,
                 read(writeBytes("r.pgm", "P5 3 2 255\n", 0, 255, 205, 255, 0, 254), "")
                         .grid());
+        String comments = "P5#raw\n3#columns\n2#rows\n255#white\n";
+        assertEquals(
+                expected,
+                read(writeBytes("c.pgm", comments, 0, 255, 205, 255, 0, 254), "").grid());
         int[] deep = {0, 0, 255, 255, 205, 205, 255, 255, 0, 0, 254, 254};
         assertEquals(
                 expected, read(writeBytes("d.pgm", "P5 3 2 65535\n", deep), "").grid());
@@ -131,6 +135,22 @@ class FloorPlanTest {
         Path file = folder.resolve("a.png");
         ImageIO.write(image, "png", file.toFile());
         assertEquals(List.of(OCCUPIED, UNKNOWN, UNKNOWN), row(read(file, "").grid(), 0));
+    }
+
+    @Test
+    void sixteenBitsOfOpacityAreComparedExactly() throws IOException {
+        ComponentColorModel colors = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_sRGB),
+                true,
+                false,
+                Transparency.TRANSLUCENT,
+                DataBuffer.TYPE_USHORT);
+        BufferedImage image = new BufferedImage(colors, colors.createCompatibleWritableRaster(2, 1), false, null);
+        image.getRaster().setPixel(0, 0, new int[] {0, 0, 0, 65535});
+        image.getRaster().setPixel(1, 0, new int[] {0, 0, 0, 65534});
+        Path file = folder.resolve("a16.png");
+        ImageIO.write(image, "png", file.toFile());
+        assertEquals(List.of(OCCUPIED, UNKNOWN), row(read(file, "").grid(), 0));
     }
 
     @Test
