@@ -27,21 +27,20 @@ public final class FloorPlanScenario {
     private FloorPlanScenario() {}
 
     /**
-     * {@return the scenario, with the robot in the middle of the largest free disc}
+     * {@return the scenario, with the robot in the middle of the largest free disc} Only if the robot has no room in a
+     * disc of known cells, the disc may contain unknown cells, which obstruct nothing.
      *
      * @param name the scenario's name
      * @param plan the floor plan
      * @throws FloorPlanException if there is no room for the robot
      */
     public static Scenario create(String name, FloorPlan plan) throws FloorPlanException {
-        FreeDisc disc = FreeDisc.largest(plan.grid(), plan.solid());
-        double x = metres(plan, disc.column() + 0.5);
-        double y = metres(plan, disc.row() + 0.5);
-        Vector2 start = frame(plan).toParent(new Vector2(x, y));
-        Scenario scenario = create(name, plan, new Pose(round(start.x()), round(start.y()), 0));
-        SimulationSetup setup = scenario.setup();
-        if (Clearance.findObstruction(setup.world(), setup.robot(), setup.start())
-                .isPresent()) {
+        Scenario scenario = create(name, plan, middle(plan, false));
+        if (!hasRoom(scenario)) {
+            scenario = create(name, plan, middle(plan, true));
+        }
+        if (!hasRoom(scenario)) {
+            SimulationSetup setup = scenario.setup();
             throw new FloorPlanException(
                     plan.description().image(),
                     FloorPlanProblem.NO_ROOM.with(
@@ -51,6 +50,21 @@ public final class FloorPlanScenario {
                             DecimalText.formatRounded(setup.world().height())));
         }
         return scenario;
+    }
+
+    /** Returns the pose in the middle of the largest free disc. */
+    private static Pose middle(FloorPlan plan, boolean unknownIsFree) {
+        FreeDisc disc = FreeDisc.largest(plan.grid(), plan.solid(), unknownIsFree);
+        double x = metres(plan, disc.column() + 0.5);
+        double y = metres(plan, disc.row() + 0.5);
+        Vector2 start = frame(plan).toParent(new Vector2(x, y));
+        return new Pose(round(start.x()), round(start.y()), 0);
+    }
+
+    private static boolean hasRoom(Scenario scenario) {
+        SimulationSetup setup = scenario.setup();
+        return Clearance.findObstruction(setup.world(), setup.robot(), setup.start())
+                .isEmpty();
     }
 
     /**

@@ -17,13 +17,14 @@ public record FreeDisc(int column, int row, double clearance) {
      * Finds the largest free disc with an exact Euclidean distance transform (Felzenszwalb and Huttenlocher, 2012), in
      * time linear in the number of cells.
      *
-     * @param grid the map; unknown cells are not free
+     * @param grid the map
      * @param solid the cells that obstruct the robot
+     * @param unknownIsFree whether unknown cells that are not solid are free
      * @return the largest disc; the lowest and then leftmost of several. Its clearance is 0 if no cell is free
      */
-    public static FreeDisc largest(OccupancyGrid grid, SolidCells solid) {
+    public static FreeDisc largest(OccupancyGrid grid, SolidCells solid, boolean unknownIsFree) {
         int width = grid.width() + 2;
-        short[] distances = columnDistances(grid, solid);
+        short[] distances = columnDistances(grid, solid, unknownIsFree);
         DistanceTransform transform = new DistanceTransform(width);
         FreeDisc best = new FreeDisc(0, 0, 0);
         double bestSquared = 0;
@@ -54,13 +55,13 @@ public record FreeDisc(int column, int row, double clearance) {
      * Returns for each cell the distance to the nearest cell of its column that is not free. Greater distances than the
      * map is wide are cut off there: the cells beyond its sides are nearer.
      */
-    private static short[] columnDistances(OccupancyGrid grid, SolidCells solid) {
+    private static short[] columnDistances(OccupancyGrid grid, SolidCells solid, boolean unknownIsFree) {
         int width = grid.width();
         short[] distances = new short[width * grid.height()];
         short limit = (short) Math.min(width, Short.MAX_VALUE - 1);
         for (int i = 0; i < distances.length; i++) {
-            boolean free =
-                    grid.state(i % width, i / width) != CellState.UNKNOWN && !solid.isSolid(i % width, i / width);
+            boolean free = (unknownIsFree || grid.state(i % width, i / width) != CellState.UNKNOWN)
+                    && !solid.isSolid(i % width, i / width);
             int below = i < width ? 0 : distances[i - width];
             distances[i] = (short) (free ? Math.min(limit, below + 1) : 0);
         }

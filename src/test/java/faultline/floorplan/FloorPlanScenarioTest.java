@@ -112,6 +112,24 @@ class FloorPlanScenarioTest {
     }
 
     @Test
+    void unknownCellsAreAPlaceToStartOnlyIfNoneIsKnown() throws FloorPlanException {
+        CellState[] cells = new CellState[40 * 30];
+        Arrays.fill(cells, CellState.UNKNOWN);
+        cells[0] = CellState.OCCUPIED;
+        Pose anywhere = FloorPlanScenario.create("Unknown", trace(40, 30, 0, cells))
+                .setup()
+                .start();
+        assertEquals(new Pose(0.725, 0.725, 0), anywhere);
+        for (int i = 0; i < cells.length; i++) {
+            cells[i] = i % 40 >= 30 && i / 40 >= 20 ? CellState.FREE : cells[i];
+        }
+        Pose known = FloorPlanScenario.create("Known", trace(40, 30, 0, cells))
+                .setup()
+                .start();
+        assertEquals(new Pose(1.725, 1.225, 0), known);
+    }
+
+    @Test
     void aRotatedMapLiesInsideItsWorld() throws Exception {
         FloorPlan plan = plan(new Random(8), 40, 30, 0.7);
         Scenario scenario = FloorPlanScenario.create("Room", plan);

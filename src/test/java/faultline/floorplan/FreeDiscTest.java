@@ -38,13 +38,13 @@ class FreeDiscTest {
         OccupancyGrid speck = new OccupancyGrid(7, 7, cells);
         assertEquals(
                 new FreeDisc(3, 3, 4),
-                FreeDisc.largest(speck, speck.solidCells(false).withoutSpecks(2)));
+                FreeDisc.largest(speck, speck.solidCells(false).withoutSpecks(2), false));
         cells[3 * 7 + 3] = CellState.UNKNOWN;
         assertEquals(2, Math.floor(largest(new OccupancyGrid(7, 7, cells)).clearance()));
     }
 
     private static FreeDisc largest(OccupancyGrid grid) {
-        return FreeDisc.largest(grid, grid.solidCells(false));
+        return FreeDisc.largest(grid, grid.solidCells(false), false);
     }
 
     private static double clearance(OccupancyGrid grid, int column, int row) {
