@@ -162,7 +162,7 @@ final class ScenarioReader {
         WorldSpec world = setup.world();
         Vector2 start = setup.start().position();
         if (world.enclosed()
-                && !(start.x() > 0 && start.x() < world.width() && start.y() > 0 && start.y() < world.height())) {
+                && !(start.x() >= 0 && start.x() <= world.width() && start.y() >= 0 && start.y() <= world.height())) {
             problems.add(
                     robot,
                     ProblemKind.START_OUTSIDE.with(

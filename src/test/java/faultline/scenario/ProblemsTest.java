@@ -83,6 +83,8 @@ class ProblemsTest {
             timeConstant="0.05"| speedConstant="200" | 14:33: <motor> drives its wheels at up to 1200 m/s (speedConstant times maxVoltage); expected 1000 m/s or less
             <robot x="1" y="1" | <robot x="1" y="1" track="0.000001" | 13:39: <robot> could spin at 1200000 rad/s (twice the maximum wheel speed divided by the track); expected 100000 rad/s or less
             <robot x="1"       | <robot x="6.5"     | 13:24: <robot> starts at 6.5,1 outside of the enclosed world; expected x from 0 to 6 and y from 0 to 4
+            <robot x="1"       | <robot x="6"       | 13:22: <robot> starts at 6,1 where it touches or overlaps "enclosure"; expected a place with room for the whole platform
+            <robot x="1"       | <robot x="-0"      | 13:23: <robot> starts at -0,1 where it touches or overlaps "enclosure"; expected a place with room for the whole platform
             <robot x="1"       | <robot x="0.1"     | 13:24: <robot> starts at 0.1,1 where it touches or overlaps "enclosure"; expected a place with room for the whole platform
             <robot x="1"       | <robot x="3"       | 13:22: <robot> starts at 3,1 where it touches or overlaps "pole"; expected a place with room for the whole platform
             """)
