@@ -40,7 +40,7 @@ final class WindowCommand {
     }
 
     /** Opens the default scenario. */
-    int run() throws ScenarioException {
+    int run() throws UsageException, ScenarioException {
         if (hasDisplay()) {
             GuiLauncher.open();
             return ExitCode.SUCCESS;
@@ -86,7 +86,7 @@ final class WindowCommand {
      * Opens a file. A large one is read while the window is made; if it has problems, the caller closes the window by
      * ending the process.
      */
-    private int run(Path file) throws ScenarioException {
+    private int run(Path file) throws UsageException, ScenarioException {
         Future<Scenario> reading = startReading(file);
         boolean display = hasDisplay();
         if (!display) {
@@ -163,7 +163,8 @@ final class WindowCommand {
         return ExitCode.SUCCESS;
     }
 
-    private int runWithoutWindow(Scenario scenario, String name) {
+    private int runWithoutWindow(Scenario scenario, String name) throws UsageException {
+        RunCommand.requireController(scenario, false);
         output.println("There is no display here: running " + name + " without a window.");
         return new RunCommand(output).run(scenario);
     }

@@ -147,6 +147,12 @@ class CompareCommandTest {
                 commandWithoutDisplay(SCENARIO, "--controller", "none", "--ghost-controller", "wall-follower");
         assertEquals(2, window.code);
         assertTrue(window.err.contains("--controller needs a display here"), window.err);
+        String extern = Files.readString(Path.of("scenarios/yard.xml"))
+                .replace("</scenario>", "<controller type=\"extern\"/></scenario>");
+        CommandResult alone = commandWithoutDisplay(
+                Files.writeString(folder.resolve("extern.xml"), extern).toString());
+        assertEquals(2, alone.code, alone.out);
+        assertTrue(alone.err.contains("choose one with --controller"), alone.err);
         CommandResult ghost = commandWithoutDisplay(SCENARIO, "--ghost-controller", "wall-follower");
         assertTrue(ghost.err.contains("--ghost-controller needs a display here"), ghost.err);
         CommandResult compared = commandWithoutDisplay(
