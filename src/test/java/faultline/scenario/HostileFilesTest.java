@@ -63,6 +63,12 @@ class HostileFilesTest {
                         + "\"...lns=\"urn:faultline:scenario:1\"><world></\", inside <world> of line 1",
                 problemIn(OPEN + "<world></robot></scenario>"));
         assertEquals(
+                "file.xml:1:30: this is not well-formed XML, after \"<scenario name=\"a\" name=\"b\"/>\"",
+                problemIn("<scenario name=\"a\" name=\"b\"/>"));
+        assertEquals(
+                "file.xml:1:20: this is not well-formed XML, after \"<a:scenario name=\"a\"",
+                problemIn("<a:scenario name=\"a<b\"/>"));
+        assertEquals(
                 "file.xml:1:1: the bytes are not text in the encoding that the file names; expected UTF-8",
                 problemIn("<?xml version=\"1.0\" encoding=\"klingon\"?><scenario/>"));
         assertEquals(

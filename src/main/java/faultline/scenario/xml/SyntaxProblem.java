@@ -5,6 +5,7 @@ import faultline.io.MessageText;
 import java.io.CharConversionException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.xml.sax.SAXParseException;
 
 /**
@@ -44,7 +45,7 @@ final class SyntaxProblem {
         String before = excerpt(e);
         List<XmlElement> open = tree.openElements();
         if (open.isEmpty()) {
-            return tree.root().isEmpty() ? describeNoXml(before) : describeMalformed(before);
+            return tree.root().isEmpty() && !beginsRoot() ? describeNoXml(before) : describeMalformed(before);
         }
         String element = MessageText.oneLine(open.get(0).name());
         int line = open.get(0).location().line();
@@ -60,6 +61,13 @@ final class SyntaxProblem {
         }
         int mark = (bytes[0] & 0xff) << 8 | bytes[1] & 0xff;
         return mark == 0xfeff || mark == 0xfffe || mark == '<' || mark == '<' << 8;
+    }
+
+    /** Returns whether the file holds the beginning of the root element, whose start tag may be wrong. */
+    private boolean beginsRoot() {
+        return Pattern.compile("<([\\w.-]{1,100}:)?" + Pattern.quote(format.rootElement()) + "\\s")
+                .matcher(new String(bytes, StandardCharsets.UTF_8))
+                .find();
     }
 
     private Message describeNoXml(String before) {
