@@ -32,7 +32,9 @@ public final class RecordedController implements Controller {
     }
 
     private void repeat(RecordedDecision recorded) {
-        telemetry = telemetry.entering(recorded.state(), recorded.condition(), recorded.tick());
+        if (!recorded.state().isEmpty()) {
+            telemetry = telemetry.entering(recorded.state(), recorded.condition(), recorded.tick());
+        }
         decision = new Decision(recorded.leftVolts(), recorded.rightVolts(), telemetry);
     }
 }

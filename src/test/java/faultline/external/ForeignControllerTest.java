@@ -129,6 +129,15 @@ class ForeignControllerTest {
     }
 
     @Test
+    void recordedDecisionsWithoutAStateKeepTheLastOne() throws Exception {
+        Scenario scenario = Scenario.load(fileWith("<controller type=\"recorded\" ticks=\"3000\">"
+                + "<decisions>1,1*10</decisions><decisions from=\"10\" state=\"A\">1,1*10</decisions>"
+                + "<decisions from=\"20\">2,2</decisions></controller>"));
+        RunResult result = HeadlessRun.run(scenario.setup().withDuration(0.5), ControllerMode.DIRECT, List.of());
+        assertEquals(List.of(ControllerState.of("EXTERN"), ControllerState.of("A")), List.copyOf(result.visitedStates()));
+    }
+
+    @Test
     void aFileNamesAControllerInJavaWithItsSettings() throws Exception {
         Path path = fileWith("<controller type=\"right-turner\" period=\"0.02\">"
                 + "<setting name=\"volts\" value=\"2\"/></controller>");
