@@ -25,7 +25,7 @@ final class MapYamlLines {
      * A line of the outer mapping.
      *
      * @param number its number in the file, or that of its first part
-     * @param text the text without comments; parts in brackets or braces are separated by line breaks
+     * @param text the text without comments; the parts of a value over several lines are separated by line breaks
      */
     record YamlLine(int number, String text) {}
 
@@ -45,7 +45,7 @@ final class MapYamlLines {
         int ignoredIndent = NONE;
         while (next < source.length) {
             int number = next + 1;
-            String line = stripComment(source[next++]);
+            String line = stripComment(source[next++]).replaceFirst("^---(?=\\s)", "   ");
             int indent = indent(line);
             if (line.isBlank() || indent > ignoredIndent || indent == ignoredIndent && isItem(line)) {
                 continue;
@@ -84,7 +84,7 @@ final class MapYamlLines {
                 return joinFlow(line + " " + more.strip());
             }
             if (!more.isBlank()) {
-                joined.append(' ').append(more.strip());
+                joined.append('\n').append(more.strip());
             }
         }
         return joined.toString();

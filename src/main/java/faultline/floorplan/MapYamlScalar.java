@@ -1,10 +1,16 @@
 package faultline.floorplan;
 
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
 /** Reads plain and quoted scalars of YAML. */
 final class MapYamlScalar {
 
     private static final String ESCAPES = "0abtnvfre \"/\\N_LP";
     private static final String ESCAPED = "\0\u0007\b\t\n\u000B\f\r\u001B \"/\\\u0085\u00A0\u2028\u2029";
+
+    /** Tags such as {@code !!float}, and anchors. */
+    private static final Pattern PROPERTIES = Pattern.compile("(?:[!&]\\S*+\\s++){1,2}+");
 
     private MapYamlScalar() {}
 
@@ -12,7 +18,10 @@ final class MapYamlScalar {
      * Returns the text of a scalar. Text in double quotes with an escape that YAML does not have, such as a path of
      * Windows, is returned as it is.
      */
-    static String read(String text) {
+    static String read(String scalar) {
+        Matcher properties = PROPERTIES.matcher(scalar);
+        String text = properties.lookingAt() ? scalar.substring(properties.end()) : scalar;
+        text = text.indexOf('\n') < 0 ? text : fold(text);
         if (text.length() < 2 || text.charAt(0) != text.charAt(text.length() - 1)) {
             return text;
         }
@@ -22,6 +31,33 @@ final class MapYamlScalar {
             case '"' -> unescape(inner);
             default -> text;
         };
+    }
+
+    /** Joins lines with single blanks, or without one if a backslash in double quotes ends the line. */
+    private static String fold(String text) {
+        StringBuilder joined = new StringBuilder();
+        for (String line : text.split("\n")) {
+            String part = line.strip();
+            if (part.isEmpty()) {
+                continue;
+            }
+            if (text.startsWith("\"") && endsInEscape(joined)) {
+                joined.setLength(joined.length() - 1);
+            } else if (!joined.isEmpty()) {
+                joined.append(' ');
+            }
+            joined.append(part);
+        }
+        return joined.toString();
+    }
+
+    /** Returns whether an odd number of backslashes, of which two are one escape, ends a text. */
+    private static boolean endsInEscape(CharSequence text) {
+        int i = text.length();
+        while (i > 0 && text.charAt(i - 1) == '\\') {
+            i--;
+        }
+        return (text.length() - i) % 2 == 1;
     }
 
     /** Returns the index of the quotation mark that closes a quoted text, or the length of the text. */

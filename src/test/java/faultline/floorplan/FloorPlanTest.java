@@ -219,6 +219,7 @@ class FloorPlanTest {
                 "image: m.pgm\nresolution: 0.05\norigin: [-10, 2.5, 0.5, ]\nnegate: 1\nmode: Trinary\n",
                 "image:\n  m.pgm\nresolution:\n  0.05\norigin:\n\n  [-10,\n  2.5, 0.5]\nnegate: 1\n",
                 "image: m.pgm\nresolution: 0.05\norigin:\n-\t-10\n-\t2.5\n-\t0.5\nnegate: 1\n",
+                "--- {image: m.pgm, resolution: !!float '0.05',\n  origin: [-10, 2.5, !!float \"0.5\"], negate: 1}\n",
                 "about: |\n  A hall [1\n  with: walls\n\n  # 7\nmeta:\n  image: b.pgm\n  resolution: 7\n"
                         + "image: m.pgm\nresolution: 0.05\nrooms:\n- name: a\n  image: c\n-\n  name: b\n"
                         + "  image: d\norigin: [-10, 2.5, 0.5]\nnegate: 1\nwhy: some words\n  and more\n"
@@ -242,6 +243,8 @@ class FloorPlanTest {
             Bob's hall: "west" # 2.pgm | 'Bob''s hall: "west" # 2.pgm'
             Bob's hall: "west" # 2.pgm | "Bob's hall: \\"west\\" # 2.pgm" # a comment
             Bob's hall, west.pgm       | Bob's@  hall,@@   west.pgm
+            Bob's hall, west.pgm       | 'Bob''s@  hall, west.pgm'
+            Bob's hall,  west.pgm      | "Bob's@  hall,\\@  \\  west.pgm"
             hall.pgm                   | "h\\x61\\u006c\\U0000006C.pgm"
             C\\maps\\x.pgm             | "C\\maps\\x.pgm"
             x\\uD83G.pgm               | "x\\uD83G.pgm"
