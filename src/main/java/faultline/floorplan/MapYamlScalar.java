@@ -12,6 +12,9 @@ final class MapYamlScalar {
     /** Tags such as {@code !!float}, and anchors. */
     private static final Pattern PROPERTIES = Pattern.compile("(?:[!&]\\S*+\\s++){1,2}+");
 
+    /** The mark before a text in lines. */
+    private static final Pattern BLOCK = Pattern.compile("^[|>][-+0-9]{0,2}+[ \t]*+\n");
+
     private MapYamlScalar() {}
 
     /**
@@ -21,7 +24,7 @@ final class MapYamlScalar {
     static String read(String scalar) {
         Matcher properties = PROPERTIES.matcher(scalar);
         String text = properties.lookingAt() ? scalar.substring(properties.end()) : scalar;
-        text = text.indexOf('\n') < 0 ? text : fold(text);
+        text = text.indexOf('\n') < 0 ? text : fold(BLOCK.matcher(text).replaceFirst(""));
         if (text.length() < 2 || text.charAt(0) != text.charAt(text.length() - 1)) {
             return text;
         }

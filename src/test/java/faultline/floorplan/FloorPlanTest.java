@@ -245,6 +245,7 @@ class FloorPlanTest {
             Bob's hall, west.pgm       | Bob's@  hall,@@   west.pgm
             Bob's hall, west.pgm       | 'Bob''s@  hall, west.pgm'
             Bob's hall,  west.pgm      | "Bob's@  hall,\\@  \\  west.pgm"
+            hall.pgm                   | >-@  hall.pgm@
             hall.pgm                   | "h\\x61\\u006c\\U0000006C.pgm"
             C\\maps\\x.pgm             | "C\\maps\\x.pgm"
             x\\uD83G.pgm               | "x\\uD83G.pgm"
