@@ -1,5 +1,6 @@
 package faultline.app;
 
+import faultline.external.ControllerChoice;
 import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.MessageText;
@@ -59,13 +60,15 @@ final class WindowCommand {
         if (given.size() == 1) {
             return run(file);
         }
-        Scenario scenario = Scenario.load(file);
         Optional<String> controller = arguments.value("--controller");
         Optional<String> ghost = arguments.value(GHOST_OPTION);
         List<Path> jars = ControllerOptions.parse(arguments, true).jars();
+        // The file may name a controller of the jar. The threads of the window begin after this.
+        jars.forEach(ControllerChoice::addJar);
         if (controller.isEmpty() && ghost.isEmpty()) {
-            throw new UsageException("--jar needs --controller WHICH");
+            return run(file);
         }
+        Scenario scenario = Scenario.load(file);
         requireDisplay(controller.isPresent() ? "--controller" : GHOST_OPTION);
         GuiLauncher.open(
                 file,

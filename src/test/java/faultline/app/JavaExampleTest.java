@@ -3,6 +3,7 @@ package faultline.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.JavaProcess;
 import faultline.control.ControllerProvider;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -123,15 +124,34 @@ class JavaExampleTest {
         }
     }
 
+    /** Returns a file that names the controller of the example. */
+    private Path yardOfTheExample() throws IOException {
+        return Files.writeString(
+                folder.resolve("yard.xml"),
+                Files.readString(Path.of("scenarios/yard.xml"))
+                        .replace(
+                                "</scenario>",
+                                "<controller type=\"my-follower\"><setting name=\"distance\" value=\"0.35\"/>"
+                                        + "</controller></scenario>"));
+    }
+
+    @Test
+    void theWindowOpensAFileThatNamesAControllerOfTheJar() throws Exception {
+        String file = yardOfTheExample().toString();
+        String expected = value(run("run", file, "--jar", jar.toString()), "trajectory_hash");
+        // Without a display, the file is read and run.
+        ProcessBuilder builder =
+                JavaProcess.builder("faultline.app.Main", List.of(file, "--jar", jar.toString()));
+        builder.command().add(1, "-Djava.awt.headless=true");
+        assertEquals(expected, value(JavaProcess.output(builder.start()), "trajectory_hash"));
+        builder.command().addAll(List.of("--controller", "my-follower"));
+        String refusal = JavaProcess.output(builder.redirectErrorStream(true).start());
+        assertEquals("faultline: --controller needs a display here, and there is none (see faultline --help)\n", refusal);
+    }
+
     @Test
     void aFileGivesTheExampleItsSettings() throws Exception {
-        String yard = Files.readString(Path.of("scenarios/yard.xml"));
-        Path file = Files.writeString(
-                folder.resolve("yard.xml"),
-                yard.replace(
-                        "</scenario>",
-                        "<controller type=\"my-follower\"><setting name=\"distance\" value=\"0.35\"/></controller>"
-                                + "</scenario>"));
+        Path file = yardOfTheExample();
         String output = run("run", file.toString(), "--jar", jar.toString());
         assertEquals("none", value(output, "collision"));
         assertTrue(Double.parseDouble(value(output, "distance_rms_m")) > 0.08, "wanted are 0.25 m: " + output);
