@@ -73,14 +73,18 @@ final class MapYamlLines {
 
     /** Adds the following lines that continue the value of a known key: they are indented, and neither key nor item. */
     private String joinValue(String line, int indent) {
+        if (!keys.contains(key(line))) {
+            return line;
+        }
+        boolean isEmpty = line.strip().endsWith(":");
         StringBuilder joined = new StringBuilder(line);
-        while (keys.contains(key(line)) && next < source.length) {
+        while (next < source.length) {
             String more = stripComment(source[next]);
             if (!more.isBlank() && !isContinuation(more, indent)) {
                 break;
             }
             next++;
-            if (line.strip().endsWith(":") && more.strip().startsWith("[")) {
+            if (isEmpty && more.strip().startsWith("[")) {
                 return joinFlow(line + " " + more.strip());
             }
             if (!more.isBlank()) {

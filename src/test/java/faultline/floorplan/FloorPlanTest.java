@@ -265,6 +265,10 @@ class FloorPlanTest {
         IOException e =
                 assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
         assertTrue(e.getMessage().startsWith(yaml + ":2:8: image is \"x y y y"), e::getMessage);
+        String tags = "!".repeat(400_000) + " image: x\n" + " y\n".repeat(200_000) + "resolution: 1\n";
+        write("m.yaml", tags);
+        e = assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
+        assertTrue(e.getMessage().contains("image is \"x y y y"), e::getMessage);
     }
 
     @ParameterizedTest
