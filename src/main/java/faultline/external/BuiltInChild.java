@@ -90,13 +90,15 @@ public final class BuiltInChild {
         return dt;
     }
 
-    private static Observation observation(MessageReader message, double dt, RobotSpec robot)
-            throws ProtocolException {
+    private static Observation observation(MessageReader message, double dt, RobotSpec robot) throws ProtocolException {
         if (dt == 0) {
             throw new ProtocolException("wrote an observe message", " before the hello message");
         }
         return new Observation(
-                message.whole("tick"), dt, robot, readings(message, robot.sensors().size()));
+                message.whole("tick"),
+                dt,
+                robot,
+                readings(message, robot.sensors().size()));
     }
 
     private static double[] readings(MessageReader message, int sensors) throws ProtocolException {

@@ -22,8 +22,7 @@ final class DriveTelemetry {
         if (!drive.state().isEmpty() && !drive.state().equals(lastState)) {
             lastState = drive.state();
             String state = XmlText.oneLine(lastState);
-            telemetry =
-                    state.isEmpty() ? telemetry : telemetry.entering(state, XmlText.oneLine(drive.why()), tick);
+            telemetry = state.isEmpty() ? telemetry : telemetry.entering(state, XmlText.oneLine(drive.why()), tick);
         }
         return new Decision(drive.leftVolts(), drive.rightVolts(), telemetry);
     }

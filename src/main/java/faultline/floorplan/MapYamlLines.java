@@ -105,7 +105,8 @@ final class MapYamlLines {
     }
 
     private static String key(String line) {
-        return MapYamlScalar.read(line.substring(0, Math.max(0, line.indexOf(':'))).strip());
+        return MapYamlScalar.read(
+                line.substring(0, Math.max(0, line.indexOf(':'))).strip());
     }
 
     private static int indent(String line) {

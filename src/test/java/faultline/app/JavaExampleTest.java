@@ -119,8 +119,7 @@ class JavaExampleTest {
         for (String name : List.of("my-follower", "wall-follower", "none")) {
             forgetJar();
             assertEquals(
-                    usage,
-                    run("run", "scenarios/yard.xml", "--controller", name, "--jar", jar.toString(), "--truth"));
+                    usage, run("run", "scenarios/yard.xml", "--controller", name, "--jar", jar.toString(), "--truth"));
         }
     }
 
@@ -140,13 +139,13 @@ class JavaExampleTest {
         String file = yardOfTheExample().toString();
         String expected = value(run("run", file, "--jar", jar.toString()), "trajectory_hash");
         // Without a display, the file is read and run.
-        ProcessBuilder builder =
-                JavaProcess.builder("faultline.app.Main", List.of(file, "--jar", jar.toString()));
+        ProcessBuilder builder = JavaProcess.builder("faultline.app.Main", List.of(file, "--jar", jar.toString()));
         builder.command().add(1, "-Djava.awt.headless=true");
         assertEquals(expected, value(JavaProcess.output(builder.start()), "trajectory_hash"));
         builder.command().addAll(List.of("--controller", "my-follower"));
         String refusal = JavaProcess.output(builder.redirectErrorStream(true).start());
-        assertEquals("faultline: --controller needs a display here, and there is none (see faultline --help)\n", refusal);
+        assertEquals(
+                "faultline: --controller needs a display here, and there is none (see faultline --help)\n", refusal);
     }
 
     @Test

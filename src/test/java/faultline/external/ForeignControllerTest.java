@@ -134,7 +134,8 @@ class ForeignControllerTest {
                 + "<decisions>1,1*10</decisions><decisions from=\"10\" state=\"A\">1,1*10</decisions>"
                 + "<decisions from=\"20\">2,2</decisions></controller>"));
         RunResult result = HeadlessRun.run(scenario.setup().withDuration(0.5), ControllerMode.DIRECT, List.of());
-        assertEquals(List.of(ControllerState.of("EXTERN"), ControllerState.of("A")), List.copyOf(result.visitedStates()));
+        assertEquals(
+                List.of(ControllerState.of("EXTERN"), ControllerState.of("A")), List.copyOf(result.visitedStates()));
     }
 
     @Test

@@ -108,9 +108,10 @@ class SimulationServerTest {
     /** The range is 0.4 m from tick 2 on and 0.8 m from tick 4 on, as at the start; the last tick changes it again. */
     @Test
     void aRobotThatIsChangedBackIsToldToo() throws Exception {
-        SimulationSetup setup = Scenario.load(Files.writeString(
-                        folder.resolve("tuned.xml"),
-                        """
+        SimulationSetup setup = Scenario.load(
+                        Files.writeString(
+                                folder.resolve("tuned.xml"),
+                                """
                         <scenario xmlns="urn:faultline:scenario:1" duration="0.06">
                           <world width="6" height="4"/>
                           <robot x="3" y="2"/>
@@ -131,7 +132,8 @@ class SimulationServerTest {
 
     /** Returns the range of the left sensor if a message describes the robot. */
     private static String leftRange(String message) {
-        Matcher range = Pattern.compile("\"id\":\"left\".*?\"range_m\":([0-9.]+)").matcher(message);
+        Matcher range =
+                Pattern.compile("\"id\":\"left\".*?\"range_m\":([0-9.]+)").matcher(message);
         return range.find() ? range.group(1) : "";
     }
 

@@ -61,7 +61,8 @@ class FloorPlanTest {
         String comments = "P5#raw\n3#columns\n2#rows\n255#white\n";
         assertEquals(
                 expected,
-                read(writeBytes("c.pgm", comments, 0, 255, 205, 255, 0, 254), "").grid());
+                read(writeBytes("c.pgm", comments, 0, 255, 205, 255, 0, 254), "")
+                        .grid());
         int[] deep = {0, 0, 255, 255, 205, 205, 255, 255, 0, 0, 254, 254};
         assertEquals(
                 expected, read(writeBytes("d.pgm", "P5 3 2 65535\n", deep), "").grid());
