@@ -1,6 +1,6 @@
 package faultline.control;
 
-/** Drives the robot. Called once a tick, in order, by one thread at a time. */
+/** Drives the robot. It is called once per tick, in order, by one thread at a time. */
 @FunctionalInterface
 public interface Controller {
 
@@ -20,7 +20,7 @@ public interface Controller {
     }
 
     /**
-     * Takes other settings, between two decisions. A controller without settings does nothing.
+     * Applies other settings between two decisions. A controller without settings does nothing.
      *
      * @param settings the new settings, of the same kind as those that it was made with
      */

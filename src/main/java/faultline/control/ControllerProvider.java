@@ -12,7 +12,7 @@ public interface ControllerProvider {
     String name();
 
     /**
-     * {@return a new controller for one run} The same settings must give a controller that decides the same.
+     * {@return a new controller for one run} The same settings must give a controller that makes the same decisions.
      *
      * @param settings the settings in the scenario file, by name; empty if there are none
      */

@@ -184,7 +184,7 @@ public sealed interface ControllerSpec {
         }
 
         /**
-         * {@return whether a running follower can take other settings and go on from its state}
+         * {@return whether a running follower can apply other settings and continue from its state}
          *
          * @param other the other settings
          */

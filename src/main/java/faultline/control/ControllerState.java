@@ -41,7 +41,9 @@ public sealed interface ControllerState permits FollowerState, ControllerState.N
             }
         }
 
-        /** Written out because the virtual machine takes milliseconds to make that of a record. */
+        /**
+         * Implemented explicitly, because the virtual machine takes milliseconds to generate this method of a record.
+         */
         @Override
         public int hashCode() {
             return name.hashCode();

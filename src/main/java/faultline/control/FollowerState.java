@@ -5,16 +5,16 @@ package faultline.control;
  * interpretation.
  */
 public enum FollowerState implements ControllerState {
-    /** Drive on until a wall is seen. */
+    /** Drives straight ahead until a wall is seen. */
     SEARCH,
-    /** Spin right until the left sensor reaches the wall: frame F3. */
+    /** Spins right until the left sensor reaches the wall: frame F3. */
     TURN,
-    /** Spin on until the left sensor leaves the wall: frame F4. */
+    /** Continues the spin until the left sensor leaves the wall: frame F4. */
     MEASURE,
-    /** Turn back for t_p = t_D / 2, eq. (4), and wait until the spin has ended. */
+    /** Turns back for t_p = t_D / 2, eq. (4), and waits until the spin has ended. */
     ALIGN,
-    /** PD distance control along the wall. */
+    /** Follows the wall by PD distance control. */
     FOLLOW,
-    /** The wall ended: arc around the outer corner until it is seen again. */
+    /** The wall has ended: drives an arc around the outer corner until a wall is seen again. */
     ROUND
 }

@@ -9,7 +9,10 @@ import faultline.robot.RobotSpec;
  */
 public final class Odometer {
 
-    /** The robot and the tick, seconds, whose decay is known: an exponential takes longer than all the rest. */
+    /**
+     * The robot and the length of a tick, seconds, for which the decay is stored: computing an exponential takes longer
+     * than everything else.
+     */
     private RobotSpec motorOf;
 
     private MotorSpec motor;
@@ -44,7 +47,7 @@ public final class Odometer {
     }
 
     /**
-     * Begins an update, which consists of the steps until the next one.
+     * Begins an update. It consists of all steps until the next update begins.
      *
      * @param robot the robot as the controller believes it to be
      * @param dt the length of a tick, seconds

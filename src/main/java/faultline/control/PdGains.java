@@ -14,11 +14,12 @@ public record PdGains(double proportional, double derivative, double maxError) {
     private static final double MIN_LENGTH = 0.06;
 
     /**
-     * The motors must be faster than the loop: the length is at least the distance driven in this many time constants.
+     * The motors must be faster than the control loop: the length is at least the distance driven in this many time
+     * constants.
      */
     private static final double MIN_LAGS = 3;
 
-    /** The steepest return to the wanted distance, sine of the angle. */
+    /** The sine of the largest angle at which the robot returns to the wanted distance. */
     private static final double MAX_APPROACH_SINE = 0.5;
 
     /**

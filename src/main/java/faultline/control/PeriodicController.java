@@ -5,10 +5,11 @@ import faultline.control.ControllerSpec.WallFollowing;
 import java.util.function.Function;
 
 /**
- * Lets a controller decide once a period; between its decisions the last one holds. Closes it if it can be closed.
+ * Lets a controller decide once per period; between its decisions the last one holds. It closes the controller if that
+ * can be closed.
  *
- * <p>One of the program takes other settings between two decisions. It keeps its state if it can; otherwise a new
- * controller in its initial state takes its place.
+ * <p>A controller of the program can get other settings between two decisions. It keeps its state if possible;
+ * otherwise a new controller in its initial state replaces it.
  */
 public final class PeriodicController implements Controller, AutoCloseable {
 
@@ -46,7 +47,7 @@ public final class PeriodicController implements Controller, AutoCloseable {
     private void replace(BuiltIn newSettings) {
         settings = newSettings;
         delegate = factory.apply(newSettings);
-        // Constant voltages are decided once.
+        // Constant voltages need only one decision.
         period = newSettings instanceof WallFollowing ? newSettings.period() : Double.POSITIVE_INFINITY;
         lastDecision = null;
     }

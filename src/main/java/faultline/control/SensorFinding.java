@@ -10,7 +10,7 @@ public enum SensorFinding {
     STUCK,
     /** Its readings scatter. */
     NOISY,
-    /** Its readings come and go. */
+    /** Its readings appear and disappear. */
     INTERMITTENT,
     /** Its readings contradict its earlier ones. */
     INCONSISTENT,

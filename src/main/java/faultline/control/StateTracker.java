@@ -1,6 +1,6 @@
 package faultline.control;
 
-/** Counts the transitions of a controller that only names its states. */
+/** Counts the state transitions of a controller that reports only the names of its states. */
 public final class StateTracker implements Controller {
 
     private final Controller delegate;

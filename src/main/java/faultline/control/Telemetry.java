@@ -3,8 +3,8 @@ package faultline.control;
 import java.util.List;
 
 /**
- * The internal values of a controller, for display and traces; never fed back. A value that does not apply is not a
- * number (NaN).
+ * The internal values of a controller, for display and traces; they are never fed back to a controller. A value that
+ * does not apply is not a number (NaN).
  *
  * @param state its state
  * @param condition the named condition that led to the state, empty at the start
@@ -26,7 +26,7 @@ public record Telemetry(
     /**
      * The distance control.
      *
-     * @param wantedDistance the distance that it holds, metres
+     * @param wantedDistance the distance that it maintains, metres
      * @param measuredDistance the distance that it measures, metres
      * @param proportional the PD controller's P term, radians per second
      * @param derivative the PD controller's D term, radians per second

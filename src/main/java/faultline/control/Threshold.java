@@ -1,8 +1,8 @@
 package faultline.control;
 
 /**
- * A threshold of the wall follower's state diagram. It decides when a state is left; the map follower, which drives
- * when too few sensors are trusted, has none of them.
+ * A threshold of the wall follower's state diagram, which determines when a state is left. The map follower, which
+ * drives when too few sensors are trusted, uses none of them.
  */
 public enum Threshold {
     /** The margin beyond the wanted distance at which a wall ahead ends SEARCH, FOLLOW and ROUND. */
@@ -14,8 +14,8 @@ public enum Threshold {
     TURN_CLEARANCE("turnClearance", Quantity.MARGIN, 0.06),
 
     /**
-     * The difference between the equal readings of F3 and F4 and the nearest reading, as a share of that reading: there
-     * the nearest point has left the cone and readings rise fast.
+     * The difference between the equal readings of F3 and F4 and the nearest reading, as a share of that reading. At
+     * this difference the nearest point has left the cone and readings rise fast.
      */
     TIMING_LEVEL("timingLevel", Quantity.SHARE, 0.08),
 
@@ -28,12 +28,12 @@ public enum Threshold {
     /** The innovation that counts as a corner, as a share of the final innovation at an outer corner. */
     BEND_SHARE("bendShare", Quantity.SHARE, 0.6),
 
-    /** A wall that has not been seen in a turn of more than this does not exist: the search begins again. */
+    /** The turn after which a new search begins, because a wall that has not been seen by then does not exist. */
     GIVE_UP_ANGLE("giveUpAngle", Quantity.ANGLE, 400),
 
     /**
-     * A spin that ends within this of its initial heading has found the same wall again: the slight corner ahead cannot
-     * be distinguished from it.
+     * The angle between the headings at the start and the end of a spin up to which the spin has found the same wall
+     * again: the slight corner ahead cannot be distinguished from that wall.
      */
     SAME_WALL_ANGLE("sameWallAngle", Quantity.ANGLE, 15),
 

@@ -10,27 +10,30 @@ import java.util.Arrays;
  */
 final class CurvatureEstimate {
 
-    /** Means over three legs of this length give a sample, metres. */
+    /** The length of a leg, metres. The means over three legs give a sample. */
     private static final double LEG = 0.15;
 
     /** The number of samples whose median is used: corners and obstacles at the wall make some wrong. */
     private static final int SAMPLES = 7;
 
-    /** Wheels and a track that are each off by 5 % bend the path by up to 0.55; corners more, 1/m. */
+    /**
+     * The maximum curvature of a sample, 1/m: wheels and a track that are each off by 5 % cause up to 0.55, and corners
+     * cause more.
+     */
     private static final double MAX_SAMPLE = 0.8;
 
-    /** All samples but the least and the greatest agree within this, or nothing is learnt, 1/m. */
+    /** The estimate changes only if all samples but the least and the greatest agree within this, 1/m. */
     private static final double MAX_SPREAD = 0.25;
 
-    /** A smaller curvature counts as none, so that nothing changes where the model of the robot is right, 1/m. */
+    /** A smaller curvature counts as none, 1/m, so that nothing changes if the model of the robot is right. */
     private static final double NEGLIGIBLE = 0.1;
 
-    /** The robot may turn this much over the legs of a sample, radians. */
+    /** The maximum turn of the robot over the legs of a sample, radians. */
     private static final double MAX_TURNING = StrictMath.toRadians(20);
 
     /**
-     * A wall is straight if what the sensor reads is this near to the line through what others see ahead and behind,
-     * metres: on a path around a disc of 1 m it is 0.04.
+     * A wall is straight if the point that the sensor sees is at most this far from the line through the points that
+     * others see ahead and behind, metres. On a path around a disc of 1 m the distance is 0.04.
      */
     private static final double MAX_SAG = 0.015;
 

@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * An occupancy grid around the robot that wraps at its borders. Each cell remembers for each source, that is, a sensor
  * or the robot's own body, when that source last saw it free and when it last saw a surface there. Moments are those of
- * a clock that runs with the robot's motion, because motion makes dead reckoning uncertain. What is older than the
- * reader's memory does not count, so cells need not be cleared as the robot moves.
+ * a clock that runs with the robot's motion, because motion makes dead reckoning uncertain. Moments before a limit that
+ * each reader gives do not count, so cells need not be cleared as the robot moves.
  */
 public final class EvidenceGrid {
 
@@ -235,8 +235,8 @@ public final class EvidenceGrid {
     }
 
     /**
-     * Marks the cells of a row in fours, the last one repeatedly: rows are short, and a loop over single cells that
-     * ends at another number each time takes longer.
+     * Marks the cells of a row in groups of four, and the last cell repeatedly: rows are short, and a loop over single
+     * cells whose number is different each time takes longer.
      */
     private void markRow(int source, int row, int first, int last, int moment) {
         if (first > last) {

@@ -9,7 +9,10 @@ final class InspectedSensor {
     /** A sensor that is not trusted is tried again after this time, seconds; each further finding doubles it. */
     private static final double FIRST_PROBATION = 3;
 
-    /** The maximum of this time, seconds; it applies at once to a finding that takes long to be made again. */
+    /**
+     * The maximum of this time, seconds. It applies from the first time to a finding that takes a long time to be made
+     * again.
+     */
     private static final double MAX_PROBATION = 48;
 
     /** Sensors that look ahead or to the wall's side matter most; the evidence of others is added less often. */

@@ -3,7 +3,7 @@ package faultline.control.diagnosis;
 /** The distance that the robot has rolled and the angle that it has turned, in the last step and since the start. */
 final class MotionAccumulator {
 
-    /** What is added up. */
+    /** The quantities that are accumulated. */
     enum Total {
         /** The distance rolled forwards less that rolled backwards, metres. */
         DISTANCE,

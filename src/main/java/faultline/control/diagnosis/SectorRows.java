@@ -13,7 +13,7 @@ final class SectorRows {
     private static final double UNITS = 0x1p32;
     private static final int SHIFT = 32;
 
-    /** An edge of more columns a row than this is as good as horizontal. */
+    /** An edge that moves by more columns per row than this is treated as horizontal. */
     private static final double HORIZONTAL = 0x1p18;
 
     private int[] from = new int[EvidenceGrid.SIZE];
@@ -48,7 +48,7 @@ final class SectorRows {
         long right = (long) ((rightSlope * dy * EvidenceGrid.CELLS_PER_METRE + origin) * UNITS);
         long leftStep = (long) (leftSlope * step * UNITS);
         long rightStep = (long) (rightSlope * step * UNITS);
-        // Bits that turn the column of an edge into one that bounds nothing where it is not the start or the end.
+        // Bits that make the column of an edge harmless in rows in which the edge is not the start or the end.
         int leftStarts = leftSin > 0 ? -1 : 0;
         int rightStarts = rightSin < 0 ? -1 : 0;
         int leftPasses = leftSin < 0 ? 0 : Integer.MAX_VALUE;
@@ -56,7 +56,7 @@ final class SectorRows {
         for (int i = 0; i < count; i++) {
             int leftColumn = (int) (left >> SHIFT);
             int rightColumn = (int) (right >> SHIFT);
-            // Not a number above and below the arc; as a column that is 0, so the row is empty.
+            // NaN above and below the arc; converted to a column this is 0, so the row is empty.
             double arc = Math.sqrt(radius * radius - dy * dy) * EvidenceGrid.CELLS_PER_METRE;
             from[i] = Math.max((int) (origin - arc), Math.max(leftColumn & leftStarts, rightColumn & rightStarts));
             to[i] = Math.min((int) (origin + arc), Math.min(leftColumn | leftPasses, rightColumn | rightPasses)) - 1;

@@ -139,7 +139,7 @@ public final class SensorDiagnosis {
     }
 
     /**
-     * Records a place that no sensor could see: it counts as a surface until it is seen free.
+     * Records a place that no sensor could see. It counts as a surface until it is seen free.
      *
      * @param x metres
      * @param y metres

@@ -34,10 +34,12 @@ final class SensorInspection extends PacedCheck {
      */
     private static final double NEAR = 0.5;
 
-    /** A contradiction is suspicious for this long, seconds. */
+    /** The time for which a contradiction is suspicious, seconds. */
     private static final double SUSPICION = 1;
 
-    /** A jump of a reading, or a drift, keeps the rate of a straight path away for this long, seconds. */
+    /**
+     * The time after a jump of a reading, or a drift, during which the rate of a straight path is not used, seconds.
+     */
     private static final double ATTENTION = 0.5;
 
     /** A robot that turns faster than this does not drive straight on, radians per second. */
@@ -134,13 +136,16 @@ final class SensorInspection extends PacedCheck {
         waitFor(Math.max(time, due + STEP * sensors.length * rate.interval()));
     }
 
-    /** Inspects the sensors soon and more often for some time: a reading on the wall's side has jumped or drifts. */
+    /**
+     * Makes the next inspection earlier and inspections more frequent for some time, because a reading on the wall's
+     * side has jumped or drifts.
+     */
     void attend() {
         attentionUntil = motion.time() + ATTENTION;
         hasten();
     }
 
-    /** Inspects the sensors as soon as at the full rate. */
+    /** Makes the next inspection as early as at the full rate. */
     void hasten() {
         if (rate != InspectionRate.FULL) {
             rate = InspectionRate.FULL;

@@ -4,14 +4,14 @@ import faultline.control.SensorFinding;
 import faultline.sensor.Reading;
 
 /**
- * The tests that need the readings of one sensor only: whether it answers, whether its reading changes, scatters, or
- * comes and goes.
+ * The tests that need the readings of one sensor only: whether it answers, and whether its reading changes, scatters,
+ * or appears and disappears.
  */
 final class SignalCheck {
 
     /**
-     * A reading that stays exactly the same over a turn of this angle is stuck, radians, if unequal wheels cannot
-     * explain the turn.
+     * A sensor is stuck if its reading stays exactly the same over a turn of this angle, radians, and unequal wheels
+     * cannot explain the turn.
      */
     private static final double STUCK_TURN = StrictMath.toRadians(12);
 
@@ -21,12 +21,13 @@ final class SignalCheck {
      */
     private static final double WHEEL_CURVATURE = 0.6;
 
-    /** The same over this distance along the sensor's axis, metres. */
+    /** A sensor is also stuck if its reading stays exactly the same over this distance along its axis, metres. */
     private static final double STUCK_DISTANCE = 0.05;
 
     /**
-     * The same while the turn of a step changes by this much in total, radians. On a steady path along a wall a healthy
-     * reading may stay the same, but then nothing makes the robot steer.
+     * A sensor is also stuck if its reading stays exactly the same while the turns of the steps change by this much in
+     * total, radians. On a steady path along a wall a healthy reading may stay the same, but then the robot does not
+     * steer.
      */
     private static final double STUCK_UNSTEADINESS = 1e-5;
 
@@ -58,10 +59,10 @@ final class SignalCheck {
 
     private static final double SPIKE_STEP = 1 / 300.0;
 
-    /** Readings this near to the range may come and go, metres. */
+    /** Readings this near to the range may appear and disappear, metres. */
     private static final double NEAR_RANGE = 0.1;
 
-    /** The maximum number of times that a reading may come or go within about a second. */
+    /** The maximum number of times that a reading may appear or disappear within about a second. */
     private static final double MAX_FLIPS = 7;
 
     private static final double FLIP_STEP = 1 / 150.0;
@@ -88,12 +89,15 @@ final class SignalCheck {
     private double flips;
     private boolean jumped;
     private double spikes;
-    /** Whether motion explains the last surface that came and went. */
+    /** Whether motion explains that the last surface appeared and disappeared. */
     private boolean explained;
 
     /** Whether a further reading that sees nothing needs no test. */
     private boolean quiet;
-    /** A reading needs no test if its first and second differences are at most this, metres; negative if it does. */
+    /**
+     * A reading needs no test if its first and second differences are at most this, metres; negative if every reading
+     * needs a test.
+     */
     private double smoothLimit = -1;
     /** The step to which the counts have faded. */
     private int fadedTo;
@@ -203,8 +207,8 @@ final class SignalCheck {
     }
 
     /**
-     * Returns whether the robot steers but the reading stays the same. A sensor that resolves only coarse steps does so
-     * too, so the reading must stay for twice as long as it ever did before.
+     * Returns whether the robot steers but the reading stays the same. The reading of a sensor that resolves only
+     * coarse steps also stays the same, so it must stay for twice as long as it ever did before.
      */
     private boolean isHeld() {
         return heldSteps >= MIN_HELD_STEPS && held > Math.max(STUCK_UNSTEADINESS, 2 * longestHeld) && hasLever;
@@ -256,7 +260,7 @@ final class SignalCheck {
         }
     }
 
-    /** Counts a reading that came and went, unless motion explains it. */
+    /** Counts a reading that appeared or disappeared, unless motion explains it. */
     private void learnFlips(double reading) {
         boolean gone = reading == Reading.NOTHING && before < cone.range() - NEAR_RANGE;
         flips += gone && !explained ? 2 : 0;

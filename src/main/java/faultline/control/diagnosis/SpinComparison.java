@@ -22,13 +22,13 @@ final class SpinComparison extends PacedCheck {
     /** If distances differ by more than this, one sensor is wrong, metres. */
     private static final double DIFFERS = 0.025;
 
-    /** If they differ by more than this, they are of different surfaces, metres. */
+    /** If distances differ by more than this, they belong to different surfaces, metres. */
     private static final double OTHER_SURFACE = 0.2;
 
     /** Sensors agree if they differ by less than this, metres. */
     private static final double AGREES = 0.012;
 
-    /** The middle half of the differences is within this, or they are of different surfaces, metres. */
+    /** If the middle half of the differences is not within this, they belong to different surfaces, metres. */
     private static final double MAX_SPREAD = 0.02;
 
     private final InspectedSensor[] sensors;
@@ -37,7 +37,7 @@ final class SpinComparison extends PacedCheck {
     private final SpinLog log;
     private final SpinProfile[] profiles;
     private final double[] differences = new double[SpinProfile.DIRECTIONS];
-    /** The bounds of the heading up to which nothing is added. */
+    /** The bounds of the heading within which no sample is added. */
     private double low = Double.POSITIVE_INFINITY;
 
     private double high = Double.NEGATIVE_INFINITY;
@@ -54,7 +54,7 @@ final class SpinComparison extends PacedCheck {
         Arrays.setAll(profiles, i -> new SpinProfile());
     }
 
-    /** Compares the sensors after a spin, unless it may have been a scan with few of them. */
+    /** Compares the sensors after a spin, unless the spin may have been a scan with few sensors. */
     @Override
     void run(double[] readings, long tick) {
         if (update(readings) && assessment.allTrusted()) {
@@ -137,8 +137,8 @@ final class SpinComparison extends PacedCheck {
     }
 
     /**
-     * Returns by how much the distances of one sensor exceed those of another, the median, metres; not a number if too
-     * few are of the same surfaces.
+     * Returns by how much the distances of one sensor exceed those of another, the median, metres; NaN if too few
+     * belong to the same surfaces.
      */
     private double difference(int one, int other) {
         MountedCone cone = sensors[one].cone();

@@ -15,7 +15,7 @@ final class SpinProfile {
     /** The number of directions. */
     static final int DIRECTIONS = 180;
 
-    /** Distances that differ by more than this from a line through their neighbours are of an edge, metres. */
+    /** Distances that differ by more than this from a line through their neighbours belong to an edge, metres. */
     private static final double MAX_BEND = 0.02;
 
     /** The maximum slope, because a turn is not known exactly, metres per radian. */

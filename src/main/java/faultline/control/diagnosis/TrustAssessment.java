@@ -23,10 +23,10 @@ final class TrustAssessment {
     /** The number of inspections after which one of two sensors that contradict only each other is not trusted. */
     private static final int MAX_DISAGREEMENT = 25;
 
-    /** The same where the reading of one of them, but not that of the other, jumped a short time ago. */
+    /** The same number if the reading of one of them, but not that of the other, jumped a short time ago. */
     private static final int MAX_DISAGREEMENT_AFTER_JUMP = 3;
 
-    /** A jump this long ago explains a contradiction, seconds. */
+    /** The time for which a jump explains contradictions, seconds. */
     private static final double JUMP_MEMORY = 4;
 
     /** A sensor that was contradicted less than this time ago may have been right, seconds. */
@@ -106,7 +106,7 @@ final class TrustAssessment {
         conflicts.add(sensor, sensor, DRIFTED);
     }
 
-    /** Trusts a sensor again that missed a surface which is not there. */
+    /** Trusts a sensor again, because the surface that it missed does not exist. */
     void restore(InspectedSensor sensor, double time) {
         conflicts.clearSelf(sensor.index());
         sensor.clearHistory();

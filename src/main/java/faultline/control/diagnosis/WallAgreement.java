@@ -22,15 +22,15 @@ final class WallAgreement {
     /** The number of legs in which a part of the wall passes from the sensor ahead to the one that faces the wall. */
     private static final int STRAIGHT_LEGS = 2;
 
-    /** If distances differ by more than this, they are of different surfaces, or one is wrong, metres. */
+    /** If distances differ by more than this, they belong to different surfaces, or one is wrong, metres. */
     static final double DIFFERS = 0.03;
 
     /** Distances agree if they differ by less than this, metres. */
     private static final double AGREES = 0.012;
 
     /**
-     * The same for the outer two sensors; it is larger because a robot that steers by a drifting sensor does not drive
-     * parallel to the wall, metres.
+     * The same limit for the outer two sensors, metres. It is larger because a robot that steers by a drifting sensor
+     * does not drive parallel to the wall.
      */
     private static final double AGREES_AROUND = 0.04;
 
@@ -51,7 +51,7 @@ final class WallAgreement {
     private int legs;
     /** The number of successive legs in which all three agree. */
     private int straightLegs;
-    /** What the one that faces the wall measured in the last leg, metres. */
+    /** The mean distance that the sensor that faces the wall measured in the last leg, metres. */
     private double wallDistance;
 
     /**

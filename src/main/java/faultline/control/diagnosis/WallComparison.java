@@ -3,8 +3,8 @@ package faultline.control.diagnosis;
 /**
  * Compares the sensors that see the wall beside the robot at regular distances along the path. It finds a drifting one
  * and estimates by how much the curvature of the path exceeds that of the motor model, which corrects the dead
- * reckoning. Where a surface that may cross the path is near, it brings the full rate of inspections, because the next
- * inspection at a lower rate may be too late.
+ * reckoning. Where a surface that may cross the path is near, it restores the full rate of inspections, because the
+ * next inspection at a lower rate may be too late.
  */
 final class WallComparison extends PacedCheck {
 

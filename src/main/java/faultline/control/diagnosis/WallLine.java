@@ -15,9 +15,7 @@ final class WallLine {
 
     private static final double MAX_SLANT = StrictMath.toRadians(70);
 
-    /**
-     * A sensor and the point of its mounting and the direction in its cone in which a wall beside the robot is nearest.
-     */
+    /** A sensor with its mounting point and the direction in its cone in which a wall beside the robot is nearest. */
     private record WallRay(
             InspectedSensor sensor, int index, double range, double x, double y, double cos, double sin) {
 

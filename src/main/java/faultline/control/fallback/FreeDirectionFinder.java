@@ -80,12 +80,15 @@ final class FreeDirectionFinder {
         return limit;
     }
 
-    /** Returns the place that ended the last strip that was not known to be free up to the limit, metres. */
+    /**
+     * Returns the x coordinate of the place that ended the last strip that was not known to be free up to the limit,
+     * metres.
+     */
     double unknownX() {
         return unknownX;
     }
 
-    /** Returns the same across, metres. */
+    /** Returns the y coordinate of that place, metres. */
     double unknownY() {
         return unknownY;
     }

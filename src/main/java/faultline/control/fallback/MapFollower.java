@@ -22,7 +22,7 @@ public final class MapFollower {
     /** The time between two plans, in seconds. */
     private static final double PLANNING = 0.08;
 
-    /** The same while it scans, in seconds: a scan ends as soon as enough has been seen. */
+    /** The time between two plans while the robot scans, in seconds: a scan ends as soon as enough has been seen. */
     private static final double SCAN_PLANNING = 0.04;
 
     /** The distance that it looks ahead along the wall, metres. */
@@ -35,8 +35,8 @@ public final class MapFollower {
     private static final double NEAR = 0.05;
 
     /**
-     * The amount by which the distance to the wall is less than wanted, because surfaces are enlarged to whole cells,
-     * metres.
+     * The amount by which the planned distance to the wall is less than the wanted one, because surfaces are enlarged
+     * to whole cells, metres.
      */
     private static final double COARSENESS = 0.04;
 
@@ -175,7 +175,10 @@ public final class MapFollower {
         return directionFinder.known(at(), towards, 0.6, robot.length() / 2, robot.width() / 2);
     }
 
-    /** The robot has come from there. What its body covered is known except for the cells at the border. */
+    /**
+     * Returns how far the ground behind the robot is known to be free. The robot has come from there, so the ground
+     * that its body covered is known, except for the cells at the border.
+     */
     private double knownBehind() {
         return directionFinder.known(
                 at(),
@@ -194,7 +197,7 @@ public final class MapFollower {
         wantedDistance = metres;
     }
 
-    /** Returns the distance from the side of the robot to the nearest surface of the map, beside the wanted one. */
+    /** Returns the wanted distance and the distance from the side of the robot to the nearest surface of the map. */
     private WallControl measured() {
         // The distances in the map are not computed for a search, because they take longest.
         double distance = state == FollowerState.SEARCH

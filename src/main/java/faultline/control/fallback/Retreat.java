@@ -1,17 +1,17 @@
 package faultline.control.fallback;
 
 /**
- * A short way back from a surface right ahead that no trusted sensor sees all of: the robot needs room to turn on the
- * spot.
+ * A short drive away from a surface directly ahead that no trusted sensor sees completely, because the robot needs room
+ * to turn on the spot.
  */
 final class Retreat {
 
-    /** The length of the way, metres. */
+    /** The length of the drive, metres. */
     private static final double LENGTH = 0.1;
 
     private double left;
 
-    /** Starts it, from its beginning. */
+    /** Starts a new drive. */
     void start() {
         left = LENGTH;
     }

@@ -9,7 +9,7 @@ import java.util.Arrays;
  */
 final class AlignmentMonitor {
 
-    /** This many alignments within {@link #MAX_DISTANCE} are too many. */
+    /** The number of alignments within {@link #MAX_DISTANCE} that is too large. */
     private static final int ALIGNMENTS = 6;
 
     /**
@@ -21,7 +21,7 @@ final class AlignmentMonitor {
     /** Directions that differ by less are the same, radians. */
     private static final double SAME = StrictMath.toRadians(3);
 
-    /** This many alignments in the direction of the one before show a wrong sensor. */
+    /** The number of alignments in the direction of the one before that shows a wrong sensor. */
     private static final int SAME_DIRECTIONS = 2;
 
     private final double[] distances = new double[ALIGNMENTS];

@@ -18,9 +18,9 @@ import faultline.sensor.Reading;
 import java.util.List;
 
 /**
- * A wall follower that tolerates faults: a diagnosis checks all sensors, and the highest {@link Rung} of the ladder
- * whose requirements the trusted ones meet drives. As long as all are trusted, its decisions are exactly those of the
- * six-state follower.
+ * A wall follower that tolerates faults. A diagnosis checks all sensors, and the strategy of the highest {@link Rung}
+ * whose requirements the trusted sensors meet drives. As long as all are trusted, its decisions are exactly those of
+ * the six-state follower.
  */
 public final class FaultTolerantFollower implements Controller {
 

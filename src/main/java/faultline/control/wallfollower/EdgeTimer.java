@@ -18,8 +18,8 @@ import java.util.List;
 final class EdgeTimer {
 
     /**
-     * A reading has turned round if it differs from its extreme by this much, metres, or by five standard deviations of
-     * its remaining noise.
+     * Readings have passed their extreme if one differs from it by this much, metres, or by five standard deviations of
+     * the remaining noise.
      */
     private static final double MIN_REVERSAL = 0.001;
 
@@ -87,7 +87,10 @@ final class EdgeTimer {
         reversalMargin = Math.max(MIN_REVERSAL, NOISE_FACTOR * noise / Math.sqrt(averaged));
     }
 
-    /** Returns the number of samples whose mean has less noise than what counts as a turn, as far as possible. */
+    /**
+     * Returns the number of samples whose mean has less noise than the difference that counts as an extreme, as far as
+     * possible.
+     */
     private static int blockSize(double noise, double step) {
         double wanted = NOISE_FACTOR * noise / MIN_REVERSAL;
         return (int) Math.max(1, Math.min(MAX_AVERAGED_TURN / step, Math.ceil(wanted * wanted)));
@@ -145,15 +148,16 @@ final class EdgeTimer {
     }
 
     /**
-     * Returns whether the reading has risen again to the timing level, has turned round before, or is infinite: then F3
-     * and F4 are known.
+     * Returns whether F3 and F4 are known: the reading has risen again to the timing level, has passed a maximum
+     * before, or is infinite.
      */
     boolean leavesWall() {
         return rule == TimingRule.RANGE ? leavesRange() : leavesLevel();
     }
 
     /**
-     * Takes the first sample without the wall as F4, as the first with it was F3: both are late by up to one period.
+     * Takes the first sample without the wall as F4, as the first sample with it was F3. Both are late by up to one
+     * period.
      */
     private boolean leavesRange() {
         if (lastSample().reading() < Reading.NOTHING) {

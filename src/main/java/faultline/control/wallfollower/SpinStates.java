@@ -17,7 +17,7 @@ final class SpinStates {
         this.alignment = alignment;
     }
 
-    /** Returns TURN: spins right until the left sensor comes to the wall. */
+    /** Returns TURN: spins right until the left sensor reaches the wall. */
     StateBehaviour turn() {
         return new StateBehaviour() {
             @Override
@@ -39,7 +39,7 @@ final class SpinStates {
         };
     }
 
-    /** Returns MEASURE: spins on until the left sensor leaves the wall. */
+    /** Returns MEASURE: continues the spin until the left sensor leaves the wall. */
     StateBehaviour measure() {
         return new StateBehaviour() {
             @Override

@@ -100,8 +100,8 @@ final class StateEstimate {
     }
 
     /**
-     * Returns whether the front left sensor sees an object, or has seen one that is now between two cones, so near that
-     * the robot could run into it. What is not much nearer than the followed wall does not count.
+     * Returns whether an object is so near that the robot could run into it: the front left sensor sees it, or has seen
+     * it and it is now between two cones. An object that is not much nearer than the followed wall does not count.
      */
     boolean isNearSideObjectWithinTurningCircle() {
         return frontLeft.detectsWithin(nearSideRadius()) || isWithinTurningCircle(frontLeftMemory);

@@ -31,7 +31,7 @@ import java.util.Map;
  */
 public final class WallFollower implements Controller {
 
-    /** The paper's Fig. 8 as this project reads it, decision 0002. */
+    /** The paper's Fig. 8 by our interpretation, decision 0002. */
     static final List<Transition> TRANSITIONS = List.of(
             new Transition(SEARCH, TURN, "wall met", follower -> follower.search.isWallMet()),
             new Transition(

@@ -74,7 +74,7 @@ final class WallStates {
         };
     }
 
-    /** Returns ROUND: circles the corner while it is in sight; otherwise turns tightly until it is seen again. */
+    /** Returns ROUND: circles the corner while it is seen; otherwise turns tightly until it is seen again. */
     StateBehaviour round() {
         return new StateBehaviour() {
             @Override
