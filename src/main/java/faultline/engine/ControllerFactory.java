@@ -42,7 +42,7 @@ public final class ControllerFactory {
         return create(spec);
     }
 
-    /** Returns where the controller of a run is called if the caller prefers a mode. */
+    /** Returns the mode in which the controller of a run is called if the caller prefers a mode. */
     static ControllerMode mode(ControllerSpec spec, ControllerMode preferred) {
         if (spec instanceof ControllerSpec.Chosen chosen) {
             return chosen.source().limitsAnswerTime() ? ControllerMode.DIRECT : ControllerMode.OWN_THREAD;
@@ -51,7 +51,7 @@ public final class ControllerFactory {
     }
 
     /**
-     * {@return a new controller in its initial state; one of the program takes other settings during a run}
+     * {@return a new controller in its initial state; a controller of the program can get other settings during a run}
      *
      * @param spec the choice of the controller and its settings
      */

@@ -5,11 +5,11 @@ import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.robot.RobotSpec;
 
-/** Exchanges observations and decisions with the controller in lock-step. Used by the thread of the world. */
+/** Exchanges observations and decisions with the controller in lock-step. Used by the simulation thread. */
 interface ControllerHost extends AutoCloseable {
 
     /**
-     * Submits an observation without waiting. Its parts are passed, so that a host on the world's own thread needs no
+     * Submits an observation without waiting. Its parts are passed, so that a host on the simulation thread needs no
      * object for them.
      *
      * @param tick as in {@link Observation}

@@ -4,6 +4,6 @@ package faultline.engine;
 public enum ControllerMode {
     /** On its own single-thread executor. */
     OWN_THREAD,
-    /** On the world's thread. */
+    /** On the simulation thread. */
     DIRECT
 }

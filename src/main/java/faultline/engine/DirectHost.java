@@ -6,7 +6,7 @@ import faultline.control.Observation;
 import faultline.control.PeriodicController;
 import faultline.robot.RobotSpec;
 
-/** Calls the controller on the world's own thread. */
+/** Calls the controller on the simulation thread. */
 final class DirectHost implements ControllerHost {
 
     private final Controller controller;
@@ -35,7 +35,7 @@ final class DirectHost implements ControllerHost {
     public Decision await() {
         Decision held = periodic == null ? null : periodic.heldDecision(tick, dt);
         if (held != null) {
-            // Makes no observation, because the virtual machine does not always avoid the allocation.
+            // No observation is created, because the virtual machine does not always avoid the allocation.
             return held;
         }
         try {

@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 
 /**
  * Records the robot's path as points at least a spacing apart. If there are too many, points are dropped as far as the
- * shape of the path allows, and then the oldest ones, so that memory stays bounded and the path of a run of days is
- * that of the robot.
+ * shape of the path allows, and then the oldest ones, so that memory stays bounded and the recorded path stays accurate
+ * even in a run of days.
  */
 final class PathRecorder {
 

@@ -3,17 +3,17 @@ package faultline.engine;
 import java.util.Arrays;
 
 /**
- * The next thinning of a path, and those after it. A path from before a thinning leads to the later ones, but not the
- * other way round, so that points that were dropped can be collected.
+ * The next thinning of a path, and those after it. A path from before a thinning refers to the later thinnings, but not
+ * vice versa, so that dropped points can be garbage-collected.
  */
 final class PathThinning {
 
-    /** The indexes of the points that were kept, in ascending order; null until it happens. */
+    /** The indexes of the points that were kept, in ascending order; null before the thinning. */
     private volatile int[] kept;
 
     private volatile PathThinning following;
 
-    /** Notes which points were kept, and returns the thinning after this one. */
+    /** Records which points were kept, and returns the thinning after this one. */
     PathThinning happened(int[] keptIndexes) {
         following = new PathThinning();
         kept = keptIndexes;
@@ -24,7 +24,7 @@ final class PathThinning {
      * Returns how many of the first points of a path remain.
      *
      * @param size the number of points before this thinning, at least 1
-     * @param next the thinning that has not yet happened to the points that are counted
+     * @param next the first thinning that has not yet been applied to the counted points
      */
     int sizeAfter(int size, PathThinning next) {
         int remaining = size;

@@ -48,7 +48,7 @@ public final class Simulation implements AutoCloseable {
     private ControllerSpec controllerSpec;
     /** Null if the controller has its current settings. */
     private ControllerSpec.BuiltIn pendingSettings;
-    // Two arrays in turn: a controller may still hold the last observation.
+    // Two arrays are used alternately, because a controller may still hold the last observation.
     private double[] readings;
     private double[] previousReadings;
     private RobotSpec trueRobot;
@@ -207,16 +207,16 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Executes the timeline's commands for the next tick, so that a frame taken before it shows their effect after
-     * {@link #resample}.
+     * Executes the timeline's commands for the next tick, so that a frame taken before that tick shows their effect
+     * after {@link #resample}.
      */
     public void executeDueCommands() {
         executeDueCommands(world.tick() + 1);
     }
 
     /**
-     * Stops recording the path, for a run of which no one shows a frame: its ticks then allocate nothing. Frames keep
-     * the path recorded before.
+     * Stops recording the path, for a run whose frames are not shown: its ticks then allocate nothing. Frames keep the
+     * path recorded before.
      */
     public void stopRecordingPath() {
         trajectoryRecorder.stopRecordingPath();

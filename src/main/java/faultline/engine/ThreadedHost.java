@@ -13,13 +13,13 @@ import java.util.concurrent.TimeoutException;
 
 /**
  * Runs the controller on its own single-thread executor. The executor's queue passes the observation and the future
- * returns the decision, both with the necessary memory visibility. At most one of them is in progress.
+ * returns the decision, both with the necessary memory visibility. At most one exchange is in progress.
  */
 final class ThreadedHost implements ControllerHost {
 
     /**
      * The time after which the run fails if the controller has not answered, seconds. No decision is ever put in its
-     * place. Time in which other programs keep this one from running does not count.
+     * place. Time in which other programs prevent this one from running does not count.
      */
     static final double DECISION_TIMEOUT = 10;
 

@@ -15,7 +15,7 @@ final class Timeline {
 
     Timeline(SimulationSetup setup) {
         setup.timeline().forEach(timed -> commands.add(new DueCommand(setup.tickAt(timed.time()), timed.command())));
-        // Stable: within a tick the file's order stays.
+        // The sort is stable: within a tick the order of the file is preserved.
         commands.sort(Comparator.comparingLong(DueCommand::tick));
     }
 

@@ -22,7 +22,7 @@ final class TrajectoryRecorder {
     void record(World world, double[] readings, ControllerState state) {
         Pose pose = world.pose();
         WheelSpeeds speeds = world.wheelSpeeds();
-        // In a local variable, because each step waits for the one before.
+        // A local variable is faster here, because each step depends on the one before.
         long next = mix(mix(mix(hash, pose.x()), pose.y()), pose.heading());
         next = mix(mix(next, speeds.left()), speeds.right());
         for (double reading : readings) {

@@ -5,8 +5,8 @@ import java.util.List;
 /**
  * The faults that the motors have, for each side in the order in which they act.
  *
- * @param left the fault of the left motors
- * @param right the fault of the right motors
+ * @param left the faults of the left motors
+ * @param right the faults of the right motors
  */
 public record MotorFaults(List<MotorFault> left, List<MotorFault> right) {
 
@@ -16,8 +16,8 @@ public record MotorFaults(List<MotorFault> left, List<MotorFault> right) {
     /**
      * Creates faults from copies of two lists.
      *
-     * @param left the fault of the left motors
-     * @param right the fault of the right motors
+     * @param left the faults of the left motors
+     * @param right the faults of the right motors
      */
     public MotorFaults {
         left = List.copyOf(left);

@@ -2,7 +2,7 @@ package faultline.sensor;
 
 /**
  * The inputs and the state of one active fault: the tick, the sensor's random numbers, and what the fault remembers
- * since it began. Mutable; belongs to the thread of the world. A fault that is applied twice in one tick gives the same
+ * since it began. Mutable; confined to the simulation thread. A fault that is applied twice in one tick gives the same
  * reading.
  */
 public final class FaultContext {
@@ -87,7 +87,7 @@ public final class FaultContext {
         return history[(int) (Math.max(0, now - delay) % size)];
     }
 
-    /** Returns whether a burst is on: bursts come at a rate and go after a mean length. */
+    /** Returns whether there is a burst now: bursts begin at a rate and end after a mean length. */
     boolean inBurst(double rate, double length) {
         double uniform = random.nextDouble();
         if (tick != burstTick) {

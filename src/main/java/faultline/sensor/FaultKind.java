@@ -13,7 +13,7 @@ public enum FaultKind implements FaultDescriptor<Fault> {
     /** No answer; no number. */
     OFF(Family.SILENT, "", 0, 0, 0, (value, length) -> new Fault.Dead()),
 
-    /** Always the same distance, which is the number. */
+    /** Always the same distance; the number is that distance. */
     STUCK(Family.CONSTANT, "m", 0, 100, 0.4, (value, length) -> new Fault.Stuck(value)),
 
     /** An error on every distance; the number is the error. */
@@ -37,16 +37,16 @@ public enum FaultKind implements FaultDescriptor<Fault> {
     /** Distances in coarse steps; the number is the step. */
     QUANTISED(Family.SHIFTED, "m", 0.001, 10, 0.05, (value, length) -> new SignalFault.Quantised(value)),
 
-    /** Sees nothing in bursts; the number is how often they begin, the length their mean duration. */
+    /** Sees nothing in bursts; the number is the rate at which they begin, the length is their mean duration. */
     BURSTS(Family.INTERMITTENT, "1/s", 0, 100, 0.5, SignalFault.Bursts::new),
 
     /** Reports late; the number is the delay. */
     DELAYED(Family.SHIFTED, "s", 0, 10, 0.2, (value, length) -> new SignalFault.Delayed(value)),
 
-    /** Dirt: sees nothing beyond a distance, which is the number. */
+    /** Dirt: sees nothing beyond a distance; the number is that distance. */
     SHORT_RANGE(Family.INTERMITTENT, "m", 0.01, 100, 0.2, (value, length) -> new OpticalFault.ShortRange(value)),
 
-    /** Another field of view; the number is its full angle. */
+    /** Has another field of view; the number is its full angle. */
     CONE(Family.SHIFTED, "deg", 0.1, 179, 4, (value, length) -> new OpticalFault.Cone(value)),
 
     /** Reports something at a random distance in some ticks; the number is their share. */
@@ -58,7 +58,7 @@ public enum FaultKind implements FaultDescriptor<Fault> {
     /** Does not see slanted surfaces; the number is the greatest angle of incidence that it sees. */
     SPECULAR_LOSS(Family.INTERMITTENT, "deg", 0.1, 90, 30, (value, length) -> new OpticalFault.SpecularLoss(value)),
 
-    /** Turned aside; the number is the error of its bearing. */
+    /** Has a wrong bearing; the number is the error. */
     MISALIGNED(Family.SHIFTED, "deg", -180, 180, 15, (value, length) -> new OpticalFault.Misaligned(value));
 
     /** The properties of kinds that decide how they are drawn. */
@@ -69,7 +69,7 @@ public enum FaultKind implements FaultDescriptor<Fault> {
         CONSTANT,
         /** Wrong distances. */
         SHIFTED,
-        /** Readings that come and go. */
+        /** Readings that appear and disappear. */
         INTERMITTENT
     }
 

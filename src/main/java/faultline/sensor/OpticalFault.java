@@ -32,7 +32,7 @@ public final class OpticalFault {
     }
 
     /**
-     * A flat surface is seen up to an angle of incidence only, as if it were glossy: file kind {@code specular-loss}.
+     * A flat surface is seen only up to an angle of incidence, as if it were glossy: file kind {@code specular-loss}.
      *
      * @param value that angle from the normal, degrees
      */
@@ -44,7 +44,7 @@ public final class OpticalFault {
     }
 
     /**
-     * The sensor is turned aside: file kind {@code misaligned}.
+     * The sensor has a wrong bearing: file kind {@code misaligned}.
      *
      * @param value the error of its bearing, degrees, positive to the left
      */

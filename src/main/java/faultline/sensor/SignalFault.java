@@ -1,6 +1,6 @@
 package faultline.sensor;
 
-/** Faults of the signal, which change a distance between the detector and the controller. */
+/** Faults of the signal, which change a distance after it was measured and before the controller gets it. */
 public final class SignalFault {
 
     private SignalFault() {}
@@ -77,7 +77,7 @@ public final class SignalFault {
      */
     public record Bursts(double value, double length) implements Fault {
         /**
-         * Creates bursts of wrong readings.
+         * Creates bursts of missing readings.
          *
          * @param value the rate at which bursts begin, per second outside bursts
          * @param length the mean length of a burst, seconds, positive

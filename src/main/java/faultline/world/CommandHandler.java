@@ -43,7 +43,8 @@ final class CommandHandler {
 
     /** Executes a command, or refuses it. */
     CommandResult execute(Command command) {
-        // Made here, because most runs have no command, and a world would start later with these functions.
+        // The functions are created here, because most runs have no command, and creating them earlier would delay the
+        // start of a world.
         return command.match(new CommandCases<>(
                 this::switchSensor,
                 this::configureSensor,

@@ -5,17 +5,17 @@ import faultline.geometry.OrientedBox;
 
 /**
  * The distance that the body can still move without touching a static obstacle. While a tick's motion is within this
- * distance, no contact is tested. Confined to the world's thread.
+ * distance, no contact is tested. Confined to the simulation thread.
  *
- * <p>Two bounds are kept. The circle about the body is safe for any rotation; the body itself is safe for less
- * translation and rotation, but nearer to obstacles.
+ * <p>Two bounds are stored. The bound for the circle about the body holds for any rotation. The bound for the body
+ * itself allows less translation and rotation, but also applies nearer to obstacles.
  */
 final class FreeTravel {
 
     /** The distance around the body within which obstacles are searched, metres. */
     private static final double LOOK_AHEAD = 0.5;
 
-    /** Kept in reserve, metres: far above rounding. */
+    /** The safety margin, metres: far above rounding errors. */
     private static final double MARGIN = 1e-6;
 
     private final ObstacleSet obstacles;
@@ -34,7 +34,7 @@ final class FreeTravel {
     }
 
     /**
-     * Takes a motion from the free travel if it is certain to touch nothing.
+     * Subtracts a motion from the free travel if it is certain to touch nothing.
      *
      * @param body the body before the motion
      * @param time seconds, at the body's current wheel speeds

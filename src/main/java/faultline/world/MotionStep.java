@@ -13,8 +13,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Moves obstacles and robot together through one tick, exactly, until the robot first touches something. There the
- * robot stops for good. A moving obstacle waits while its path leads into the robot.
+ * Moves obstacles and robot together through one tick, exactly, until the robot first touches something. At the first
+ * contact the robot stops permanently. A moving obstacle waits while its path leads into the robot.
  */
 final class MotionStep {
 
@@ -29,7 +29,7 @@ final class MotionStep {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
-    /** A collision names what is this near, metres. */
+    /** A collision names an obstacle that is at most this far away, metres. */
     private static final double NAMING_TOLERANCE = 1e-6;
 
     private final ObstacleSet obstacles;

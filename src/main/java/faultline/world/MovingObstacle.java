@@ -18,7 +18,7 @@ final class MovingObstacle extends PlacedObstacle {
         follower = new WaypointFollower(obstacle.motion(), obstacle.pose().position());
         current = super.geometry();
         frame = current.frame();
-        // Rounding must not hide a part that just reaches.
+        // Rounding must not hide a part that is just within the distance.
         boundingRadius = obstacle.shape().boundingRadius() * (1 + 1e-9) + 1e-9;
     }
 

@@ -46,12 +46,12 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
     }
 
     /**
-     * Returns the geometry of an obstacle without those segments that are farther from a point than a distance, which
-     * is made faster for a floor plan.
+     * Returns the geometry of an obstacle without those segments that are farther from a point than a distance. For a
+     * floor plan it is created faster than the whole geometry.
      */
     static ObstacleGeometry near(Obstacle obstacle, Vector2 point, double distance) {
         RigidMotion frame = RigidMotion.of(obstacle.pose());
-        // Rounding must not hide a segment that just reaches.
+        // Rounding must not hide a segment that is just within the distance.
         Placement placement = new Placement(frame, frame.toLocal(point), distance + 1e-6);
         return new ObstacleGeometry(placement.partsOf(obstacle.shape()), obstacle.shape(), frame);
     }

@@ -12,10 +12,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The obstacles and the enclosing wall of a running world; mutable, confined to the world's thread. */
+/** The obstacles and the enclosing wall of a running world; mutable, confined to the simulation thread. */
 final class ObstacleSet {
 
-    /** The number of parts of an obstacle for which there is room at first: those of a rectangle. */
+    /** The initial capacity for the parts of an obstacle: those of a rectangle. */
     private static final int EXPECTED_PARTS = 4;
 
     private final WorldSpec spec;
@@ -99,7 +99,7 @@ final class ObstacleSet {
             return listObstacles();
         }
         if (listVersion != version) {
-            // An immutable copy, which a snapshot does not copy again.
+            // An immutable list, which a snapshot does not copy again.
             list = List.copyOf(listObstacles());
             listVersion = version;
         }

@@ -20,8 +20,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The robot's body in motion; mutable, confined to the world's thread. Pose and speeds are kept as numbers, so that a
- * tick allocates nothing.
+ * The robot's body in motion; mutable, confined to the simulation thread. Pose and speeds are kept as numbers, so that
+ * a tick allocates nothing.
  */
 final class RobotBody {
 
@@ -56,7 +56,7 @@ final class RobotBody {
     }
 
     private void setHeading(double newHeading) {
-        // A zero may have changed its sign.
+        // The sign of a zero may have changed.
         if (newHeading != heading || newHeading == 0) {
             cos = StrictTrig.cos(newHeading);
             sin = StrictTrig.sin(newHeading);
@@ -145,7 +145,7 @@ final class RobotBody {
         rightSpeed = rightMotor.step(rightSpeed, effectiveVolts(MotorSide.RIGHT, rightMotor, rightVolts), decay);
     }
 
-    /** Returns the voltage that has an effect, which a motor limits again. */
+    /** Returns the voltage that has an effect after the faults; the motor limits it again. */
     private double effectiveVolts(MotorSide side, MotorSpec motor, double volts) {
         return motorFaults == MotorFaults.NONE ? volts : motorFaults.apply(side, motor.limit(volts));
     }

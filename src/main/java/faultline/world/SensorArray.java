@@ -14,7 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The robot's sensors in action: true and reported readings, tick by tick; mutable, confined to the world's thread.
+ * The robot's sensors in action: true and reported readings, tick by tick; mutable, confined to the simulation thread.
  *
  * <p>The static shapes that a sensor may see are collected for all poses near the present one, and again when the robot
  * has left that region or obstacles have been edited.
@@ -38,7 +38,7 @@ final class SensorArray {
     private final CandidateBuffer candidates = new CandidateBuffer();
     private final CandidateBuffer farCandidates = new CandidateBuffer();
     private final List<MovingObstacle> movingNear = new ArrayList<>();
-    /** The sensors that may see something in the region, {@link #awakeCount} of them. */
+    /** The indexes of the sensors that may see something in the region; the first {@link #awakeCount} are valid. */
     private final int[] awake;
 
     private int awakeCount;
@@ -152,7 +152,10 @@ final class SensorArray {
         }
     }
 
-    /** Lets the sensors sleep that see nothing in the whole region, as long as no moving obstacle is near. */
+    /**
+     * Selects the sensors that may see something in the region. The others are not evaluated as long as no moving
+     * obstacle is near.
+     */
     private void wakeThoseThatMaySee() {
         awakeCount = 0;
         for (int i = 0; i < truth.length; i++) {

@@ -12,7 +12,7 @@ import java.util.List;
 
 /**
  * A sensor's cone that moves with the robot, and the static shapes that it may see while the robot stays near a pose.
- * Confined to the world's thread.
+ * Confined to the simulation thread.
  */
 final class SensorCone {
 

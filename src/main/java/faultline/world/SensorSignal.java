@@ -8,7 +8,7 @@ import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The signal of one sensor: its readings with noise and faults. Confined to the world's thread. */
+/** The signal of one sensor: its readings with noise and faults. Confined to the simulation thread. */
 final class SensorSignal {
 
     private record ActiveFault(Fault fault, FaultContext context) {}

@@ -1,6 +1,8 @@
 package faultline.world;
 
-/** The owner of some convex shapes: an obstacle at one place, or the enclosing wall. Confined to the world's thread. */
+/**
+ * The owner of some convex shapes: an obstacle at one place, or the enclosing wall. Confined to the simulation thread.
+ */
 class ShapeOwner {
 
     private final String id;

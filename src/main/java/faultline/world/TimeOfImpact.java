@@ -20,7 +20,7 @@ import faultline.robot.Velocity;
  */
 final class TimeOfImpact {
 
-    /** The gap that counts as contact, metres: far above rounding errors, far below the tolerance of 1e-9. */
+    /** The gap that counts as contact, metres: far above rounding errors and far below the tolerance of 1e-9. */
     static final double TOUCH_DISTANCE = 1e-10;
 
     private static final int MAX_STEPS = 100_000;

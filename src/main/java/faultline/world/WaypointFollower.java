@@ -4,7 +4,7 @@ import faultline.geometry.Vector2;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The progress of a moving obstacle along its path; mutable, confined to the world's thread. */
+/** The progress of a moving obstacle along its path; mutable, confined to the simulation thread. */
 final class WaypointFollower {
 
     /**
@@ -18,8 +18,8 @@ final class WaypointFollower {
     record Leg(double from, double to, Vector2 start, Vector2 velocity) {}
 
     /**
-     * A way-point is reached within this distance, metres: one at which the obstacle just touches the robot would
-     * otherwise never be reached.
+     * A way-point is reached within this distance, metres; otherwise a way-point at which the obstacle just touches the
+     * robot would never be reached.
      */
     private static final double ARRIVAL_TOLERANCE = 1e-9;
 

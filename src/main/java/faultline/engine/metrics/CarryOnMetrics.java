@@ -10,10 +10,10 @@ import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 
 /**
- * Judges from ground truth whether a robot carries on after a fault: no contact, and within the time of two laps at
- * least 0.80 of the wall that it is at is passed within 0.15 m of the wanted path. A lap's time is its length by the
- * robot's speed, and 10 s for its corners. The clock starts at the last fault of the timeline, or at 0 without one; if
- * the robot has not met a wall by then, it starts when it does. Contact counts from the beginning.
+ * Judges from ground truth whether a robot carries on after a fault: no contact, and within the time of two laps the
+ * robot passes at least 0.80 of its wall within 0.15 m of the wanted path. The time of a lap is its length divided by
+ * the robot's speed, plus 10 s for its corners. The clock starts at the last fault of the timeline, or at 0 without
+ * one; if the robot has not met a wall by then, it starts when it does. A contact counts from the beginning of the run.
  */
 public final class CarryOnMetrics implements TickObserver {
 

@@ -3,8 +3,8 @@ package faultline.engine.metrics;
 import java.util.Arrays;
 
 /**
- * A number for each of some cells, which {@link CellKey} identifies. In place of a map of boxed keys, because the
- * coverage of one run looks up millions of cells.
+ * A number for each of some cells, which {@link CellKey} identifies. This class replaces a map with boxed keys, because
+ * the coverage of one run looks up millions of cells.
  */
 final class CellNumbers {
 
@@ -38,7 +38,7 @@ final class CellNumbers {
         return size == 0;
     }
 
-    /** Gives a cell a number, not negative, instead of any other. */
+    /** Sets the number of a cell, not negative. */
     void put(long key, int value) {
         int slot = slot(key);
         if (values[slot] == NONE) {

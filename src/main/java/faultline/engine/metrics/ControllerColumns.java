@@ -9,10 +9,10 @@ import java.util.List;
 final class ControllerColumns implements ColumnGroup {
 
     private static final List<TraceColumn> COLUMNS = List.of(
-            new TraceColumn("left_volts", "V", "what the controller gives the left motors"),
-            new TraceColumn("right_volts", "V", "what the controller gives the right motors"),
-            new TraceColumn("wanted_m", "m", "distance that the controller holds"),
-            new TraceColumn("measured_m", "m", "distance that the controller goes by"),
+            new TraceColumn("left_volts", "V", "output of the controller to the left motors"),
+            new TraceColumn("right_volts", "V", "output of the controller to the right motors"),
+            new TraceColumn("wanted_m", "m", "distance that the controller maintains"),
+            new TraceColumn("measured_m", "m", "distance that the controller uses"),
             new TraceColumn("p_rad_s", "rad/s", "P term of the distance control"),
             new TraceColumn("d_rad_s", "rad/s", "D term of the distance control"),
             new TraceColumn("t_f3_s", "s", "time of frame F3 since the last spin began"),

@@ -21,10 +21,10 @@ final class Coverage {
     /** Places nearer to each other than this are joined, metres. */
     private static final double JOIN_DISTANCE = 0.025;
 
-    /** Points of the path nearer to the last one than this are not looked at, metres. */
+    /** Points of the path nearer to the last one than this are skipped, metres. */
     private static final double MIN_STEP = 0.002;
 
-    /** Walls are compared with the path by squares of this side first, metres. */
+    /** The side of the squares by which walls are first compared with the path, metres. */
     private static final double AREA_SIZE = 1;
 
     private final WallReference walls;
@@ -36,7 +36,7 @@ final class Coverage {
 
     private final CellNumbers pendingAreas = new CellNumbers();
     private Vector2 last = new Vector2(Double.POSITIVE_INFINITY, 0);
-    /** Made when it is first needed. */
+    /** Created when it is first needed. */
     private PlaceMap places;
 
     private int pieces;
@@ -48,7 +48,7 @@ final class Coverage {
         this.distance = distance;
     }
 
-    /** Notes that the robot's centre was at a point; one point a square centimetre is kept. */
+    /** Records that the robot's centre was at a point; one point a square centimetre is kept. */
     void visit(Vector2 centre) {
         if (centre.distanceTo(last) >= MIN_STEP) {
             long cell = CellKey.of(centre, SPACING);
@@ -79,7 +79,7 @@ final class Coverage {
         return Double.isNaN(share) ? OptionalDouble.empty() : OptionalDouble.of(share);
     }
 
-    /** Samples the walls near the pending points; points nearer to the last one than the tolerance need no look. */
+    /** Samples the walls near the pending points; points nearer to the last one than the tolerance need no sampling. */
     private void sampleNearPath() {
         Vector2 from = null;
         for (Vector2 point : pending.points()) {

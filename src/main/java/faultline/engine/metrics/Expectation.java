@@ -52,7 +52,7 @@ public record Expectation(List<Condition> conditions) {
         <R> R match(ConditionCases<R> cases);
 
         /**
-         * {@return a sentence on what the run did not hold; empty if the condition is met}
+         * {@return a sentence about how the run fails to meet the condition; empty if the condition is met}
          *
          * @param result the result of the run
          */
@@ -74,7 +74,7 @@ public record Expectation(List<Condition> conditions) {
      * @param collides for whether the robot collides
      * @param minCoverage for the smallest share of the wall
      * @param maxDistanceRms for the greatest distance error
-     * @param visitedState for a state on the way
+     * @param visitedState for a state that is passed through
      * @param finalState for the last state
      */
     public record ConditionCases<R>(

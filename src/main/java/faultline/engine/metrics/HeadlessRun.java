@@ -105,7 +105,7 @@ public final class HeadlessRun {
         }
     }
 
-    /** Lists the states of the controller in the order in which the run first had them. */
+    /** Lists the states of the controller in the order of their first appearance. */
     private static final class VisitedStates implements TickObserver {
         private final Set<ControllerState> visited = new LinkedHashSet<>();
         private ControllerState last;
@@ -113,7 +113,7 @@ public final class HeadlessRun {
         @Override
         public void observe(Simulation simulation) {
             ControllerState state = simulation.telemetry().state();
-            // A set is slow for every tick.
+            // Querying a set in every tick would be slow.
             if (state != last) {
                 visited.add(state);
                 last = state;

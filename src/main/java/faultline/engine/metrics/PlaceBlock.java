@@ -147,7 +147,7 @@ final class PlaceBlock {
                 close.add(near.shape(i));
             }
             if (toCentre < least) {
-                // The nearest wall comes first, because it occupies most.
+                // The nearest wall is tested first, because it occupies the most places.
                 least = toCentre;
                 Collections.swap(close, 0, close.size() - 1);
             }
@@ -166,7 +166,8 @@ final class PlaceBlock {
                 continue;
             }
             double nearness = WallReference.nearness(wall, place(i), distance);
-            // Each of the next places is nearer or farther by a step at most: as many as these do not change sides.
+            // From one place to the next the distance changes by at most a step, so this many places are on the same
+            // side.
             int alike = (int) Math.min(size, (Math.abs(nearness) - WallReference.ROUNDING) / step);
             int end = Math.min(size, i + 1 + Math.max(0, alike));
             for (; i < end; i++) {

@@ -102,7 +102,10 @@ sealed interface PlaceRow {
             return wallLength * ROUNDED_UP;
         }
 
-        /** Places of the arcs count as free up to a little beside their corner. */
+        /**
+         * Returns a number that includes a small margin, because places of the arcs may count as free slightly beside
+         * their corner.
+         */
         @Override
         public int shared(double joinDistance) {
             return 2 + (int) Math.min(size, (joinDistance + 0.002 * offset.length()) / wallLength);

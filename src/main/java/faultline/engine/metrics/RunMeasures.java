@@ -4,7 +4,7 @@ package faultline.engine.metrics;
  * The present measures of a run, from ground truth and the walls at the start. A measure that does not apply is not a
  * number.
  *
- * @param coverage the share of the wall that could be followed that was, in [0, 1]
+ * @param coverage the followed share of the wall that can be followed, in [0, 1]
  * @param distanceRms the distance error on straight walls, metres, root mean square
  * @param followRms the distance error in all of FOLLOW, metres, root mean square
  * @param laps the number of times that the wall was passed, on average over its length

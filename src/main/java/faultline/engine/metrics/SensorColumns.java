@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** The columns that a trace of format 2 has of the sensors: readings, faults, and what the diagnosis thinks of them. */
+/** The columns that a trace of format 2 has of the sensors: readings, faults, and the assessment by the diagnosis. */
 final class SensorColumns implements ColumnGroup {
 
     /** The number of cells of a sensor after its two distances. */

@@ -78,7 +78,7 @@ final class TraceRows {
     }
 
     /** Appends a cell with a word. */
-    @SuppressWarnings("ReferenceEquality") // A copy of an equal word would cost as much as to compare it.
+    @SuppressWarnings("ReferenceEquality") // Comparing the words would take as long as copying an equal one.
     void append(String word) {
         if (word != wordsAbove[column] || above[column] != WORD) {
             wordsAbove[column] = word;
@@ -88,7 +88,7 @@ final class TraceRows {
         endCell();
     }
 
-    /** Leaves the next cells as they are in the row above, which must exist. */
+    /** Repeats the next cells of the row above, which must exist. */
     void repeat(int cells) {
         int next = column + cells;
         for (int mark = column / Long.SIZE; mark < next / Long.SIZE; mark++) {

@@ -17,8 +17,8 @@ import java.util.concurrent.Executors;
  * Writes the trace: a header, then a CSV row for tick 0 and after every tick. Numbers are the shortest that read back
  * to the same bits.
  *
- * <p>Used by the thread of the run, which only collects values. A thread of the trace turns them into text and writes
- * it, a block of rows at a time; the run waits when a block is full before the last one has been written.
+ * <p>Used by the thread of the run, which only collects values. Another thread converts them to text and writes it, a
+ * block of rows at a time; the run waits when a block is full before the last one has been written.
  */
 public final class TraceWriter implements TickObserver, AutoCloseable {
 

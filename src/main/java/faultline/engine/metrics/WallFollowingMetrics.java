@@ -24,7 +24,7 @@ final class WallFollowingMetrics implements TickObserver {
     /** The maximum number of walls for which the places to pass are found during a run that is shown. */
     private static final int MAX_LIVE_WALLS = 5000;
 
-    /** A list, because a set would need the slow start of {@code equals} and {@code hashCode} of a record. */
+    /** A list, because a set would call {@code equals} and {@code hashCode} of a record, whose first calls are slow. */
     private static final List<ControllerState> FOLLOWER_STATES =
             ControllerFactory.states(ControllerSpec.WallFollowing.DEFAULT);
 

@@ -15,7 +15,7 @@ import java.util.function.Function;
  */
 public sealed interface RunEvent {
 
-    /** {@return the tick at whose end the event shows} */
+    /** {@return the tick at whose end the event becomes visible} */
     long tick();
 
     /** {@return the time of the event, seconds} */
@@ -90,7 +90,7 @@ public sealed interface RunEvent {
     /**
      * The controller's diagnosis trusts a sensor more or less than before.
      *
-     * @param tick the first tick in which the controller acts by it
+     * @param tick the first tick in which the controller uses it
      * @param time the time of that tick, seconds
      * @param from the trust before
      * @param health the finding about the sensor now

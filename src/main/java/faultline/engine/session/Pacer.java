@@ -4,7 +4,7 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * Determines how long to wait after a tick, and measures the speed of the run. It is the only class that reads a clock
- * during a run; it decides when a tick is made and never what the tick computes. Used by the thread of the run.
+ * during a run; it determines when a tick is made and never what the tick computes. Used by the thread of the run.
  */
 public final class Pacer {
 
@@ -12,7 +12,7 @@ public final class Pacer {
 
     /**
      * The delay up to which late ticks are caught up, nanoseconds; a longer delay is ignored, so that the run does not
-     * race after a pause of the machine.
+     * catch up at full speed after a pause of the machine.
      */
     private static final long MAX_DEBT = 100_000_000;
 
@@ -26,7 +26,7 @@ public final class Pacer {
     private long windowStart;
     private double achievedSpeed;
 
-    /** Creates a pacer at real time; time begins to run now. */
+    /** Creates a pacer at real time, which starts measuring now. */
     public Pacer() {
         restart();
     }

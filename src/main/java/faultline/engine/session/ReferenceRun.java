@@ -15,8 +15,8 @@ import java.util.concurrent.CancellationException;
 import java.util.function.LongPredicate;
 
 /**
- * An earlier run to compare a later one with: the robot's pose at every tick, and the first difference of the two. It
- * is made by repeating the run, which gives the same bits.
+ * An earlier run to compare a later one with: the robot's pose at every tick, and the first difference between the two.
+ * It is created by repeating the run, which gives the same bits.
  */
 public final class ReferenceRun {
 

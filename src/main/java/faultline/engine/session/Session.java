@@ -281,7 +281,7 @@ public final class Session implements SessionView, AutoCloseable {
         LockSupport.unpark(thread);
     }
 
-    // All that follows is called by the simulation thread only.
+    // The methods below are called only by the simulation thread.
 
     private void run() {
         try (simulation) {
@@ -293,7 +293,7 @@ public final class Session implements SessionView, AutoCloseable {
                 publish();
                 awaitNextTick();
             }
-            // Requests from before the end are still answered.
+            // Requests that were submitted before the end are still answered.
             runTasks();
             sendAnswers();
         }
