@@ -54,7 +54,7 @@ final class Arguments {
         }
     }
 
-    /** Returns the values of an option that may be there several times, and the other arguments. */
+    /** Returns the values of an option that may be given several times, and the other arguments. */
     static Map.Entry<List<String>, List<String>> takeAll(String option, List<String> arguments) throws UsageException {
         List<String> values = new ArrayList<>();
         List<String> others = new ArrayList<>();
@@ -78,7 +78,7 @@ final class Arguments {
                     + (known.isEmpty() ? "none" : String.join(", ", known)) + DidYouMean.hint(option, known));
         }
         if (options.containsKey(option)) {
-            throw new UsageException(option + " is there twice");
+            throw new UsageException(option + " is given twice");
         }
     }
 
@@ -163,7 +163,7 @@ final class Arguments {
         if (conflict.isPresent()) {
             throw new UsageException(
                     "the output " + MessageText.quoted(conflict.get().toString())
-                            + " is an input or another output; expected a file of its own");
+                            + " is an input or another output; expected another file");
         }
     }
 
@@ -180,15 +180,15 @@ final class Arguments {
         } catch (InvalidPathException e) {
             // Reported below, like the empty name.
         }
-        throw new UsageException(MessageText.quoted(name) + " is no name for a file" + encodingHint(name));
+        throw new UsageException(MessageText.quoted(name) + " cannot be the name of a file" + encodingHint(name));
     }
 
-    /** Says how to name the file if the encoding of the locale, which is that of the names of files, lacks a letter. */
+    /** Returns a hint if the encoding of the locale, which is also that of file names, lacks a letter of the name. */
     private static String encodingHint(String name) {
         String encoding = System.getProperty("sun.jnu.encoding", "UTF-8");
         boolean limited = File.separatorChar == '/' && !encoding.equals("UTF-8") && Charset.isSupported(encoding);
         return limited && !Charset.forName(encoding).newEncoder().canEncode(name)
-                ? " in the encoding of this locale, " + encoding + "; with LC_ALL=C.UTF-8 it may be one"
+                ? " in the encoding of this locale, " + encoding + "; it may be possible with LC_ALL=C.UTF-8"
                 : "";
     }
 }

@@ -70,11 +70,11 @@ final class CommandLine {
         } catch (RunFailedException e) {
             return reportError(ExitCode.RUN_FAILED, "faultline: the run broke: " + e.getMessage());
         } catch (RuntimeException | Error e) {
-            return reportError(ExitCode.RUN_FAILED, "faultline: the program failed, which is its own fault: " + e);
+            return reportError(ExitCode.RUN_FAILED, "faultline: internal error: " + e);
         }
     }
 
-    /** Returns a sentence; the messages of the file system are often the name of a file alone. */
+    /** Returns a sentence, because the messages of the file system are often only the name of a file. */
     private static String describe(IOException e) {
         if (e instanceof FileSystemException file && file.getFile() != null) {
             return file.getFile() + ": " + reason(file);
@@ -91,7 +91,7 @@ final class CommandLine {
         }
         if (e instanceof FileAlreadyExistsException) {
             return Files.isSymbolicLink(Path.of(e.getFile()))
-                    ? "this link leads to no folder; expected a folder"
+                    ? "this link does not lead to a folder; expected a folder"
                     : "this is a file; expected a folder";
         }
         return e.getReason() == null ? "the file cannot be used" : e.getReason();

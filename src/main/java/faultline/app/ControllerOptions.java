@@ -35,7 +35,7 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
                     "--jar is " + MessageText.quoted(jar.get().toString()) + ", and there is no such file");
         }
         if (jar.isPresent() && !isJar(jar.get())) {
-            throw new UsageException("--jar is " + MessageText.quoted(jar.get().toString()) + ", which is no jar");
+            throw new UsageException("--jar is " + MessageText.quoted(jar.get().toString()) + ", which is not a jar");
         }
         return new ControllerOptions(
                 patience(given), given.has("--truth"), jar.stream().toList());

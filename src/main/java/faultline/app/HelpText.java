@@ -28,7 +28,7 @@ final class HelpText {
               --json                       print the summary as one JSON object
               --controller WHICH           with a controller in a child process, such as "python3 my.py", or one in Java
               --jar FILE.jar               find controllers in Java in this file as well
-              --patience S|none            how long a child may take for an answer (default: 10)
+              --patience S|none            how long a child may take to answer (default: 10)
               --truth                      give it the ground truth as well
             faultline compare FILE --controller A --controller B... --out FILE.html
                                            run each controller in the scenario; make a table and a page
@@ -37,7 +37,7 @@ final class HelpText {
               --open                       show the first two in the window, the second as a ghost
             faultline serve FILE [--truth] step a scenario from outside, over standard input and output
             faultline controller FILE      act as the child of --controller, with the controller of a scenario
-            faultline import MAP --out FILE make a scenario of a floor plan: a map_server YAML file or an image
+            faultline import MAP --out FILE make a scenario from a floor plan: a map_server YAML file or an image
               --resolution M               the side of a pixel in metres, for an image
               --unknown free|wall          what unknown cells are (default: free)
               --min-cells N                drop groups of fewer solid cells

@@ -24,7 +24,7 @@ final class TerminalProgress {
         this.visible = visible;
     }
 
-    /** Returns a bar for standard error, which shows nothing if that is no terminal. */
+    /** Returns a bar for standard error, which shows nothing if that is not a terminal. */
     static TerminalProgress on(PrintStream err) {
         return new TerminalProgress(err, err == System.err && isTerminal());
     }

@@ -24,7 +24,7 @@ public final class ControllerChoice {
     /** The name of the built-in wall follower, which uses the settings of the scenario if it has any. */
     public static final String WALL_FOLLOWER = "wall-follower";
 
-    /** The name of the controller that lets the robot stand still. */
+    /** The name of the controller with which the robot stands still. */
     public static final String NONE = "none";
 
     private ControllerChoice() {}
@@ -98,7 +98,7 @@ public final class ControllerChoice {
                 files.add(file);
             }
         } catch (InvalidPathException noPath) {
-            // A word that is no path names no file.
+            // A word that is not a path does not name a file.
         }
     }
 
@@ -131,7 +131,7 @@ public final class ControllerChoice {
         try {
             return jar.toUri().toURL();
         } catch (MalformedURLException e) {
-            throw new IllegalArgumentException("no path of a file: " + jar, e);
+            throw new IllegalArgumentException("not the path of a file: " + jar, e);
         }
     }
 

@@ -17,7 +17,7 @@ import java.util.function.Consumer;
 
 /**
  * A controller in a child process, called in lock-step by the simulation thread. If the child violates the protocol or
- * a time-out, the run ends with a {@link RunFailedException}; its decision is never replaced by another.
+ * exceeds a time limit, the run ends with a {@link RunFailedException}; no decision replaces the missing one.
  */
 public final class ExternalController implements Controller, TickObserver, AutoCloseable {
 
@@ -158,7 +158,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     }
 
     /**
-     * Informs the child that the run has ended; the child's behaviour after that has no effect.
+     * Informs the child that the run has ended; what the child does after that has no effect.
      *
      * @param reason the reason for the end, such as {@code duration}
      * @param trajectoryHash the trajectory hash of the whole run

@@ -44,7 +44,8 @@ public final class ProcessControllerSource implements ControllerSource, TickObse
     }
 
     /**
-     * {@return this source, which then keeps a child open at the end of its run, so that a result can be sent to it}
+     * {@return this source, which from then on keeps a child open at the end of its run, so that a result can be sent
+     * to it}
      */
     public ProcessControllerSource keepOpen() {
         keepsOpen = true;

@@ -17,11 +17,13 @@ final class ResponseTimeout {
 
     private static final double NANOS_PER_SECOND = 1e9;
 
-    /** The share of the limit that counts in full, so that measuring the child does not delay quick answers. */
+    /**
+     * The share of the limit during which all time counts, so that measuring the child does not delay quick answers.
+     */
     private static final double COUNTED_IN_FULL = 0.1;
 
     private final ProcessHandle child;
-    /** In nanoseconds, like the following two. */
+    /** The limit, nanoseconds; the following two are nanoseconds, too. */
     private final double limit;
 
     private double waited;

@@ -14,7 +14,7 @@ public enum FloorPlanProblem implements Message.Template {
     /** A map file has a key twice. */
     DUPLICATE_KEY("\"{0}\" is given twice; expected once"),
     /** A map file lacks a key. */
-    MISSING_KEY("there is no \"{0}\", a map file needs it"),
+    MISSING_KEY("there is no \"{0}\"; a map file needs it"),
     /** A map file has a misspelt key. */
     MISSPELT_KEY("there is no \"{0}\"; \"{1}\" may be meant as \"{0}\""),
     /** The map file is not text. */
@@ -81,7 +81,7 @@ public enum FloorPlanProblem implements Message.Template {
     /** The map does not fit into the memory. */
     MEMORY("the map needs more memory than the program has; start it with more"),
     /** The map has no free place of the robot's size. */
-    NO_ROOM("the robot, {0} m long and {1} m wide, has room nowhere in a map of {2} x {3} m;"
+    NO_ROOM("the robot, {0} m long and {1} m wide, does not fit anywhere in a map of {2} x {3} m;"
             + " the resolution, the threshold or negate may be wrong");
 
     private final String english;

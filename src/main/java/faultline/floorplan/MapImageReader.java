@@ -60,7 +60,7 @@ final class MapImageReader {
         } catch (FloorPlanException e) {
             throw e;
         } catch (FileSystemException e) {
-            // Its message is only the name of the file.
+            // The message of this exception is only the name of the file.
             throw new FloorPlanException(file, ProblemKind.UNREADABLE_FILE.with());
         } catch (IOException | RuntimeException e) {
             throw new FloorPlanException(file, FloorPlanProblem.UNREADABLE_IMAGE.with(reason(e)));
@@ -74,8 +74,8 @@ final class MapImageReader {
     }
 
     /**
-     * Returns the reason in words, as a message or as text; the exceptions at run time of the JDK's readers describe
-     * the reader, not the file.
+     * Returns the reason in words, as a message or as text. The runtime exceptions of the JDK's readers describe the
+     * reader, not the file.
      */
     private static Object reason(Exception e) {
         if (e instanceof EOFException) {

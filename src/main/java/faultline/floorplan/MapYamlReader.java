@@ -29,7 +29,7 @@ import java.util.Optional;
 final class MapYamlReader {
 
     private static final long MAX_BYTES = 1 << 20;
-    /** Less than the greatest heading of an obstacle, a million degrees. */
+    /** The maximum yaw, which is less than the greatest heading of an obstacle, a million degrees. */
     private static final double MAX_YAW = 17_000;
 
     private static final int MAX_SHOWN_PATH = 1000;

@@ -113,7 +113,7 @@ class CampaignCommandTest {
     void aLinkThatLeadsNowhereIsNotCalledAFile() throws IOException {
         Files.createSymbolicLink(folder.resolve("link"), folder.resolve("nowhere"));
         assertEquals(2, command("campaign @/plan.xml --out @/link"));
-        assertEquals("faultline: @/link: this link leads to no folder; expected a folder", errors().strip());
+        assertEquals("faultline: @/link: this link does not lead to a folder; expected a folder", errors().strip());
         Files.writeString(folder.resolve("file"), "kept");
         assertEquals(2, command("campaign @/plan.xml --out @/file"));
         assertEquals("faultline: @/file: this is a file; expected a folder", errors().strip());

@@ -206,24 +206,24 @@ class CommandLineTest {
             run a.xml -x                    | there is no option "-x" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
             run a.xml --pace 0              | --pace is "0"; expected a multiple of real time from 0.001 to 1000000
             run a.xml --pace 1e-320         | --pace is "1e-320"; expected a multiple of real time from 0.001 to 1000000
-            run a.xml --jar pom.xml         | --jar is "pom.xml", which is no jar
+            run a.xml --jar pom.xml         | --jar is "pom.xml", which is not a jar
             run a.xml --jar none.jar        | --jar is "none.jar", and there is no such file
-            run a.xml --jar .               | --jar is ".", which is no jar
+            run a.xml --jar .               | --jar is ".", which is not a jar
             run a.xml --seed                | --seed needs a value
             run a.xml --film --until 5      | --film needs a value, and "--until" is an option
-            run a.xml --seed 1 --seed 2     | --seed is there twice
+            run a.xml --seed 1 --seed 2     | --seed is given twice
             run a.xml --seed 1.5            | --seed is "1.5"; expected a whole number from -9223372036854775808 to 9223372036854775807
             run a.xml --seed ９             | --seed is "９"; expected a whole number from -9223372036854775808 to 9223372036854775807
             run a.xml --until -1            | --until is "-1"; expected a number from 0 to 10000000 seconds
             run a.xml --until NaN           | --until is "NaN"; expected a number from 0 to 10000000 seconds
             run a.xml --until 1e999         | --until is "1e999"; expected a number from 0 to 10000000 seconds
             run a.xml --threads controler   | --threads is "controler"; expected controller or none; did you mean "controller"?
-            run a.xml --trace b --image ./b | the output "./b" is an input or another output; expected a file of its own
-            run a.xml --journal a.xml       | the output "a.xml" is an input or another output; expected a file of its own
+            run a.xml --trace b --image ./b | the output "./b" is an input or another output; expected another file
+            run a.xml --journal a.xml       | the output "a.xml" is an input or another output; expected another file
             run a.xml --controller cat --patience 1e-999 | --patience is "1e-999"; expected none or a number of seconds above 0, up to 10000000
             run a.xml --trace-format 2      | --trace-format needs --trace OUT.csv
             run a.xml --threads controller --controller cat | --threads is "controller"; expected none, because the child process of --controller runs by itself
-            run a.xml --trace=              | "" is no name for a file
+            run a.xml --trace=              | "" cannot be the name of a file
             campaign a.xml --resum          | there is no option "--resum" here; expected --out, --jobs, --shard, --resume; did you mean "--resume"?
             campaign a.xml --resume=yes     | --resume takes no value
             compare a.xml --controler none  | there is no option "--controler" here; expected --controller, --seeds, --out, --until, --jar, --patience, --truth, --open; did you mean "--controller"?
@@ -246,7 +246,7 @@ class CommandLineTest {
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
         builder.environment().put("LC_ALL", "C");
         String output = JavaProcess.output(builder.start());
-        assertTrue(output.contains("is no name for a file in the encoding of this locale, "), output);
+        assertTrue(output.contains("cannot be the name of a file in the encoding of this locale, "), output);
         assertTrue(output.contains("LC_ALL=C.UTF-8"), output);
     }
 

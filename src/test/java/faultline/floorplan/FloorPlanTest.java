@@ -281,7 +281,7 @@ class FloorPlanTest {
             {image: m.pgm, resolution 1}         | m.yaml:1:16: a line is "resolution 1"; expected "key: value"
             {image: m.pgm, resolution: 1         | m.yaml:1:1: there is no "image"; "{image" may be meant as "image"
             {image: m.pgm,@ image: b}            | m.yaml:2:2: "image" is given twice; expected once
-            {image: 'm.pgm, resolution: 1}       | m.yaml:1:1: there is no "resolution", a map file needs it
+            {image: 'm.pgm, resolution: 1}       | m.yaml:1:1: there is no "resolution"; a map file needs it
             image: m.pgm@resolution: [1,@2       | m.yaml:2:13: resolution is "[1, 2"; expected a number
             """)
     void aWrongMappingInBracesIsReportedWithItsPlace(String content, String expected) throws IOException {

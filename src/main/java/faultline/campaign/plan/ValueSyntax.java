@@ -81,7 +81,7 @@ public final class ValueSyntax {
         }
         for (String bound : List.of(interval.group(1), interval.group(2))) {
             if (Double.isInfinite(new BigDecimal(bound).doubleValue())) {
-                // Beyond the limits of every attribute, whose check then names this bound.
+                // The number is beyond the limits of every attribute, so the check of the attribute reports this bound.
                 return Optional.of(fixed(List.of(bound)));
             }
         }

@@ -84,11 +84,10 @@ public final class CampaignReport {
                 + " combinations in each. ";
         String meaning =
                 "A robot carries on if it touches nothing and, in the time of two laps after the fault, passes at"
-                        + " least 0.80 of the wall that it is at within 0.15 m of the wanted path. ";
+                        + " least 0.80 of the wall that it follows within 0.15 m of the wanted path. ";
         String pairing = plan.worldCount() > 1
-                ? "Runs in one world are alike; an interval is that of as many independent runs as they are worth."
-                : "All runs are in one world: intervals say what other seeds and draws would give there, not what other"
-                        + " worlds would.";
+                ? "Runs in one world are correlated, so intervals use the effective number of independent runs."
+                : "All runs are in one world: intervals cover other seeds and draws in it, but not other worlds.";
         return Html.section(
                 "Summary",
                 Html.paragraph(size + meaning + pairing) + undecided() + "<p>All runs: " + Html.survival(all) + "</p>\n"

@@ -22,7 +22,7 @@ final class FaultSections {
 
     private static final String DELAYS_EXPLAINED =
             "Seconds from a fault until the controller distrusts the sensor: the median, the 90 % quantile, and the"
-                    + " share of runs in which it does, of those with a diagnosis. A fault that disturbs little need"
+                    + " share of runs in which it does, of those with a diagnosis. A fault with little effect need"
                     + " not be detected.";
 
     /** The column of the delay until a fault is detected. */
@@ -143,10 +143,10 @@ final class FaultSections {
         RunData.group(data.rows(), row -> row.text(column)).forEach((set, rows) -> sets.put(set, Survival.of(rows)));
         return Html.section(
                 "Minimum sets of sensors",
-                Html.paragraph("A set is sufficient if the robot carries on in at least 85 % of its runs, minimum if no"
+                Html.paragraph("A set is sufficient if the robot carries on in at least 85 % of its runs, minimal if no"
                                 + " smaller set inside it is sufficient. " + count(sets, FaultSections::isSufficient)
-                                + " of " + sets.size() + " sets are sufficient. It is certain if its whole 95 %"
-                                + " interval lies there, which takes 22 runs or more; "
+                                + " of " + sets.size() + " sets are sufficient. A set is certain if its whole 95 %"
+                                + " interval is at 85 % or more, which requires 22 runs or more; "
                                 + count(sets, FaultSections::isCertain) + " are certain.")
                         + minimumTable(sets)
                         + "<h3>All sets</h3>\n"

@@ -41,7 +41,7 @@ final class VariantSections {
     private String comparison(Comparison comparison, List<String> levels) {
         return Html.paragraph("Share of runs carried on at each level, and the difference to " + levels.get(0)
                         + " on the same worlds, seeds and draws, in percentage points with its 95 % interval (paired,"
-                        + " Newcombe). A difference whose interval does not hold 0 is in bold. Intervals are not"
+                        + " Newcombe). A difference whose interval does not contain 0 is in bold. Intervals are not"
                         + " corrected for their number: where nothing differs, one in twenty is in bold by chance.")
                 + survivalTable(comparison, levels)
                 + forests(comparison, levels)

@@ -104,7 +104,7 @@ public final class CampaignFolder {
         Optional<Path> conflict = LinkResolver.findConflict(inputs, tables());
         if (conflict.isPresent()) {
             throw new IOException(
-                    conflict.get() + ": this is another file of the campaign too; expected a file of its own");
+                    conflict.get() + ": this is also another file of the campaign; expected a different file");
         }
     }
 
@@ -188,7 +188,7 @@ public final class CampaignFolder {
 
     /**
      * Removes the temporary files of a killed process. The lock of this folder shows that no process writes them, so a
-     * file may be removed however young it is.
+     * file can be removed at any age.
      */
     private void removeTemporaryFiles() throws IOException {
         for (Path inside : List.of(folder, plan(), replays())) {

@@ -62,7 +62,7 @@ public final class ResultColumns {
             new ResultColumn(
                     "laps",
                     "",
-                    "how often the wall was passed since the clock started, on average over its length",
+                    "passes of the wall since the clock started, on average over its length",
                     run -> fixed(run.carry().laps().orElse(Double.NaN), 3)),
             new ResultColumn(
                     "clock_start_s",
@@ -124,7 +124,7 @@ public final class ResultColumns {
                     "m",
                     "largest error of a reading of the sensor during the detection delay",
                     run -> fixed(run.diagnosis().errorBeforeDetection().orElse(Double.NaN), 4)),
-            new ResultColumn("failure", "", "why the run broke, empty if it did not", run -> ""));
+            new ResultColumn("failure", "", "why the run failed, empty if it did not", run -> ""));
 
     private ResultColumns() {}
 
