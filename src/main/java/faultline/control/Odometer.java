@@ -116,7 +116,7 @@ public final class Odometer {
     }
 
     /**
-     * {@return how long the lag of the motors of the last update lasts, seconds} A speed w that is no longer commanded
+     * {@return the duration of the lag of the motors in the last update, seconds} A speed w that is no longer commanded
      * still results in a distance of w times this. It is the sum of the decays of all later ticks, which for short
      * ticks is the motor's time constant.
      */

@@ -130,7 +130,7 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Moves the written files of one command into place. Nothing is moved before all are on the disk, and a signal that
      * arrives after the first move ends the process after the last one. A file system that refuses a move, or a process
-     * that is killed in between, leaves some files as they were.
+     * that is killed between these moves, leaves some files as they were.
      *
      * @param files the files, each at another place
      * @throws IOException if one cannot be moved

@@ -129,7 +129,7 @@ final class TemporaryFile {
 
     /**
      * Moves files into place. If a signal arrives meanwhile, the process ends after the last move; if it is ending
-     * already, the files do not exist any more and the first move fails.
+     * already, the files no longer exist and the first move fails.
      */
     static void keepAliveDuring(Moves moves) throws IOException {
         UnfinishedFiles.keepAlive(moves);

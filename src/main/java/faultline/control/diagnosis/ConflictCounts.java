@@ -20,7 +20,7 @@ final class ConflictCounts {
 
     private final int sensors;
     private final double[] counts;
-    /** For each sensor, whether any of its counts matters. */
+    /** For each sensor, whether any of its counts is not negligible. */
     private final boolean[] active;
 
     ConflictCounts(int sensors) {
@@ -63,12 +63,12 @@ final class ConflictCounts {
         counts[sensor * sensors + sensor] = 0;
     }
 
-    /** Returns whether a sensor has any count at all. */
+    /** Returns whether any count of a sensor is not negligible. */
     boolean isActive(int sensor) {
         return active[sensor];
     }
 
-    /** Returns the count against a sensor: by itself and by the others of a mask. */
+    /** Returns the count against a sensor: contradictions by itself and by the other sensors of a mask. */
     double against(int sensor, int others) {
         double sum = counts[sensor * sensors + sensor];
         for (int other = 0; other < sensors; other++) {

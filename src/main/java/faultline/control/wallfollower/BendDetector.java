@@ -66,7 +66,10 @@ final class BendDetector {
                 && sign * tracker.meanInnovation(count) > threshold;
     }
 
-    /** Returns the number of innovations whose mean has so little noise that a bend shows, as far as possible. */
+    /**
+     * Returns the number of innovations whose mean has, as far as possible, so little noise that a bend can be
+     * detected.
+     */
     private int meanLength() {
         double ratio = MEAN_NOISE_FACTOR * estimate.leftNoise() / noiselessThreshold();
         return (int) Math.max(1, Math.min(WallTracker.MAX_INNOVATIONS, Math.ceil(ratio * ratio)));

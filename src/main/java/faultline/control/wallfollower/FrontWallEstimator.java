@@ -5,7 +5,7 @@ package faultline.control.wallfollower;
  *
  * <p>One front reading fits walls of all angles: the more slanted the wall, the nearer its foot. A sensor that looks
  * aside decides, because a wall slanted to that side would give a reading there. The estimate is the most slanted wall
- * that contradicts no sensor; without such a sensor, the wall is taken to be square.
+ * that contradicts no sensor; without such a sensor, the wall is assumed to be square to the path.
  *
  * @param front looks ahead
  * @param left looks ahead to the left
@@ -14,7 +14,7 @@ package faultline.control.wallfollower;
 record FrontWallEstimator(SensorView front, SensorView left, SensorView right) {
 
     /**
-     * Along a wall, walls ahead are taken to be slanted by no more than this: inner corners from 35 to 155 degrees are
+     * Along a wall, walls ahead are assumed to be slanted by at most this: inner corners from 35 to 155 degrees are
      * measured. If it were more, the side walls of a narrow passage would count as slanted walls ahead.
      */
     static final double MAX_LEFT_SLANT = StrictMath.toRadians(65);

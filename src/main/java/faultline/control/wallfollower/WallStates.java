@@ -150,7 +150,10 @@ final class WallStates {
         }
     }
 
-    /** Returns the turn rate of the PD controller, radians per second; along a straight wall there is no other. */
+    /**
+     * Returns the turn rate of the PD controller, radians per second, which is the whole turn rate along a straight
+     * wall.
+     */
     double correctingTurnRate() {
         double speed = estimate.robot().speed();
         double lag = estimate.robot().motor().timeConstant() + estimate.period();

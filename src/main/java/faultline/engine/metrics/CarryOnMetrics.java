@@ -29,7 +29,7 @@ public final class CarryOnMetrics implements TickObserver {
     /** The robot's path is sampled in steps of this length, metres. */
     private static final double STEP = 0.02;
 
-    /** The distance after which a place counts again, metres. */
+    /** The distance that the robot must drive before a pass of the same place counts again, metres. */
     private static final double MIN_LAP = 1.0;
 
     private final WallCircuit circuit;

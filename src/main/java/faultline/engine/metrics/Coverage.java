@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * The followed share of the wall. The robot's offset path, that is, all places at the wanted distance from a wall and
- * nowhere nearer to any, consists of connected pieces; the piece of which the robot passed most is the wall that it
+ * The followed share of the wall. The offset path consists of all places at the wanted distance from a wall and not
+ * nearer to any other wall. It has connected pieces; the piece of which the robot passed most is the wall that it
  * followed. A place is passed if the robot's centre was within {@link #TOLERANCE} of it. Walls are sampled only where
- * the robot was, and where they are connected to those.
+ * the robot was, and where they are connected to such walls.
  */
 final class Coverage {
 
@@ -61,7 +61,7 @@ final class Coverage {
         }
     }
 
-    /** Returns whether the robot has been nowhere. */
+    /** Returns whether no point has been recorded. */
     boolean isEmpty() {
         return visited.isEmpty();
     }

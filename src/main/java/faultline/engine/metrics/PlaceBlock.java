@@ -10,12 +10,12 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Up to {@link #LONG} neighbouring places of a row. Those that are free carry the number of the piece of path that they
- * belong to. A block far from all other walls is in one piece, and keeps no numbers for its places.
+ * Up to {@link #LONG} neighbouring places of a row. A free place has the number of the piece of path that it belongs
+ * to. A block far from all other walls belongs to one piece, and stores no numbers for its places.
  */
 final class PlaceBlock {
 
-    /** The number of a free place that is in no piece yet. */
+    /** The number of a free place that does not belong to a piece yet. */
     static final int NO_PIECE = -1;
 
     private static final int OCCUPIED = -2;

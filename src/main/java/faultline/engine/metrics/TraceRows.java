@@ -55,7 +55,7 @@ final class TraceRows {
         size = marks;
     }
 
-    /** Returns a new block for the rows after this one, which gets no more rows. */
+    /** Returns a new block for the next rows; this block gets no more rows. */
     TraceRows next() {
         return new TraceRows(above, wordsAbove, maxRows);
     }

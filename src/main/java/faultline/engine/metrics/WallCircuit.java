@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.function.IntConsumer;
 
 /**
- * The closed paths along the walls of a world at one distance: the places at that distance from a wall and nowhere
- * nearer to any, joined to connected paths. Immutable; runs in the same world can share one.
+ * The closed paths along the walls of a world at one distance: the places at that distance from a wall and not nearer
+ * to any other wall, joined to connected paths. Immutable; runs in the same world can share one.
  */
 public final class WallCircuit {
 
@@ -41,7 +41,7 @@ public final class WallCircuit {
     }
 
     /**
-     * Joins places to paths.
+     * Joins places into paths.
      *
      * @param places the places, in the order of the walls
      * @param spacing the spacing of the places, metres
@@ -133,7 +133,7 @@ public final class WallCircuit {
         return places.size();
     }
 
-    /** Returns the path that a place is on, named by the first place of it. */
+    /** Returns the path that a place is on, identified by its first place. */
     int path(int place) {
         return paths[place];
     }
@@ -143,7 +143,7 @@ public final class WallCircuit {
         return places.get(place).wallLength();
     }
 
-    /** Returns about how long a path is, metres. */
+    /** Returns the approximate length of a path, metres. */
     double length(int path) {
         return lengths[path];
     }

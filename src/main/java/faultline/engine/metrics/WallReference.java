@@ -23,7 +23,7 @@ public final class WallReference {
 
     private final WorldSpec world;
     private final CandidateBuffer candidates = new CandidateBuffer();
-    /** Null until it is needed, because making it takes long in large worlds. */
+    /** Null until it is needed, because creating it takes a long time in large worlds. */
     private SpatialIndex index;
 
     /**
@@ -35,7 +35,7 @@ public final class WallReference {
         this.world = world;
     }
 
-    /** Uses the index that a simulation has made, if it is of the same world and none is made yet. */
+    /** Uses the index of a simulation if it is of the same world and no index exists yet. */
     void share(Simulation simulation) {
         if (index == null && simulation.setup().world() == world) {
             index = simulation.startIndex();
@@ -91,7 +91,7 @@ public final class WallReference {
 
     /**
      * {@return the places from which walls can be followed, in the order of the walls} They are spaced along the
-     * robot's path rather than along the walls, so that those around a pole are as close together as any.
+     * robot's path rather than along the walls, so that places around a pole are not farther apart than others.
      *
      * @param distance the distance from the wall to the robot's centre, metres
      * @param spacing the spacing of the samples along the path, metres
@@ -101,9 +101,9 @@ public final class WallReference {
     }
 
     /**
-     * Returns the points at a distance from a wall and nowhere nearer to any, in the order of the walls. They are
-     * spaced along the path of the robot if {@code reach} is its distance from the walls, and along the walls if it is
-     * 0.
+     * Returns the points at a distance from a wall and not nearer to any other wall, in the order of the walls. They
+     * are spaced along the path of the robot if {@code reach} is its distance from the walls, and along the walls if it
+     * is 0.
      */
     List<WallSample> samples(double distance, double spacing, double reach) {
         List<WallSample> places = new ArrayList<>();
