@@ -183,7 +183,7 @@ class StateDiagramViewTest {
                 "The controller \"circle\" has no state diagram. It is in the state \"NEAR\".",
                 sentence(500, ControllerState.of("NEAR"), chosen, "circle"));
         assertEquals(
-                "This scenario needs a controller from outside. Simulation > Choose controller chooses one.",
+                "This scenario needs a controller from outside. Choose one with Simulation > Choose controller.",
                 sentence(0, unnamed, new ControllerSpec.Extern(0), ""));
     }
 
