@@ -69,7 +69,7 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, WaypointPath m
         this(id, shape, pose, WaypointPath.NONE);
     }
 
-    /** {@return whether this obstacle follows way-points, though perhaps at speed 0} */
+    /** {@return whether this obstacle follows waypoints, though perhaps at speed 0} */
     public boolean isMoving() {
         return !motion.waypoints().isEmpty();
     }

@@ -137,7 +137,7 @@ final class ObstacleSet {
 
     /**
      * Adds an obstacle, or replaces the one with the same id in its place of the drawing order. A moving obstacle that
-     * replaces one on the same path continues to the same way-point.
+     * replaces one on the same path continues to the same waypoint.
      */
     void put(Obstacle obstacle) {
         PlacedObstacle old = obstacles.get(obstacle.id());
@@ -148,7 +148,7 @@ final class ObstacleSet {
         replace(old, placed);
     }
 
-    /** Moves an obstacle. A moving one continues from there to the same way-point. */
+    /** Moves an obstacle. A moving one continues from there to the same waypoint. */
     void move(PlacedObstacle obstacle, Pose pose) {
         put(obstacle.obstacle().withPose(pose));
     }

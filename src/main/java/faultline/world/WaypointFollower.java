@@ -18,7 +18,7 @@ final class WaypointFollower {
     record Leg(double from, double to, Vector2 start, Vector2 velocity) {}
 
     /**
-     * A way-point is reached within this distance, metres; otherwise a way-point at which the obstacle just touches the
+     * A waypoint is reached within this distance, metres; otherwise a waypoint at which the obstacle just touches the
      * robot would never be reached.
      */
     private static final double ARRIVAL_TOLERANCE = 1e-9;
@@ -28,7 +28,7 @@ final class WaypointFollower {
     private double y;
     private int nextWaypoint;
 
-    /** Creates a follower at a position, moving to the first way-point. */
+    /** Creates a follower at a position, moving to the first waypoint. */
     WaypointFollower(WaypointPath path, Vector2 start) {
         this.path = path;
         x = start.x();

@@ -4,11 +4,11 @@ import faultline.geometry.Vector2;
 import java.util.List;
 
 /**
- * The motion of an obstacle: from its pose to the first way-point, then from each way-point to the next, at constant
+ * The motion of an obstacle: from its pose to the first waypoint, then from each waypoint to the next, at constant
  * speed and without rotation.
  *
  * @param speed metres per second, not negative
- * @param loop whether the first way-point follows the last again; if not, the obstacle stops at the last
+ * @param loop whether the first waypoint follows the last again; if not, the obstacle stops at the last
  * @param waypoints the positions of the shape's origin, in the world; empty only in {@link #NONE}
  */
 public record WaypointPath(double speed, boolean loop, List<Vector2> waypoints) {
@@ -20,10 +20,10 @@ public record WaypointPath(double speed, boolean loop, List<Vector2> waypoints) 
      * Creates a path.
      *
      * @param speed metres per second, not negative
-     * @param loop whether the first way-point follows the last again; if not, the obstacle stops at the last
+     * @param loop whether the first waypoint follows the last again; if not, the obstacle stops at the last
      * @param waypoints the positions of the shape's origin, in the world; empty only in {@link #NONE}
-     * @throws IllegalArgumentException if the speed is negative or not finite, or there is a speed without way-points,
-     *     or a way-point is not finite
+     * @throws IllegalArgumentException if the speed is negative or not finite, or there is a speed without waypoints,
+     *     or a waypoint is not finite
      */
     public WaypointPath {
         if (!(speed >= 0 && Double.isFinite(speed))) {
@@ -32,7 +32,7 @@ public record WaypointPath(double speed, boolean loop, List<Vector2> waypoints) 
         waypoints = List.copyOf(waypoints);
         boolean none = waypoints.isEmpty() && speed == 0 && !loop;
         if (!none && (waypoints.isEmpty() || !waypoints.stream().allMatch(Vector2::isFinite))) {
-            throw new IllegalArgumentException("a motion needs way-points, all finite: " + waypoints);
+            throw new IllegalArgumentException("a motion needs waypoints, all finite: " + waypoints);
         }
     }
 
@@ -46,9 +46,9 @@ public record WaypointPath(double speed, boolean loop, List<Vector2> waypoints) 
     }
 
     /**
-     * {@return this path with other way-points}
+     * {@return this path with other waypoints}
      *
-     * @param newWaypoints the way-points, in metres
+     * @param newWaypoints the waypoints, in metres
      */
     public WaypointPath withWaypoints(List<Vector2> newWaypoints) {
         return new WaypointPath(speed, loop, newWaypoints);

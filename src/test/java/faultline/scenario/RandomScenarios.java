@@ -118,7 +118,7 @@ final class RandomScenarios {
         return new Obstacle(id, shape, new Pose(coordinate(), coordinate(), angle()), motion, specular);
     }
 
-    /** Where the last way-point leads back to the first, not quicker than a file may have it. */
+    /** Where the last waypoint leads back to the first, not quicker than a file may have it. */
     private WaypointPath motion(List<Vector2> points) {
         boolean loop = points.get(0).distanceTo(points.get(points.size() - 1)) > 10 && random.nextBoolean();
         return new WaypointPath(edgeValue(0, 1000), loop, points);

@@ -41,7 +41,7 @@ class ScenarioReaderTest {
                 <polygon   id="niche" x="0" y="0" heading="0" points="1,1 2,1 2,2"/>     <!-- closed; local coordinates -->
                 <wall      id="partition" x="0" y="0" heading="0" points="0,3 2,3 2,4"/> <!-- open polyline, no thickness -->
                 <circle    id="visitor" x="1" y="3" radius="0.15">
-                  <motion speed="0.2" loop="true" points="1,3 5,3"/>   <!-- way-points of the shape's origin; at most maxMoving (3) -->
+                  <motion speed="0.2" loop="true" points="1,3 5,3"/>   <!-- waypoints of the shape's origin; at most maxMoving (3) -->
                 </circle>
               </world>
               <robot x="%s" y="1" heading="0" length="0.25" width="0.20" track="0.18" speed="0.3" turnRate="60">

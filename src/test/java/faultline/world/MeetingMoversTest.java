@@ -14,7 +14,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /**
- * Round obstacles that pass several way-points in a long tick, and a robot on its arc: the reference implementation
+ * Round obstacles that pass several waypoints in a long tick, and a robot on its arc: the reference implementation
  * examines their distances 500 times in the tick, with independent arithmetic.
  */
 class MeetingMoversTest {

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** Obstacles on their way-points, and the robot in their way. */
+/** Obstacles on their waypoints, and the robot in their way. */
 class MovingObstaclesTest {
 
     private static final double TICK = 0.01;

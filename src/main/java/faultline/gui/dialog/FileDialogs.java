@@ -41,7 +41,7 @@ final class FileDialogs {
         timer.start();
     }
 
-    /** Asks for a file to open, given the one that is selected at first, null for none; empty if cancelled. */
+    /** Asks for a file to open, given the initially selected one, null for none; empty if cancelled. */
     Optional<Path> chooseFileToOpen(String action, Path selected) {
         JFileChooser chooser = createChooser(action, "xml");
         if (selected != null) {

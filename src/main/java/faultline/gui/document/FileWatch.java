@@ -16,7 +16,7 @@ import javax.swing.Timer;
 /**
  * Notices changes of the open file by other programs. The file is polled on a background thread. It is read when it has
  * not changed between two polls, so that a half-written file is not read, and reported if it holds another scenario
- * than before, or none, or does not exist any more.
+ * than before, or none, or no longer exists.
  */
 public final class FileWatch implements AutoCloseable {
 

@@ -23,7 +23,7 @@ public interface WorkspaceListener {
     /** A new session has started. */
     default void sessionStarted() {}
 
-    /** No task is active any more: one has ended or has been cancelled. */
+    /** No task is active now: the last one has ended or has been cancelled. */
     default void taskFinished() {}
 
     /** The name of the file, or whether there are unsaved changes, may have changed. */

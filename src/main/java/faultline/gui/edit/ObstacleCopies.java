@@ -44,7 +44,7 @@ public final class ObstacleCopies {
 
     /**
      * Returns copies with new ids that are not taken, displaced by an offset from the originals, or at the same place
-     * if none of the originals exists any more.
+     * if none of the originals still exists.
      */
     public static List<Obstacle> copyOf(List<Obstacle> originals, Collection<String> taken, Vector2 offset) {
         Vector2 by = originals.stream().map(Obstacle::id).anyMatch(taken::contains) ? offset : Vector2.ZERO;

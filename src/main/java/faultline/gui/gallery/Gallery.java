@@ -108,7 +108,7 @@ public final class Gallery extends JDialog {
         return heading;
     }
 
-    /** Selects the first example; says so if there is none. */
+    /** Selects the first example, or shows a note if there is none. */
     private void selectFirst() {
         boolean empty = filter.shown().isEmpty();
         list.setSelectedIndex(empty ? -1 : 0);

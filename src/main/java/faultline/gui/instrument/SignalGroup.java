@@ -55,9 +55,7 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
         return 2;
     }
 
-    /**
-     * Returns the distance that the controller goes by, which is a reading or that of its local map, and its target.
-     */
+    /** Returns the distance that the controller uses, which is a reading or that of its local map, and its target. */
     private static SignalGroup distance() {
         ChartLine measured = new ChartLine(
                 Messages.get("signal.distance.first"),

@@ -47,7 +47,7 @@ final class MainPanel extends JPanel {
     private static final int MIN_DOCK_WIDTH = 272;
     /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
-    /** Minimum height of a chart in which the lines can be told apart, pixels. */
+    /** Minimum height of a chart in which the lines can be distinguished, pixels. */
     private static final int MIN_CHART_HEIGHT = 86;
     /** Height of the tabs and controls above a chart at the normal text size, pixels. */
     private static final int CHART_BARS_HEIGHT = 74;

@@ -67,7 +67,7 @@ public final class SelectionPainter {
     }
 
     /**
-     * Paints the handles of the only selected obstacle, also those of its way-points beside it; {@code places} are
+     * Paints the handles of the only selected obstacle, also those of its waypoints beside it; {@code places} are
      * those that change its size, metres.
      */
     public static void paintHandles(DrawContext context, Obstacle obstacle, List<Vector2> places) {

@@ -31,7 +31,7 @@ public final class ScenarioLimits {
     static final int MAX_DEPTH = 20;
 
     /**
-     * The shortest time in which a moving obstacle visits all its way-points, seconds; otherwise one tick could hold
+     * The shortest time in which a moving obstacle visits all its waypoints, seconds; otherwise one tick could hold
      * millions of legs.
      */
     public static final double MIN_LOOP_TIME = 0.01;

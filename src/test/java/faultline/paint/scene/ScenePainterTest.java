@@ -195,7 +195,7 @@ class ScenePainterTest {
                         AT_2_1, new Obstacle("visitor", new ObstacleShape.CircleShape(0.3), new Pose(4, 2, 0), motion)),
                 LIGHT);
         assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(4.3, 2), 2));
-        assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(3, 3), 1), "a way-point");
+        assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(3, 3), 1), "a waypoint");
         assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(4.2, 3), 10), "the arrow");
     }
 

@@ -27,7 +27,7 @@ import javax.swing.JComponent;
 /** The tools, the snap settings, the selection and the listeners of a canvas. Event dispatch thread only. */
 public final class CanvasTools {
 
-    /** The speed of an obstacle that is given way-points, metres per second. */
+    /** The speed of an obstacle that is given waypoints, metres per second. */
     private static final double DEFAULT_SPEED = 0.2;
 
     private final ToolContext context;

@@ -126,7 +126,7 @@ public sealed interface DragOperation {
         }
     }
 
-    /** Moves a way-point of an obstacle, which may be moving itself. */
+    /** Moves a waypoint of an obstacle, which may be moving itself. */
     record MoveWaypoint(Obstacle start, int index, Supplier<Obstacle> current) implements DragOperation {
 
         @Override

@@ -82,7 +82,7 @@ public final class GesturePicker {
         if (resize.isPresent()) {
             return Optional.of(new DragOperation.Resize(obstacle, resize.getAsInt()));
         }
-        // At a way-point on the obstacle, the mouse moves the obstacle.
+        // At a waypoint on the obstacle, the mouse moves the obstacle.
         boolean onObstacle =
                 ObstacleFinder.topmostAt(camera(), List.of(obstacle), at).isPresent();
         OptionalInt waypoint =

@@ -140,7 +140,7 @@ class CanvasMouseTest {
         });
         mouse(MouseEvent.MOUSE_PRESSED, waypoint, MouseEvent.BUTTON1);
         mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(5, 1)), MouseEvent.NOBUTTON);
-        assertTrue(sent.get(0) instanceof Command.MoveObstacle, "the obstacle covers its way-point");
+        assertTrue(sent.get(0) instanceof Command.MoveObstacle, "the obstacle covers its waypoint");
     }
 
     @Test
