@@ -170,7 +170,7 @@ final class TemporaryFile {
         return Files.newDirectoryStream(folder, PREFIX + "*" + SUFFIX);
     }
 
-    /** Deletes all temporary files in a folder, however young they are. */
+    /** Deletes all temporary files in a folder, whatever their age. */
     static void deleteAll(Path folder) throws IOException {
         try (DirectoryStream<Path> files = list(folder)) {
             for (Path file : files) {

@@ -153,7 +153,7 @@ public final class ObstacleActions {
         }
     }
 
-    /** Returns the selected obstacles; if there are none, asks for them in a note. */
+    /** Returns the selected obstacles; if there are none, shows a note that asks the user to select some. */
     private List<Obstacle> selected() {
         if (tools.selected().isEmpty()) {
             notifier.accept(Messages.get("note.selectObstacle"));
@@ -161,7 +161,7 @@ public final class ObstacleActions {
         return tools.selected();
     }
 
-    /** Returns the selected obstacles that move; if there are none, asks for them in a note. */
+    /** Returns the selected obstacles that move; if there are none, shows a note that asks the user to select some. */
     private List<Obstacle> selectedMoving() {
         List<Obstacle> moving =
                 tools.selected().stream().filter(Obstacle::isMoving).toList();

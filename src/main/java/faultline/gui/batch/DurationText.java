@@ -8,7 +8,7 @@ final class DurationText {
     private static final double MINUTE = 60;
     private static final double HOUR = 3600;
 
-    /** Below this many of a unit, the smaller unit is used. */
+    /** The number of a unit below which the smaller unit is used. */
     private static final double FEW = 2;
 
     private DurationText() {}

@@ -44,7 +44,7 @@ import javax.swing.SwingUtilities;
 
 /**
  * The control panel. Its first tab is that of the paper's Fig. 1, the robot with its sensors and their faults; the
- * other one shows what the run has come to.
+ * other one shows the result of the run so far.
  */
 public final class ControlPanel extends JPanel {
 
@@ -278,7 +278,7 @@ public final class ControlPanel extends JPanel {
         sensorDetails.setSensors(world.sensors());
     }
 
-    /** Shows what a run has come to. */
+    /** Shows the result of a run so far. */
     public void setRun(SessionFrame frame, SessionStatus status, Scenario scenario) {
         controller.setSettings(frame.controller(), frame.controllerName(), scenario.setup());
         run.setRun(frame, status, scenario);
@@ -303,7 +303,7 @@ public final class ControlPanel extends JPanel {
         sensors.selectSensor(null);
     }
 
-    /** Prepares for another scenario, of which the first sensor will be selected. */
+    /** Prepares for another scenario, whose first sensor will be selected. */
     public void startScenario() {
         sensorDetails.startScenario();
     }

@@ -89,7 +89,7 @@ public final class SensorDetailsPanel extends JPanel {
         listeners.add(listener);
     }
 
-    /** Prepares for another scenario, of which the first sensor will be selected. */
+    /** Prepares for another scenario, whose first sensor will be selected. */
     void startScenario() {
         ids = List.of();
     }

@@ -6,7 +6,7 @@ import faultline.engine.metrics.RunOutcome;
 import faultline.io.DecimalText;
 import java.util.Locale;
 
-/** Describes what is expected of a run, and what the run has come to. */
+/** Describes what is expected of a run, and its result so far. */
 public final class ExpectationText {
 
     private ExpectationText() {}
@@ -21,7 +21,7 @@ public final class ExpectationText {
                 last -> Messages.get("expect.finalState", StateText.name(last.state()))));
     }
 
-    /** Returns what the run has come to. */
+    /** Returns the result of the run so far. */
     public static String value(Expectation.Condition condition, RunOutcome outcome) {
         return condition.match(new ConditionCases<>(
                 collides -> Messages.get(outcome.collision().isEmpty() ? "expect.none" : "expect.collided"),

@@ -83,7 +83,7 @@ final class FlatLook {
         defaults.put(delegate.getName(), delegate);
     }
 
-    /** Leaves Ctrl+Shift+O, by which Metal turns the direction of a text, to the menu. */
+    /** Reserves Ctrl+Shift+O for the menu; Metal uses it to change the direction of a text. */
     private static void leaveGalleryKey(UIDefaults defaults) {
         for (String field : List.of("TextField", "FormattedTextField", "TextArea")) {
             if (defaults.get(field + ".focusInputMap") instanceof InputMap keys) {

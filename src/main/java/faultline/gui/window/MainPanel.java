@@ -156,7 +156,7 @@ final class MainPanel extends JPanel {
         return shownFrame;
     }
 
-    /** Prepares for another scenario: neither notes nor selections of the one before remain. */
+    /** Prepares for another scenario: notes and selections of the previous one are removed. */
     void startScenario() {
         instruments.startScenario();
         timeline.startScenario();

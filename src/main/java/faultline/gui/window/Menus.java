@@ -82,7 +82,7 @@ final class Menus {
     }
 
     /**
-     * Lets the canvas show a context menu for what is under the cursor; {@code newFault} receives the id of a sensor
+     * Lets the canvas show a context menu for the item under the cursor; {@code newFault} receives the id of a sensor
      * for which it asks for a fault.
      */
     static void installContextMenu(
@@ -100,7 +100,7 @@ final class Menus {
         });
     }
 
-    /** Adds the items of the canvas for what is under the cursor to a context menu. */
+    /** Adds the menu items for the item of the canvas under the cursor to a context menu. */
     static void addCanvasItems(JPopupMenu popup, ActionRegistry actions, MenuTarget target) {
         Menus menus = new Menus(actions);
         addItems(popup, actions, popupKeys(target));

@@ -67,8 +67,8 @@ public final class SelectionPainter {
     }
 
     /**
-     * Paints the handles of the only selected obstacle, also those of its waypoints beside it; {@code places} are
-     * those that change its size, metres.
+     * Paints the handles of the only selected obstacle, also those of its waypoints beside it; {@code places} are those
+     * that change its size, metres.
      */
     public static void paintHandles(DrawContext context, Obstacle obstacle, List<Vector2> places) {
         paintHandle(context, stalkEnd(context.camera(), obstacle, 0), handlePosition(context.camera(), obstacle));
@@ -80,7 +80,7 @@ public final class SelectionPainter {
         places.stream().map(context.camera()::toScreen).forEach(place -> paintSquareHandle(context, place));
     }
 
-    /** Paints the handle of several selected obstacles, of which there is at least one. */
+    /** Paints the common handle of the selected obstacles, at least one. */
     public static void paintHandle(DrawContext context, List<Obstacle> obstacles) {
         paintHandle(
                 context,

@@ -10,7 +10,7 @@ public final class Shapes {
 
     private Shapes() {}
 
-    /** Returns the open line through points, of which there is at least one. */
+    /** Returns the open line through points, at least one. */
     public static Path2D polyline(List<Vector2> points) {
         Path2D path = new Path2D.Double(Path2D.WIND_NON_ZERO, points.size() + 1);
         path.moveTo(points.get(0).x(), points.get(0).y());
@@ -20,7 +20,7 @@ public final class Shapes {
         return path;
     }
 
-    /** Returns the closed line through points, of which there is at least one. */
+    /** Returns the closed line through points, at least one. */
     public static Path2D polygon(List<Vector2> points) {
         Path2D path = polyline(points);
         path.closePath();
