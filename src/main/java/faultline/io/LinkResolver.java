@@ -110,13 +110,13 @@ public final class LinkResolver {
 
     /** Opens a stream; see {@link #isStream}. Its present content remains. */
     static OutputStream openStream(Path file) throws IOException {
-        String own = "/dev/fd/%d|/proc/(self|" + ProcessHandle.current().pid() + ")/fd/%1$d";
+        String own = "(/dev/fd/|/proc/(self|" + ProcessHandle.current().pid() + ")/fd/)";
         for (Path link : followLinks(file)) {
             String path = link.normalize().toString();
-            if (path.matches(String.format(own, 1))) {
+            if (path.matches(own + 1)) {
                 return standardStream(FileDescriptor.out);
             }
-            if (path.matches(String.format(own, 2))) {
+            if (path.matches(own + 2)) {
                 return standardStream(FileDescriptor.err);
             }
         }

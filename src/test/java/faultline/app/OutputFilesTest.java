@@ -25,6 +25,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Commands whose outputs would destroy an input or each other, and outputs that cannot be completed. */
@@ -189,28 +190,32 @@ class OutputFilesTest {
         assertTrue(message.endsWith("a [31m  b .xml: there is no such file\n"), message);
     }
 
-    private Process start(List<String> arguments, Path output) throws Exception {
+    private Process start(List<String> arguments, Path output, String... options) throws Exception {
         Path classes = Path.of(CampaignPlan.class
                 .getProtectionDomain()
                 .getCodeSource()
                 .getLocation()
                 .toURI());
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                classes.toString(),
-                "faultline.app.Main"));
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(List.of(options));
+        command.addAll(List.of("-cp", classes.toString(), "faultline.app.Main"));
         command.addAll(arguments);
         return new ProcessBuilder(command).redirectOutput(output.toFile()).start();
     }
 
-    @Test
-    void aTraceOnStandardOutputIsWrittenToItAndDoesNotReplaceIt() throws Exception {
+    /** In the second locale the JDK formats numbers with other digits. */
+    @ParameterizedTest
+    @CsvSource({"en,GB", "ar,EG"})
+    void aTraceOnStandardOutputIsWrittenToItAndDoesNotReplaceIt(String language, String country) throws Exception {
         assumeTrue(Files.exists(Path.of("/dev/stdout")));
         Path output = Files.writeString(folder.resolve("out.txt"), "");
         Object inode = Files.getAttribute(output, "unix:ino");
-        Process process =
-                start(List.of("run", SCENARIO.toString(), "--until", "8.95", "--trace", "/dev/stdout"), output);
+        Process process = start(
+                List.of("run", SCENARIO.toString(), "--until", "8.95", "--trace", "/dev/stdout"),
+                output,
+                "-Duser.language=" + language,
+                "-Duser.country=" + country);
         assertTrue(process.waitFor(60, TimeUnit.SECONDS));
         assertEquals(inode, Files.getAttribute(output, "unix:ino"));
         List<String> lines = Files.readAllLines(output);
