@@ -116,6 +116,7 @@ public final class CampaignMerge {
             long broken = 0;
             try (LineReader in = new LineReader(file)) {
                 String header = in.next();
+                int outcome = Csv.cells(header.strip()).indexOf("outcome");
                 if (withHeader) {
                     write(header);
                 }
@@ -123,7 +124,7 @@ public final class CampaignMerge {
                     if (complete && !line.startsWith(next + ",")) {
                         throw new IOException(file + ": run " + next + " is not where it should be");
                     }
-                    broken += complete && Csv.cells(line).contains("broken") ? 1 : 0;
+                    broken += outcome >= 0 && isBroken(Csv.cells(line), outcome) ? 1 : 0;
                     write(line);
                     next++;
                 }
@@ -133,6 +134,10 @@ public final class CampaignMerge {
                         + (end - first) + " runs; campaign with --shard " + part.shard + " --resume makes the rest");
             }
             return broken;
+        }
+
+        private static boolean isBroken(List<String> cells, int outcome) {
+            return outcome < cells.size() && cells.get(outcome).equals("broken");
         }
 
         private void write(String line) throws IOException {

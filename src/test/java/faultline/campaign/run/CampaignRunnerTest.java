@@ -173,6 +173,28 @@ class CampaignRunnerTest {
         List<String> rows = Files.readAllLines(folder.resolve("runs.csv"));
         assertTrue(rows.get(2).contains(",broken,"), rows.get(2));
         assertTrue(rows.get(2).contains("where it touches or overlaps"), rows.get(2));
+        assertEquals(result, merged(folder));
+    }
+
+    @Test
+    void aFaultThatAPlanCallsBrokenBreaksNoRun() throws Exception {
+        String plan = SamplePlan.text(
+                "",
+                """
+                <worlds><scenario file="room.xml"/></worlds>
+                <set attribute="@duration" value="1"/>
+                <faults><healthy/><fault sensor="front left" kind="off" at="0.5" label="broken"/></faults>
+                """);
+        CampaignRunner.RunCounts result = new CampaignRunner(
+                        SamplePlan.read(plan), new CampaignFolder(folder), Shard.ALL, 1)
+                .run(false, (made, runs) -> {}, () -> false);
+        assertEquals(new CampaignRunner.RunCounts(3, 3, 0), result);
+        assertEquals(result, merged(folder));
+    }
+
+    private CampaignRunner.RunCounts merged(Path campaign) throws Exception {
+        return new CampaignMerge(List.of(new CampaignFolder(campaign)))
+                .writeTo(new CampaignFolder(folder.resolve("merged")));
     }
 
     @Test
