@@ -83,21 +83,31 @@ final class FaultsReader {
     private List<Map<String, AttributeValue>> readFault(XmlElement node, String factor) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
+        Map<String, List<AttributeValue>> values = new LinkedHashMap<>();
+        node.attributes().forEach((key, text) -> values.put(key, readValues(fields, key, text, factor)));
+        double combinations = values.values().stream().mapToDouble(List::size).reduce(1, (a, b) -> a * b);
+        if (PlanReader.reportTooMany(node, combinations, problems)) {
+            values.replaceAll((key, all) -> all.subList(0, 1));
+        }
         List<Map<String, AttributeValue>> levels = List.of(new LinkedHashMap<>());
-        for (Map.Entry<String, String> attribute : node.attributes().entrySet()) {
-            String key = attribute.getKey();
-            Optional<List<AttributeValue>> values = key.equals(LABEL)
-                    ? Optional.of(List.of(new AttributeValue.FixedValue(attribute.getValue())))
-                    : ValueSyntax.parse(attribute.getValue(), factor + "_" + key);
-            if (values.isEmpty()) {
-                fields.report(key, attribute.getValue(), ValueSyntax.RULE);
-            }
-            levels = combine(levels, key, values.orElse(List.of(AttributeValue.NONE)));
+        for (Map.Entry<String, List<AttributeValue>> attribute : values.entrySet()) {
+            levels = combine(levels, attribute.getKey(), attribute.getValue());
         }
         List<Map<String, AttributeValue>> timed =
                 levels.stream().map(FaultsReader::withEnd).toList();
         timed.forEach(level -> attributes.addAll(level.keySet()));
         return timed;
+    }
+
+    private static List<AttributeValue> readValues(AttributeReader fields, String key, String text, String factor) {
+        if (key.equals(LABEL)) {
+            return List.of(new AttributeValue.FixedValue(text));
+        }
+        Optional<List<AttributeValue>> values = ValueSyntax.parse(text, factor + "_" + key);
+        if (values.isEmpty()) {
+            fields.report(key, text, ValueSyntax.RULE);
+        }
+        return values.orElse(List.of(AttributeValue.NONE));
     }
 
     private static List<Map<String, AttributeValue>> combine(

@@ -149,8 +149,14 @@ final class PlanReader {
         for (Factor factor : factors) {
             runs *= factor.levels().size();
         }
+        reportTooMany(root, runs, problems);
+    }
+
+    /** Reports a number of runs that is too large, and returns whether it is. */
+    static boolean reportTooMany(XmlElement node, double runs, Problems problems) {
         if (runs > MAX_RUNS) {
-            problems.add(root, PlanProblem.TOO_MANY_RUNS.with(String.format(Locale.ROOT, "%.0f", runs), MAX_RUNS));
+            problems.add(node, PlanProblem.TOO_MANY_RUNS.with(String.format(Locale.ROOT, "%.0f", runs), MAX_RUNS));
         }
+        return runs > MAX_RUNS;
     }
 }

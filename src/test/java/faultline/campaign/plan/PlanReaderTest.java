@@ -50,6 +50,18 @@ class PlanReaderTest {
     }
 
     @Test
+    void moreCombinationsOfAFaultThanAPlanMayHaveAreCountedAndNotMade() {
+        assertEquals(
+                List.of("plan.xml:4:74: the plan has 10000000000 runs; expected 10000000 or fewer"),
+                SamplePlan.problems(
+                        """
+                        <faults>
+                        <fault sensor="left" kind="stuck" value="0..1/100000" at="0..10/100000"/>
+                        </faults>
+                        """));
+    }
+
+    @Test
     void aWorldWithoutAValidFileIsReportedOnce() {
         String plan = SamplePlan.text("", "<worlds><scenario file=\"a,b.xml\"/></worlds>");
         PlanFiles.Resolver none = (number, name) -> {
