@@ -69,9 +69,18 @@ final class ChildProcess implements AutoCloseable {
         input = process.getOutputStream();
         output = new ChildOutput(process.getInputStream());
         exitHook = new Thread(this::killTree);
-        Runtime.getRuntime().addShutdownHook(exitHook);
+        endWithProgram();
         errorReader = startDaemon("faultline-child-errors", this::drainErrors);
         writeGuard = startDaemon("faultline-child-guard", () -> guardWrites(writeSeconds));
+    }
+
+    private void endWithProgram() throws IOException {
+        try {
+            Runtime.getRuntime().addShutdownHook(exitHook);
+        } catch (IllegalStateException ending) {
+            killTree();
+            throw new IOException("the program is ending", ending);
+        }
     }
 
     static Thread startDaemon(String name, Runnable work) {
