@@ -164,6 +164,7 @@ final class ControllerReader {
             String state = fields.text("state").orElse("");
             String why = fields.text("why").orElse("");
             fields.reportUnknownAndMissing();
+            ElementRules.checkOnlyText(child, problems);
             StringTokenizer tokens = new StringTokenizer(child.text());
             while (tokens.hasMoreTokens()) {
                 String token = tokens.nextToken();

@@ -1,8 +1,11 @@
 package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.scenario.xml.ScenarioException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
@@ -91,6 +94,23 @@ class ProblemsTest {
     void oneMistakeIsReportedInOneSentence(String piece, String other, String problem) {
         List<String> problems = SampleScenario.problems(SampleScenario.withReplacement(piece, other));
         assertEquals("room.xml:" + problem, problems.isEmpty() ? "none" : problems.get(0));
+    }
+
+    @Test
+    void anElementAmongDecisionsIsReported() throws ScenarioException {
+        String text =
+                """
+                <scenario xmlns="urn:faultline:scenario:1">
+                  <world width="6" height="4"/>
+                  <robot x="1" y="1"/>
+                  <controller type="recorded" ticks="5">
+                    <decisions>1,1*2 <wait/> 2,2*3</decisions>
+                  </controller>
+                </scenario>
+                """;
+        ScenarioException e = assertThrows(
+                ScenarioException.class, () -> ScenarioReader.read("a.xml", text.getBytes(StandardCharsets.UTF_8)));
+        assertEquals("a.xml:5:29: <decisions> must not contain <wait>; expected text", e.getMessage());
     }
 
     @Test

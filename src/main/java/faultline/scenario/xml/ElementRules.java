@@ -53,17 +53,27 @@ public final class ElementRules {
     }
 
     /**
-     * {@return the text of an element that must not contain anything else}
+     * {@return the text of an element that must have neither attributes nor children}
      *
      * @param node the element
      * @param problems the list to which problems are added
      */
     public static String readText(XmlElement node, Problems problems) {
         new AttributeReader(node, problems).reportUnknownAndMissing();
+        checkOnlyText(node, problems);
+        return node.text();
+    }
+
+    /**
+     * Reports every child of an element that must contain only text.
+     *
+     * @param node the element
+     * @param problems the list to which problems are added
+     */
+    public static void checkOnlyText(XmlElement node, Problems problems) {
         for (XmlElement child : node.children()) {
             reportUnknown(node, child, Allowed.TEXT::with, problems);
         }
-        return node.text();
     }
 
     /**
