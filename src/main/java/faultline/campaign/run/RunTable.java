@@ -58,7 +58,9 @@ final class RunTable implements Closeable {
         List<String> names = Csv.cells(header.strip());
         int outcome = names.indexOf("outcome");
         try (LineReader in = new LineReader(file)) {
-            if (!in.next().equals(header)) {
+            String first = in.next();
+            if (!first.equals(header)) {
+                requireIncomplete(file, first);
                 return 0;
             }
             long length = in.length();
@@ -73,6 +75,14 @@ final class RunTable implements Closeable {
                 next++;
             }
             return length;
+        }
+    }
+
+    /** A header that a killed process has left has no line end; another program may have changed all rows of others. */
+    private static void requireIncomplete(Path file, String header) throws IOException {
+        if (header.endsWith("\n")) {
+            throw new IOException(file + ":1: this is not the header of the campaign;"
+                    + " restore the table, or remove it to make all runs again");
         }
     }
 

@@ -47,6 +47,19 @@ class RunTableTest {
         return MessageException.ofWriting(file, new IOException(system)).getMessage();
     }
 
+    /** A spreadsheet may have saved the table with other line ends; its rows can take days to make. */
+    @Test
+    void aTableWithAnotherHeaderIsRefusedAndKept() throws IOException {
+        String changed = (HEADER + ROW).replace("\n", "\r\n");
+        Path file = Files.writeString(folder.resolve("runs.csv"), changed);
+        IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 2));
+        assertEquals(
+                file + ":1: this is not the header of the campaign; restore the table, or remove it to make all runs"
+                        + " again",
+                e.getMessage());
+        assertEquals(changed, Files.readString(file));
+    }
+
     @Test
     void rowsThatWereFlushedAreThereWithoutAClose() throws IOException {
         try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 1)) {
