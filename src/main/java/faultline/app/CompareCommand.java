@@ -17,6 +17,7 @@ import faultline.external.ProcessControllerSource;
 import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.ProgramCommand;
+import faultline.io.ShellText;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;

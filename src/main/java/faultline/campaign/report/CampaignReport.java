@@ -7,6 +7,7 @@ import faultline.campaign.run.Outcome;
 import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.WorstRuns;
 import faultline.io.ProgramCommand;
+import faultline.io.ShellText;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -154,8 +155,8 @@ public final class CampaignReport {
                         .append(text);
             }
         }
-        String command =
-                ProgramCommand.text() + " " + folder.resolve(WorstRuns.replayName(Long.parseLong(row.text("run"))));
+        Path replay = folder.resolve(WorstRuns.replayName(Long.parseLong(row.text("run"))));
+        String command = ProgramCommand.text() + " " + ShellText.quoted(replay.toString());
         String collision = row.text("collided_with");
         return List.of(
                 row.text("run"),

@@ -195,7 +195,11 @@ final class FaultSections {
 
     private static List<List<String>> bySize(Map<String, Survival> sets) {
         List<List<String>> rows = new ArrayList<>();
-        for (int size = 0; size <= 16; size++) {
+        int most = sets.keySet().stream()
+                .mapToInt(set -> sensors(set).size())
+                .max()
+                .orElse(0);
+        for (int size = 0; size <= most; size++) {
             int wanted = size;
             List<String> some = sets.keySet().stream()
                     .filter(set -> sensors(set).size() == wanted)

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.plan.SamplePlan;
 import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.CampaignRunner;
@@ -20,6 +21,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -68,6 +70,32 @@ class CampaignReportTest {
         assertTrue(html.contains("<th scope=\"row\">0</th><td>1</td>"), "the empty set");
         assertTrue(html.contains("; 0 are certain."), "two runs are too few to be certain");
         assertTrue(html.contains(">simulated_s, n 16<"), "a distribution says of how many runs it is");
+    }
+
+    @Test
+    void everySizeOfAListedSetHasARow() throws Exception {
+        String ids = IntStream.range(0, 20).mapToObj(i -> "s" + i).collect(Collectors.joining(" "));
+        String sensors = IntStream.range(0, 20)
+                .mapToObj(i -> "<sensor id=\"s" + i + "\" x=\"0\" y=\"0\" bearing=\"" + 18 * i + "\"/>")
+                .collect(Collectors.joining("", "<robot x=\"0.6\" y=\"1.2\">", "</robot>"));
+        Files.writeString(folder.resolve("a.xml"), SamplePlan.ROOM.replace("<robot x=\"0.6\" y=\"1.2\"/>", sensors));
+        Path file = Files.writeString(
+                folder.resolve("plan.xml"),
+                SamplePlan.text(
+                        "",
+                        """
+                        <worlds><scenario file="a.xml"/></worlds>
+                        <set attribute="@duration" value="1"/>
+                        <masks sensors="IDS"><mask on="IDS"/><mask on="s0"/></masks>
+                        """
+                                .replace("IDS", ids)));
+        Path out = folder.resolve("a folder");
+        new CampaignRunner(PlanFiles.read(file), new CampaignFolder(out), Shard.ALL, 1)
+                .run(false, (made, runs) -> {}, () -> false);
+        String html = new CampaignReport(out).html();
+        assertTrue(html.contains("<th scope=\"row\">1</th><td>1</td>"), "one sensor");
+        assertTrue(html.contains("<th scope=\"row\">20</th><td>1</td>"), "twenty sensors");
+        assertTrue(html.contains("java -jar target/faultline.jar &quot;" + out.resolve("replays/run-")), "in quotes");
     }
 
     @Test

@@ -1,12 +1,16 @@
-package faultline.app;
+package faultline.io;
 
 /** Quotes words of commands that a user may paste into a shell. */
-final class ShellText {
+public final class ShellText {
 
     private ShellText() {}
 
-    /** Returns a word as it is if the shell takes it so, or in quotes. */
-    static String quoted(String word) {
+    /**
+     * {@return a word as it is if the shell takes it so, or in quotes}
+     *
+     * @param word the word
+     */
+    public static String quoted(String word) {
         if (word.matches("[\\w./:=@%+-]+")) {
             return word;
         }
