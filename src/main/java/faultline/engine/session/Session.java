@@ -285,17 +285,27 @@ public final class Session implements SessionView, AutoCloseable {
 
     private void run() {
         try (simulation) {
-            while (!closed) {
-                runTasks();
-                if (running) {
-                    tick();
-                }
-                publish();
-                awaitNextTick();
-            }
+            advanceUntilClosed();
+        } catch (RuntimeException | Error broken) {
+            fail(broken);
+            latestStatus.set(currentStatus());
+            throw broken;
+        } finally {
+            closed = true;
             // Requests that were submitted before the end are still answered.
             runTasks();
             sendAnswers();
+        }
+    }
+
+    private void advanceUntilClosed() {
+        while (!closed) {
+            runTasks();
+            if (running) {
+                tick();
+            }
+            publish();
+            awaitNextTick();
         }
     }
 
@@ -338,7 +348,7 @@ public final class Session implements SessionView, AutoCloseable {
         return result;
     }
 
-    private void fail(RuntimeException cause) {
+    private void fail(Throwable cause) {
         running = false;
         failure = cause instanceof RunFailedException
                 ? cause.getMessage()
@@ -370,8 +380,9 @@ public final class Session implements SessionView, AutoCloseable {
 
     /** Answers requests, in their order, now that a frame that shows their effect is published. */
     private void sendAnswers() {
-        answers.forEach(Runnable::run);
-        answers.clear();
+        for (Runnable answer = answers.poll(); answer != null; answer = answers.poll()) {
+            answer.run();
+        }
     }
 
     private SessionFrame currentFrame() {

@@ -16,6 +16,7 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -60,6 +61,26 @@ class SessionTest {
         assertEquals(0, tick());
         assertFalse(session.status().running());
         assertEquals(8, session.frame().snapshot().sensors().size());
+    }
+
+    @Test
+    void aSessionWhoseThreadHasFailedSaysSoAndAnswersRequests() throws Exception {
+        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
+        BlockingQueue<Throwable> reported = new LinkedBlockingQueue<>();
+        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> reported.add(failure));
+        try {
+            session.send(List.of(), results -> {
+                throw new StackOverflowError("deep");
+            });
+            assertEquals("deep", reported.take().getMessage());
+        } finally {
+            Thread.setDefaultUncaughtExceptionHandler(before);
+        }
+        assertEquals(
+                "the run broke at tick 0: java.lang.StackOverflowError: deep",
+                session.status().failure().orElseThrow());
+        CompletableFuture<Journal> journal = session.journal();
+        assertThrows(ExecutionException.class, () -> journal.get(5, TimeUnit.SECONDS));
     }
 
     @Test
