@@ -68,7 +68,7 @@ final class PlanCheck {
     }
 
     /**
-     * Reports a problem. If its location is in the scenario instead of the plan, it is reported at the level's first
+     * Reports a problem. If its location is in the scenario instead of the plan, it is reported at the level's last
      * change.
      */
     private void report(String world, Problem problem, List<ScenarioChange> edits, Set<String> reported) {
