@@ -42,7 +42,9 @@ public final class CampaignMerge {
             parts.add(new ShardFolder(folder, shard));
         }
         plan = folders.get(0).readPlan();
-        parts.sort(Comparator.comparing(part -> part.shard.firstRun(plan.runCount())));
+        // A part without runs begins where the next one does, and comes before it.
+        parts.sort(Comparator.<ShardFolder>comparingLong(part -> part.shard.firstRun(plan.runCount()))
+                .thenComparingLong(part -> part.shard.endRun(plan.runCount())));
         checkWhole();
     }
 

@@ -78,6 +78,20 @@ class CampaignRunnerTest {
                 Files.readString(folder.resolve("merged").resolve("campaign.json")));
     }
 
+    @Test
+    void morePartsThanRunsAreMergedInAnyOrder() throws Exception {
+        CampaignPlan plan = SamplePlan.read(
+                SamplePlan.text("", "<worlds><scenario file=\"room.xml\"/></worlds><seeds count=\"2\"/>"));
+        List<CampaignFolder> parts = new ArrayList<>();
+        for (int part = 5; part >= 1; part--) {
+            CampaignFolder out = new CampaignFolder(folder.resolve("part-" + part));
+            new CampaignRunner(plan, out, new Shard(part, 5), 1).run(false, (made, runs) -> {}, () -> false);
+            parts.add(out);
+        }
+        CampaignRunner.RunCounts merged = new CampaignMerge(parts).writeTo(new CampaignFolder(folder.resolve("all")));
+        assertEquals(new CampaignRunner.RunCounts(2, 2, 0), merged);
+    }
+
     private static List<String> replays(Path campaign) throws IOException {
         List<String> texts = new ArrayList<>();
         try (var files = Files.list(campaign.resolve("replays"))) {
