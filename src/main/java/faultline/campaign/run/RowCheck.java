@@ -4,12 +4,14 @@ import faultline.io.MessageText;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 
 /** Checks a row of {@code runs.csv}, which people and other programs may have changed. */
 public final class RowCheck {
 
     private static final String BROKEN = "broken";
+    private static final Set<String> FLAGS = Set.of("", "0", "1");
 
     private RowCheck() {}
 
@@ -27,6 +29,12 @@ public final class RowCheck {
                 && Arrays.stream(Outcome.values())
                         .noneMatch(known -> known.word().equals(outcome))) {
             return problem("outcome", cell, "an outcome");
+        }
+        for (String column : List.of("carried_on", "collided")) {
+            // A program that stores them as numbers with gaps writes 1.0.
+            if (!FLAGS.contains(cell.apply(column))) {
+                return problem(column, cell, "0, 1 or nothing");
+            }
         }
         if (!isNumber(cell.apply("wall_share")) && !cell.apply("wall_share").isEmpty()) {
             return problem("wall_share", cell, "a number or nothing");

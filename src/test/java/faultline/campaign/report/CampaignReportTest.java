@@ -167,6 +167,8 @@ class CampaignReportTest {
                     outcome     | flown | outcome is "flown"; expected an outcome
                     wall_share  | NaN   | wall_share is "NaN"; expected a number or nothing
                     simulated_s | 6,0   | simulated_s is "6,0"; expected a number
+                    carried_on  | 1.0   | carried_on is "1.0"; expected 0, 1 or nothing
+                    collided    | 0.0   | collided is "0.0"; expected 0, 1 or nothing
                     """)
     void aDamagedTableIsRefusedInOneSentenceAndMadeAgainByResuming(String column, String value, String problem)
             throws Exception {
