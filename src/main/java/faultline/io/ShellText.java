@@ -8,7 +8,7 @@ public final class ShellText {
     /**
      * {@return a word as it is if the shell takes it so, or in quotes}
      *
-     * @param word the word
+     * @param word one argument of a command
      */
     public static String quoted(String word) {
         if (word.matches("[\\w./:=@%+-]+")) {

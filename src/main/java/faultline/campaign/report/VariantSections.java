@@ -196,7 +196,7 @@ final class VariantSections {
             }
         }
         return ReportCharts.shares(
-                "carried on over " + column.name(),
+                "carried on over " + column.name() + group,
                 column.name() + (column.unit().isEmpty() ? "" : " (" + column.unit() + ")") + group,
                 low,
                 high,

@@ -35,7 +35,8 @@ class CampaignReportTest {
     Path folder;
 
     private String report(String elements) throws Exception {
-        String worlds = "<worlds><scenario file=\"a.xml\"/><scenario file=\"b.xml\"/></worlds><seeds count=\"2\"/>";
+        String worlds = "<worlds><scenario file=\"a.xml\"/><scenario file=\"b.xml\"/></worlds>"
+                + (elements.contains("<seeds") ? "" : "<seeds count=\"2\"/>");
         CampaignPlan plan = SamplePlan.read(SamplePlan.text("", worlds + elements));
         new CampaignRunner(plan, new CampaignFolder(folder), Shard.ALL, 2).run(true, (made, runs) -> {}, () -> false);
         return new CampaignReport(folder).html();
@@ -61,6 +62,25 @@ class CampaignReportTest {
                 headings(html));
         assertTrue(html.contains("<th scope=\"row\">stuck</th>"));
         assertTrue(html.contains("java -jar target/faultline.jar " + folder.resolve("replays/run-")));
+    }
+
+    @Test
+    void aShellUnderstandsTheCommandOfAWorstRun() throws Exception {
+        folder = folder.resolve("my <runs>");
+        String html = report("");
+        String command = "java -jar target/faultline.jar \"" + folder.resolve("replays/run-0000000.xml") + "\"";
+        assertTrue(html.contains("<code>" + Html.escape(command) + "</code>"), html);
+    }
+
+    @Test
+    void chartsOfOneColumnHaveTitlesThatNameTheirFaults() throws Exception {
+        String html = report(
+                """
+                <seeds count="8"/>
+                <faults><fault kind="stuck scale" sensor="front" value="0.3..0.6" at="1..3"/></faults>
+                """);
+        assertTrue(html.contains("<title>carried on over fault_value, stuck</title>"), html);
+        assertTrue(html.contains("<title>carried on over fault_value, scale</title>"), html);
     }
 
     @Test
