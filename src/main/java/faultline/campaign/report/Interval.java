@@ -65,16 +65,42 @@ public record Interval(double low, double high) {
     }
 
     /**
-     * Returns the 0.975 quantile of Student's t: exact for 1 and 2, by Cornish and Fisher's expansion to 0.5 % from 3
-     * on.
+     * Returns the 0.975 quantile of Student's t to seven digits: by its distribution function, and from 30 degrees of
+     * freedom on by Cornish and Fisher's expansion.
      */
     static double studentQuantile(int freedom) {
-        if (freedom == 1) {
-            return 12.706204736;
+        if (freedom >= 30) {
+            return expandedQuantile(freedom);
         }
-        if (freedom == 2) {
-            return 4.302652730;
+        double low = Z;
+        double high = 13;
+        for (int i = 0; i < 60; i++) {
+            double middle = (low + high) / 2;
+            if (shareWithin(middle, freedom) < 0.95) {
+                low = middle;
+            } else {
+                high = middle;
+            }
         }
+        return (low + high) / 2;
+    }
+
+    /** Returns the probability that |t| is below a limit (Abramowitz and Stegun 1964, 26.7.3 and 26.7.4). */
+    private static double shareWithin(double limit, int freedom) {
+        double cosine2 = freedom / (freedom + limit * limit);
+        boolean odd = freedom % 2 == 1;
+        double term = odd ? Math.sqrt(cosine2) : 1;
+        double sum = freedom == 1 ? 0 : term;
+        for (int i = odd ? 2 : 1; i <= freedom - 3; i += 2) {
+            term *= cosine2 * i / (i + 1);
+            sum += term;
+        }
+        double sine = Math.sqrt(1 - cosine2);
+        double angle = StrictMath.atan(limit / Math.sqrt(freedom));
+        return odd ? 2 / Math.PI * (angle + sine * sum) : sine * sum;
+    }
+
+    private static double expandedQuantile(int freedom) {
         double z3 = Z * Z * Z;
         double z5 = z3 * Z * Z;
         double z7 = z5 * Z * Z;

@@ -20,9 +20,19 @@ class IntervalTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1, 12.706", "2, 4.303", "3, 3.182", "5, 2.571", "10, 2.228", "30, 2.042", "1000, 1.962"})
+    @CsvSource({
+        "1, 12.706205",
+        "2, 4.302653",
+        "3, 3.182446",
+        "4, 2.776445",
+        "5, 2.570582",
+        "10, 2.228139",
+        "29, 2.045230",
+        "30, 2.042272",
+        "1000, 1.962339"
+    })
     void quantilesOfStudentAreThoseOfTheTables(int freedom, double quantile) {
-        assertEquals(quantile, Interval.studentQuantile(freedom), 0.005 * quantile);
+        assertEquals(quantile, Interval.studentQuantile(freedom), 1e-6);
     }
 
     @Test
