@@ -14,6 +14,7 @@ import faultline.engine.metrics.RunResult;
 import faultline.external.ControllerChoice;
 import faultline.external.ControllerStartException;
 import faultline.external.ProcessControllerSource;
+import faultline.geometry.Pose;
 import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.ProgramCommand;
@@ -45,13 +46,18 @@ final class CompareCommand {
         this.output = output;
     }
 
-    /** Keeps the last state of a run. */
+    /** Keeps the last state of a run, and measures the path. */
     private static final class EndObserver implements TickObserver {
         private RobotPath path;
         private Journal journal;
+        private Pose last;
+        private double metres;
 
         @Override
         public void observe(Simulation simulation) {
+            Pose pose = simulation.pose();
+            metres += last == null ? 0 : StrictMath.hypot(pose.x() - last.x(), pose.y() - last.y());
+            last = pose;
             if (simulation.ticks() == simulation.setup().ticks()) {
                 path = simulation.frame().path();
                 journal = simulation.journal();
@@ -157,7 +163,7 @@ final class CompareCommand {
             EndObserver end = new EndObserver();
             try {
                 RunResult result = runOnce(choice, scenario.name(), setup, options, end);
-                runs.add(new ControllerRuns.ComparedRun(result, end.path));
+                runs.add(new ControllerRuns.ComparedRun(result, end.path, end.metres));
                 replays.putIfAbsent(replayFile, JournalScenario.create(scenario, end.journal));
             } catch (ControllerStartException e) {
                 throw e;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.JavaProcess;
+import faultline.campaign.run.Csv;
 import faultline.io.ShellText;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -97,6 +98,34 @@ class CompareCommandTest {
         CommandResult none = compare("--controller", "none", "--controller", "wall-follower", "--truth");
         assertEquals(2, none.code, none.out);
         assertEquals("faultline: --truth needs --controller COMMAND (see faultline --help)\n", none.err);
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void theLengthOfThePathCountsMovesThatArePaintedAsOnePoint() throws Exception {
+        // Three volts to and fro, in turn for two ticks: less than 0.3 m/s for 20 ms, which is 6 mm.
+        String shaking = STRAIGHT.replace(
+                        "\\\"left_v\\\":2,\\\"right_v\\\":2.1", "\\\"left_v\\\":$v,\\\"right_v\\\":$v")
+                .replace("while read l; do", "while read l; do v=$((3-i/2%2*6));");
+        CommandResult result = compare("--controller", "none", "--controller", shaking, "--until", "4");
+        assertEquals(0, result.code, result.err);
+        Path trace = folder.resolve("trace.csv");
+        command("run", SCENARIO, "--until", "4", "--controller", shaking, "--trace", "" + trace);
+        double metres = 0;
+        double[] first = null;
+        double[] last = null;
+        for (String row : Files.readAllLines(trace).subList(1, 402)) {
+            String[] cells = row.split(",");
+            double[] place = {Double.parseDouble(cells[2]), Double.parseDouble(cells[3])};
+            metres += last == null ? 0 : Math.hypot(place[0] - last[0], place[1] - last[1]);
+            first = first == null ? place : first;
+            last = place;
+        }
+        assertTrue(Math.hypot(last[0] - first[0], last[1] - first[1]) < 0.006, "it shakes in its place");
+        assertTrue(metres > 0.05, metres + " m");
+        List<String> shaken = Csv.cells(table().get(2));
+        double counted = Double.parseDouble(shaken.get(Csv.cells(table().get(0)).indexOf("path_m")));
+        assertEquals(metres, counted, 1e-9);
     }
 
     @Test

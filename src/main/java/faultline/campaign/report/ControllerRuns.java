@@ -29,19 +29,10 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
      * A completed run.
      *
      * @param result its seed and its results
-     * @param path the path of the robot
+     * @param path the path of the robot, for pictures; it lacks points that are close to others
+     * @param metres the length of the whole path, from tick to tick
      */
-    public record ComparedRun(RunResult result, RobotPath path) {
-
-        /** Returns the length of the path, metres. */
-        double metres() {
-            double sum = 0;
-            for (int i = 1; i < path.size(); i++) {
-                sum += StrictMath.hypot(path.x(i) - path.x(i - 1), path.y(i) - path.y(i - 1));
-            }
-            return sum;
-        }
-    }
+    public record ComparedRun(RunResult result, RobotPath path, double metres) {}
 
     /**
      * A run that failed.
