@@ -129,7 +129,8 @@ final class FactorReader {
         List<String> sensors = fields.text("sensors").map(FactorReader::words).orElse(standardSensors());
         fields.reportUnknownAndMissing();
         List<List<String>> masks = new ArrayList<>();
-        node.childrenNamed("mask").forEach(child -> masks.add(readMask(child, sensors)));
+        Set<Set<String>> sets = new HashSet<>();
+        node.childrenNamed("mask").forEach(child -> masks.add(readMask(child, sensors, sets)));
         if (masks.isEmpty()) {
             if (sensors.size() > MAX_MASKED) {
                 fields.report("sensors", String.join(" ", sensors), "at most " + MAX_MASKED + " of them");
@@ -145,13 +146,16 @@ final class FactorReader {
                 masks.stream().map(on -> maskLevel(on, sensors, node)).toList()));
     }
 
-    private List<String> readMask(XmlElement node, List<String> sensors) {
+    /** Reads a mask, given the sensors that may be on and the sets of earlier masks. */
+    private List<String> readMask(XmlElement node, List<String> sensors, Set<Set<String>> earlier) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         List<String> on =
                 words(fields.requiredText("on", "the sensors that are on").orElse(""));
         if (!sensors.containsAll(on)) {
             fields.report("on", String.join(" ", on), "some of " + Allowed.names(sensors));
+        } else if (!earlier.add(Set.copyOf(on))) {
+            fields.report("on", String.join(" ", on), "a set of sensors that no other <mask> has");
         }
         fields.reportUnknownAndMissing();
         return on;

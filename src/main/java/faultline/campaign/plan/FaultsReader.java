@@ -5,6 +5,7 @@ import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -61,12 +62,21 @@ final class FaultsReader {
                 new AttributeReader(child, problems).reportUnknownAndMissing();
                 levels.add(new IncompleteLevel(Map.of(), child));
             } else if (child.name().equals("fault")) {
+                if (child.attributes().keySet().containsAll(List.of("lasts", "until"))) {
+                    problems.add(child, PlanProblem.LASTS_AND_UNTIL.with());
+                }
                 readFault(child, name).forEach(values -> levels.add(new IncompleteLevel(values, child)));
             }
         }
         if (levels.isEmpty()) {
             problems.add(node, PlanProblem.NO_FAULT.with());
             return Optional.empty();
+        }
+        Set<Map<String, AttributeValue>> different = new HashSet<>();
+        for (IncompleteLevel level : levels) {
+            if (!different.add(level.attributes)) {
+                problems.add(level.node, PlanProblem.DUPLICATE_FAULT.with(level.node.name()));
+            }
         }
         List<Column> columns = attributes.stream().map(key -> column(name, key)).toList();
         return Optional.of(new Factor(

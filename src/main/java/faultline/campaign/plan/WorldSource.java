@@ -9,6 +9,8 @@ import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import java.io.IOException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** A source of worlds of a plan. */
 sealed interface WorldSource {
@@ -42,6 +44,9 @@ sealed interface WorldSource {
 
     /** Generated rooms with consecutive seeds, and the rules for their corners and visitors. */
     record Rooms(long first, int count, RoomRules rules) implements WorldSource {
+
+        private static final Pattern NAME = Pattern.compile("room-(0|[1-9]\\d{0,17})(.*)");
+
         @Override
         public String label(int index) {
             return "room-" + (first + index) + suffix();
@@ -52,6 +57,16 @@ sealed interface WorldSource {
             RandomRoom room = RandomRoom.ofSeed(first + index, rules);
             SimulationSetup setup = SimulationSetup.of(room.world(), room.start());
             return toTree(new Scenario(label(index), "", false, setup, Expectation.NONE));
+        }
+
+        /** Returns whether one of these rooms has a name. */
+        boolean contains(String label) {
+            Matcher name = NAME.matcher(label);
+            if (!name.matches() || !name.group(2).equals(suffix())) {
+                return false;
+            }
+            long number = Long.parseLong(name.group(1));
+            return number >= first && number < first + count;
         }
 
         /** Rooms with rules other than the default have different names. */

@@ -38,12 +38,31 @@ final class WorldsReader {
         worlds.ifPresent(node -> {
             ElementRules.checkChildren(node, List.of("scenario", "rooms"), problems);
             new AttributeReader(node, problems).reportUnknownAndMissing();
-            node.children().forEach(child -> readSource(child).ifPresent(sources::add));
+            for (XmlElement child : node.children()) {
+                readSource(child).ifPresent(source -> {
+                    checkRooms(child, source, sources);
+                    sources.add(source);
+                });
+            }
         });
         if (worlds.isEmpty() || worlds.get().children().isEmpty()) {
             problems.add(worlds.orElse(root), PlanProblem.NO_WORLDS.with());
         }
         return sources;
+    }
+
+    /** Reports rooms that are worlds already, and a scenario with the name of a room. */
+    private void checkRooms(XmlElement node, WorldSource source, List<WorldSource> earlier) {
+        for (WorldSource other : earlier) {
+            if (other instanceof WorldSource.Rooms rooms && rooms.contains(source.label(0))) {
+                String label = MessageText.excerpt(source.label(0));
+                boolean scenario = source instanceof WorldSource.ScenarioFile;
+                problems.add(
+                        node, (scenario ? PlanProblem.DUPLICATE_SCENARIO : PlanProblem.DUPLICATE_ROOM).with(label));
+            } else if (source instanceof WorldSource.Rooms rooms && rooms.contains(other.label(0))) {
+                problems.add(node, PlanProblem.DUPLICATE_ROOM.with(MessageText.excerpt(other.label(0))));
+            }
+        }
     }
 
     private Optional<WorldSource> readSource(XmlElement node) {

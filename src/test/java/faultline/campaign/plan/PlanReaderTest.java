@@ -43,10 +43,51 @@ class PlanReaderTest {
             <fault sensor="front"/> | plan.xml:3:24: <campaign> must not contain <fault>; expected description, worlds, seeds, set, variants, faults, masks; did you mean "faults"?
             <seeds count="0"/> | plan.xml:3:19: count of <seeds> is "0"; expected a whole number from 1 to 10000000
             <set attribute="robot/@speed" value="0.1 0.2" name="run"/> | plan.xml:1:57: two columns of runs.csv would have the name "run"; expected unique names (set another with the attribute name)
+            <set attribute="@tick" value="0.1"/><set attribute="scenario/@tick" value="0.2"/> | plan.xml:3:82: the attribute "@tick" is set twice; expected one element that sets it
+            <set attribute="robot/@speed" value="0.1 0.2"/><set attribute="robot/@speed" value="0.3..0.4" name="drawn"/> | plan.xml:3:109: the attribute "robot/@speed" is set twice; expected one element that sets it
+            <set attribute="robot/@speed" value="0.1 0.2"/><set attribute="robot/@speed" value="0.3" name="one"/> | plan.xml:3:48: the attribute "robot/@speed" is set twice; expected one element that sets it
+            <set attribute="robot/@speed" value="0.1 0.2"/><variants><variant name="a"><set attribute="robot/@speed" value="0.3"/></variant></variants> | plan.xml:3:119: the attribute "robot/@speed" is set twice; expected one element that sets it
+            <variants><variant name="a"><set attribute="@tick" value="0.1"/><set attribute="@tick" value="0.1"/></variant></variants> | plan.xml:3:101: the attribute "@tick" is set twice; expected one element that sets it
+            <masks sensors="front"/><set attribute="robot/sensor[front]/@on" value="any of true false"/> | plan.xml:3:93: the attribute "robot/sensor[front]/@on" is set twice; expected one element that sets it
+            <masks><mask on="front left"/><mask on="left front"/></masks> | plan.xml:3:54: on of <mask> is "left front"; expected a set of sensors that no other <mask> has
+            <faults><healthy/><healthy/></faults> | plan.xml:3:29: <healthy> is the same as an earlier one; expected each fault once
+            <faults><fault kind="off stuck" sensor="front" at="1..2"/><fault sensor="front" at="1..2" kind="stuck"/></faults> | plan.xml:3:105: <fault> is the same as an earlier one; expected each fault once
+            <faults><fault kind="off" sensor="front" at="1" until="2" lasts="3"/></faults> | plan.xml:3:70: <fault> has both lasts and until; expected one of them
             <masks sensors="front left"><mask on="rear"/></masks> | plan.xml:3:46: on of <mask> is "rear"; expected some of front, left
             """)
     void everyMistakeIsReportedAtItsPlace(String element, String problem) {
         assertEquals(List.of(problem), SamplePlan.problems(element));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            textBlock =
+                    """
+            <rooms first="3" count="4"/><rooms first="6" count="2"/> | <rooms> contains the world "room-6", which is there already; expected each world once
+            <rooms first="6" count="2"/><rooms first="3" count="4"/> | <rooms> contains the world "room-6", which is there already; expected each world once
+            <rooms first="6"/><scenario file="a.xml" name="room-6"/> | name of <scenario> is "room-6", which another scenario already has; expected unique names and files
+            <scenario file="room-7.xml"/><rooms first="6" count="2"/> | <rooms> contains the world "room-7", which is there already; expected each world once
+            """)
+    void aWorldIsThereOnce(String worlds, String problem) {
+        ScenarioException refusal = assertThrows(
+                ScenarioException.class, () -> SamplePlan.read(SamplePlan.text("", "<worlds>" + worlds + "</worlds>")));
+        assertEquals(1, refusal.problems().size());
+        assertEquals(problem, refusal.problems().get(0).toString().replaceFirst("^plan.xml:2:\\d+: ", ""));
+    }
+
+    @Test
+    void otherRoomsAndVariantsThatReplaceAValueAreGood() throws Exception {
+        SamplePlan.read(
+                SamplePlan.text(
+                        "",
+                        """
+                <worlds><rooms first="3" count="3"/><rooms first="6"/><rooms first="3" visitors="1"/></worlds>
+                <set attribute="robot/@speed" value="0.3"/>
+                <variants><variant name="usual"/>
+                  <variant name="slow"><set attribute="robot/@speed" value="0.2"/></variant></variants>
+                """));
     }
 
     @Test
