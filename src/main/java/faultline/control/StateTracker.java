@@ -1,5 +1,7 @@
 package faultline.control;
 
+import java.util.Objects;
+
 /** Counts the state transitions of a controller that reports only the names of its states. */
 public final class StateTracker implements Controller {
 
@@ -25,7 +27,7 @@ public final class StateTracker implements Controller {
 
     @Override
     public Decision decide(Observation observation) {
-        Decision decision = delegate.decide(observation);
+        Decision decision = Objects.requireNonNull(delegate.decide(observation), "decide returned null");
         Telemetry given = decision.telemetry();
         if (last == null) {
             last = given;

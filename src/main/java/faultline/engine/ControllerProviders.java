@@ -6,6 +6,7 @@ import faultline.control.StateTracker;
 import faultline.io.MessageText;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
@@ -54,7 +55,8 @@ public final class ControllerProviders {
      */
     public static Controller create(ControllerProvider provider, Map<String, String> settings) {
         try {
-            return new StateTracker(provider.create(settings), MessageText.name(provider.name()));
+            Controller controller = Objects.requireNonNull(provider.create(settings), "create returned null");
+            return new StateTracker(controller, MessageText.name(provider.name()));
         } catch (RuntimeException | Error e) {
             throw new RunFailedException("the controller \"" + provider.name() + "\" cannot be created: " + e, e);
         }
@@ -62,11 +64,30 @@ public final class ControllerProviders {
 
     private static List<ControllerProvider> all() {
         try {
-            return StreamSupport.stream(
+            List<ControllerProvider> providers = StreamSupport.stream(
                             ServiceLoader.load(ControllerProvider.class).spliterator(), false)
                     .toList();
+            providers.forEach(ControllerProviders::requireName);
+            return providers;
         } catch (ServiceConfigurationError | LinkageError e) {
             throw new RunFailedException("a controller in Java cannot be loaded: " + e.getMessage(), e);
         }
+    }
+
+    private static void requireName(ControllerProvider provider) {
+        String name;
+        try {
+            name = provider.name();
+        } catch (RuntimeException | Error e) {
+            throw nameless(provider, e.toString(), e);
+        }
+        if (name == null || name.isBlank()) {
+            throw nameless(provider, name == null ? "name returned null" : "name returned a blank", null);
+        }
+    }
+
+    private static RunFailedException nameless(ControllerProvider provider, String problem, Throwable cause) {
+        return new RunFailedException(
+                "the controller in Java " + provider.getClass().getName() + " has no name: " + problem, cause);
     }
 }

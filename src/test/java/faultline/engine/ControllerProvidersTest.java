@@ -1,0 +1,116 @@
+package faultline.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import faultline.control.Controller;
+import faultline.control.ControllerProvider;
+import faultline.control.ControllerSpec;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.geometry.Pose;
+import faultline.world.WorldSpec;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Providers that break the contract of their interface are named, and are not taken for a defect of the program. */
+class ControllerProvidersTest {
+
+    @TempDir
+    private Path folder;
+
+    private final ClassLoader before = Thread.currentThread().getContextClassLoader();
+
+    @AfterEach
+    void removeProvider() {
+        Thread.currentThread().setContextClassLoader(before);
+    }
+
+    private void addProvider(Class<?> provider) throws Exception {
+        Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+        Files.writeString(services.resolve(ControllerProvider.class.getName()), provider.getName());
+        Thread.currentThread()
+                .setContextClassLoader(
+                        new URLClassLoader(new URL[] {folder.toUri().toURL()}, before));
+    }
+
+    /** A provider whose name is null. */
+    public static final class Nameless implements ControllerProvider {
+        @Override
+        public String name() {
+            return null;
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError("nobody can ask for it");
+        }
+    }
+
+    /** A provider that fails when it is asked for its name. */
+    public static final class Failing implements ControllerProvider {
+        @Override
+        public String name() {
+            throw new IllegalStateException("not today");
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError("nobody can ask for it");
+        }
+    }
+
+    /** A provider that makes no controller, or one that makes no decision. */
+    public static final class Empty implements ControllerProvider {
+        @Override
+        public String name() {
+            return "empty";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            return settings.isEmpty() ? null : observation -> null;
+        }
+    }
+
+    private static String failure(Map<String, String> settings) {
+        WorldSpec room = new WorldSpec(4, 3, true, 3, List.of());
+        SimulationSetup setup = SimulationSetup.of(room, new Pose(2, 1.5, 0))
+                .withDuration(1)
+                .withController(new ControllerSpec.Provided("empty", 0, settings));
+        return assertThrows(RunFailedException.class, () -> HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()))
+                .getMessage();
+    }
+
+    @Test
+    void aProviderWithoutANameIsNamedByItsClass() throws Exception {
+        addProvider(Nameless.class);
+        RunFailedException refusal = assertThrows(RunFailedException.class, ControllerProviders::names);
+        assertEquals(
+                "the controller in Java " + Nameless.class.getName() + " has no name: name returned null",
+                refusal.getMessage());
+        addProvider(Failing.class);
+        refusal = assertThrows(RunFailedException.class, () -> ControllerProviders.find("any"));
+        assertEquals(
+                "the controller in Java " + Failing.class.getName()
+                        + " has no name: java.lang.IllegalStateException: not today",
+                refusal.getMessage());
+    }
+
+    @Test
+    void aMissingControllerOrDecisionIsSaidInWords() throws Exception {
+        addProvider(Empty.class);
+        assertEquals(
+                "the controller \"empty\" cannot be created: java.lang.NullPointerException: create returned null",
+                failure(Map.of()));
+        assertEquals(
+                "the controller broke at tick 0: java.lang.NullPointerException: decide returned null",
+                failure(Map.of("decision", "none")));
+    }
+}
