@@ -7,12 +7,14 @@ import faultline.campaign.plan.FactorKind;
 import faultline.campaign.run.Csv;
 import faultline.campaign.run.LineReader;
 import faultline.campaign.run.RowCheck;
+import faultline.io.MessageText;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -26,6 +28,9 @@ final class RunData {
 
     /** The maximum number of levels of a variable for a comparison of variants. */
     private static final int MAX_COMPARED = 12;
+
+    private static final List<String> NEEDED_COLUMNS =
+            List.of("run", "block", "world", "seed", "outcome", "carried_on", "collided");
 
     private final CampaignPlan plan;
     private final Map<String, Integer> indices = new HashMap<>();
@@ -60,18 +65,45 @@ final class RunData {
                 throw new IOException(table + ":" + data.damagedRows.get(0) + ": the row does not have "
                         + data.indices.size() + " cells like the header");
             }
-            for (RunRow row : data.rows) {
-                Optional<String> problem = RowCheck.findProblem(row::text);
-                if (problem.isPresent()) {
-                    throw new IOException(table + ": " + problem.get());
-                }
-            }
-            if (data.rows.isEmpty()) {
-                throw new IOException(table + ":1:1: there is no row of a run; expected at least one below the header");
-            }
+            data.checkColumns(table);
+            data.checkRows(table);
             return data;
         } catch (UncheckedIOException e) {
             throw new IOException(table + ": the file cannot be read as UTF-8 text", e);
+        }
+    }
+
+    /** Checks that the columns are there without which every run would be without a result. */
+    private void checkColumns(Path table) throws IOException {
+        List<String> needed = new ArrayList<>(NEEDED_COLUMNS);
+        plan.factorColumns().forEach(column -> needed.add(column.name()));
+        for (String name : needed) {
+            if (!indices.isEmpty() && index(name) < 0) {
+                throw new IOException(table + ":1:1: the header has no column " + MessageText.quoted(name)
+                        + "; expected names with commas between them");
+            }
+        }
+    }
+
+    private void checkRows(Path table) throws IOException {
+        BitSet runs = new BitSet();
+        for (RunRow row : rows) {
+            Optional<String> problem = RowCheck.findProblem(row::text);
+            if (problem.isPresent()) {
+                throw new IOException(table + ": " + problem.get());
+            }
+            long run = Long.parseLong(row.text("run"));
+            if (run >= plan.runCount()) {
+                throw new IOException(
+                        table + ": run " + run + " is not in the plan; expected 0 to " + (plan.runCount() - 1));
+            }
+            if (runs.get((int) run)) {
+                throw new IOException(table + ": run " + run + " is there twice; expected each run once");
+            }
+            runs.set((int) run);
+        }
+        if (rows.isEmpty()) {
+            throw new IOException(table + ":1:1: there is no row of a run; expected at least one below the header");
         }
     }
 

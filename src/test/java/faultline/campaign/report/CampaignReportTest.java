@@ -220,6 +220,30 @@ class CampaignReportTest {
                 table + ":3: the row does not have " + cells.size() + " cells like the header", refusal.getMessage());
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+                    run,block        | BOMrun,block | :1:1: the header has no column "run"; expected names with commas between them
+                    ,carried_on,     | ,went_on,    | :1:1: the header has no column "carried_on"; expected names with commas between them
+                    ,robot_speed_m_s | ,speed       | :1:1: the header has no column "robot_speed_m_s"; expected names with commas between them
+                    LF7,             | LF1,         | : run 1 is there twice; expected each run once
+                    LF7,             | LF8,         | : run 8 is not in the plan; expected 0 to 7
+                    """)
+    void aTableWithOtherColumnsOrRunsIsRefusedInOneSentence(String found, String replacement, String problem)
+            throws Exception {
+        report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        Path table = folder.resolve("runs.csv");
+        String text = Files.readString(table);
+        String damaged = text.replaceFirst(
+                found.replace("LF", "\n"), replacement.replace("LF", "\n").replace("BOM", "\uFEFF"));
+        assertFalse(damaged.equals(text), "it is there");
+        Files.writeString(table, damaged);
+        IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
+        assertEquals(table + problem, refusal.getMessage());
+    }
+
     @Test
     void aTableThatIsNoTextIsRefusedInOneSentence() throws Exception {
         report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
