@@ -179,7 +179,25 @@ public final class FileController {
     }
 
     private void save(Runnable then) {
-        workspace.file().ifPresentOrElse(file -> documentStore.save(file, then), () -> saveAs(then));
+        workspace
+                .file()
+                .ifPresentOrElse(
+                        file -> documentStore.saveUnlessReplaced(file, then, () -> askBeforeSaving(file, then)),
+                        () -> saveAs(then));
+    }
+
+    /** Asks whether to save over the change of another program; nothing happens if the question is closed. */
+    private void askBeforeSaving(Path file, Runnable then) {
+        int answer = fileDialogs.showOptions(
+                "changed",
+                Messages.get("changed.questionUnsaved", String.valueOf(file.getFileName())),
+                "changed.keep",
+                "changed.reload");
+        if (answer == 0) {
+            documentStore.save(file, then);
+        } else if (answer == 1) {
+            documentStore.open(file);
+        }
     }
 
     private void saveAs(Runnable then) {

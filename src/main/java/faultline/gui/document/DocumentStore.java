@@ -111,21 +111,49 @@ public final class DocumentStore {
      * written.
      */
     public void save(Path file, Runnable then) {
+        workspace.openDocument().ifPresent(now -> write(now.document(), now.edited(), file, then));
+    }
+
+    /**
+     * Saves the edited scenario to the file that it came from, unless another program has changed that file:
+     * {@code onForeignChange} is called instead. The watch of the file notices a change only after some seconds.
+     */
+    public void saveUnlessReplaced(Path file, Runnable then, Runnable onForeignChange) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
-            Path present = workspace.file().orElse(null);
             BackgroundTasks.runBeforeExit(
-                    () -> {
-                        Scenario scenario = edited.join();
-                        scenario.save(file, present == null ? XmlComments.NONE : XmlComments.read(present));
-                        return scenario;
+                    () -> Optional.ofNullable(loadIfReadable(file)).filter(found -> !found.equals(edited.join())),
+                    found -> {
+                        Optional<Scenario> saved = now.document().saved();
+                        if (found.isEmpty() || saved.isEmpty() || saved.equals(found)) {
+                            write(now.document(), edited, file, then);
+                        } else {
+                            // The watch need not report it again.
+                            workspace.setSavedScenario(found.get());
+                            onForeignChange.run();
+                        }
                     },
-                    scenario -> {
-                        markSaved(now.document(), file, scenario);
-                        then.run();
-                    },
-                    failure -> workspace.fire(listener -> listener.taskFailed(TaskKind.SAVE, file, failure)));
+                    failure -> saveFailed(file, failure));
         });
+    }
+
+    private void write(ScenarioDocument document, CompletableFuture<Scenario> edited, Path file, Runnable then) {
+        Path present = document.file().orElse(null);
+        BackgroundTasks.runBeforeExit(
+                () -> {
+                    Scenario scenario = edited.join();
+                    scenario.save(file, present == null ? XmlComments.NONE : XmlComments.read(present));
+                    return scenario;
+                },
+                scenario -> {
+                    markSaved(document, file, scenario);
+                    then.run();
+                },
+                failure -> saveFailed(file, failure));
+    }
+
+    private void saveFailed(Path file, Throwable failure) {
+        workspace.fire(listener -> listener.taskFailed(TaskKind.SAVE, file, failure));
     }
 
     /** Marks a scenario as saved; later edits remain unsaved. */

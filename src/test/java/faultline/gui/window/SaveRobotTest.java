@@ -89,6 +89,17 @@ class SaveRobotTest {
     }
 
     @Test
+    void aChangeByAnotherProgramIsNotOverwrittenWithoutAQuestion() throws IOException, ScenarioException {
+        Files.writeString(file, Files.readString(file).replaceFirst("name=\"Office\"", "name=\"Other\""));
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        driver.dialog("File changed");
+        assertEquals(before, saved(file));
+        driver.clickButton("File changed", "Keep my version");
+        driver.waitForTitle("office.xml");
+        assertEquals(after, saved(file));
+    }
+
+    @Test
     void saveAsWritesANewFileAndLeavesTheOldOneUnchanged() throws ScenarioException {
         Path other = folder.resolve("other.xml");
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
