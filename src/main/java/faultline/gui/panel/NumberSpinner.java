@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
+import faultline.io.MessageText;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -120,8 +121,8 @@ public final class NumberSpinner extends JSpinner {
     /** Says that the text is about to be replaced by the value before it. */
     private void noteRefusal() {
         if (note != null && isRefused()) {
-            String sentence = Messages.get(
-                    "number.refused", textField().getText().strip(), limitsText(), formatter.format(doubleValue()));
+            String sentence =
+                    Messages.get("number.refused", typedText(), limitsText(), formatter.format(doubleValue()));
             EventQueue.invokeLater(
                     () -> note.showBriefly(textField().isShowing() ? sentence : name() + ": " + sentence));
         }
@@ -243,6 +244,11 @@ public final class NumberSpinner extends JSpinner {
         } catch (ParseException invalid) {
             return false;
         }
+    }
+
+    /** Returns what is typed, short enough for a sentence. */
+    public String typedText() {
+        return MessageText.excerpt(textField().getText().strip());
     }
 
     /** Returns a text that states the limits. */

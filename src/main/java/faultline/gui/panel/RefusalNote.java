@@ -1,7 +1,9 @@
 package faultline.gui.panel;
 
+import faultline.gui.theme.UiText;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
@@ -76,7 +78,7 @@ public final class RefusalNote {
         }
         text = sentence;
         field.getAccessibleContext().setAccessibleDescription(sentence);
-        JToolTip tip = field.createToolTip();
+        JToolTip tip = UiText.plain(field.createToolTip());
         tip.setTipText(sentence);
         Point at = location(place, tip.getPreferredSize());
         popup = PopupFactory.getSharedInstance().getPopup(place, tip, at.x, at.y);
@@ -93,7 +95,8 @@ public final class RefusalNote {
     }
 
     /**
-     * Returns the location below a component, or above it at the bottom of the window, within the width of the window.
+     * Returns the location below a component, or above it at the bottom of the window or where the note would cover
+     * another field that has the focus, within the width of the window.
      */
     private static Point location(Component place, Dimension size) {
         Window window = SwingUtilities.getWindowAncestor(place);
@@ -101,8 +104,19 @@ public final class RefusalNote {
         Point origin = place.getLocationOnScreen();
         int x = Math.max(bounds.x, Math.min(origin.x, bounds.x + bounds.width - window.getInsets().right - size.width));
         int below = origin.y + place.getHeight() + GAP;
-        boolean room = below + size.height <= bounds.y + bounds.height - window.getInsets().bottom;
+        boolean room = below + size.height <= bounds.y + bounds.height - window.getInsets().bottom
+                && !coversFocus(place, new Rectangle(new Point(x, below), size));
         return new Point(x, room ? below : origin.y - size.height - GAP);
+    }
+
+    private static boolean coversFocus(Component place, Rectangle note) {
+        Component focused =
+                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        return focused instanceof JComponent next
+                && next.isShowing()
+                && !SwingUtilities.isDescendingFrom(next, place)
+                && note.intersects(new Rectangle(
+                        next.getLocationOnScreen(), next.getVisibleRect().getSize()));
     }
 
     /** Hides the sentence, if one is shown. */

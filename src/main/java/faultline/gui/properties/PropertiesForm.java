@@ -136,7 +136,7 @@ final class PropertiesForm extends JPanel {
 
     /** Returns why the text of a field is refused. */
     static String refusal(NumberSpinner field) {
-        return Messages.get("properties.number.invalid", field.textField().getText(), field.getToolTipText());
+        return Messages.get("properties.number.invalid", field.typedText(), field.getToolTipText());
     }
 
     /** Returns the field whose text {@link #findProblem} refuses; empty if the problem is another one. */

@@ -3,6 +3,7 @@ package faultline.gui.window;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
@@ -17,6 +18,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import javax.swing.JComboBox;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.JToolTip;
@@ -76,6 +78,32 @@ class RefusalNoteRobotTest {
         driver.robot().waitFor("the note", () -> notes().anyMatch(note ->
                 note.getTipText().startsWith("Linear velocity: 50 is not allowed. Allowed: 0.01 to 0.6")));
         assertEquals(before, callOnEdt(speed::getText));
+    }
+
+    @Test
+    void aNoteLeavesTheNextFieldVisible() {
+        JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
+        runOnEdt(() -> tabs.setSelectedIndex(1));
+        driver.typeInto("Distance, m", KeyEvent.VK_9, KeyEvent.VK_9, KeyEvent.VK_TAB);
+        driver.robot().waitFor("the note", () -> notes().anyMatch(
+                        note -> note.getTipText().startsWith("99 is not allowed. Allowed: 0.05 to 10")));
+        JComboBox<?> next = ComponentFinder.find(driver.window(), JComboBox.class, "Wall side");
+        driver.robot().waitFor("the next field has the focus", next::isFocusOwner);
+        Rectangle note = callOnEdt(() -> boundsOnScreen(notes().findAny().orElseThrow()));
+        assertFalse(note.intersects(callOnEdt(() -> boundsOnScreen(next))), note.toString());
+    }
+
+    @Test
+    void aNoteAboutALongTextFitsInTheWindow() {
+        JTextField speed = ComponentFinder.find(driver.window(), JTextField.class, "Linear velocity");
+        driver.typeInto("Linear velocity", KeyEvent.VK_9);
+        runOnEdt(() -> speed.setText("9".repeat(400)));
+        driver.robot().pressKeys(KeyEvent.VK_TAB);
+        waitForNote(speed, "999");
+        assertTrue(
+                callOnEdt(() -> speed.getAccessibleContext().getAccessibleDescription())
+                        .endsWith("... is not allowed. Allowed: 0.01 to 0.6. The value stays 0.30"),
+                "the sentence is whole");
     }
 
     private void waitForNote(JTextField field, String start) {
