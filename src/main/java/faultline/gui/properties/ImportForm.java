@@ -78,8 +78,11 @@ public final class ImportForm extends JPanel {
     public static Optional<Scenario> showDialog(Component parent, Path file) {
         ImportForm form = new ImportForm(file);
         String title = Messages.get("import.title", String.valueOf(file.getFileName()));
-        while (FormDialog.showDialog(parent, title, form, form.unknownIsWall)) {
-            Optional<String> problem = form.findProblem();
+        Component focused = form.unknownIsWall;
+        while (FormDialog.showDialog(parent, title, form, focused)) {
+            Optional<NumberSpinner> refused = form.commitNumbers();
+            Optional<String> problem = refused.map(PropertiesForm::refusal);
+            focused = refused.<Component>map(NumberSpinner::textField).orElse(form.unknownIsWall);
             if (problem.isEmpty()) {
                 form.awaitReading(parent, title);
             }
@@ -143,11 +146,10 @@ public final class ImportForm extends JPanel {
         startReading();
     }
 
-    /** Commits what is being typed, and returns which text is refused; empty if none is. */
-    Optional<String> findProblem() {
+    /** Commits what is being typed, and returns the first field whose text is refused; empty if none is. */
+    Optional<NumberSpinner> commitNumbers() {
         return NumberSpinner.findIn(this)
                 .filter(field -> !field.commitValidEdit())
-                .map(PropertiesForm::refusal)
                 .findFirst();
     }
 

@@ -160,10 +160,11 @@ class ImportFormTest {
         runOnEdt(() -> smallest.setText("-7"));
         assertEquals(
                 "-7 is not allowed. Smallest wall, cells: 1 to 100000",
-                callOnEdt(form::findProblem).orElseThrow());
+                callOnEdt(() -> form.commitNumbers().map(PropertiesForm::refusal))
+                        .orElseThrow());
         assertTrue(callOnEdt(() -> {
             smallest.setText("2");
-            return form.findProblem().isEmpty() && form.scenario().isEmpty();
+            return form.commitNumbers().isEmpty() && form.scenario().isEmpty();
         }));
         awaitStatus(form, "60 × 40 cells, 3 outlines");
     }

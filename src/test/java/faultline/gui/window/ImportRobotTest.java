@@ -81,6 +81,24 @@ class ImportRobotTest {
         driver.waitForFrame("the walls without the speck", frame -> rings(frame) == 2);
     }
 
+    @Test
+    void aRefusedNumberHasTheFocusAfterItsMessage() throws IOException {
+        JDialog dialog = openMap();
+        JTextField smoothing = ComponentFinder.find(dialog, JTextField.class, "Smoothing, cells");
+        runOnEdt(() -> {
+            smoothing.requestFocusInWindow();
+            smoothing.setText("99");
+        });
+        driver.robot().waitFor("the field has the focus", smoothing::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the form is gone", () -> !dialog.isShowing());
+        driver.dialog(TITLE);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the refused field has the focus", smoothing::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the form is gone again", () -> !smoothing.isShowing());
+    }
+
     private static long rings(Frame frame) {
         return frame.snapshot().obstacles().stream()
                 .map(obstacle -> obstacle.shape())
