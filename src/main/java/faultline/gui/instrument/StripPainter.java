@@ -23,7 +23,11 @@ import faultline.paint.surface.TextStyle;
 import faultline.paint.surface.TextStyle.Anchor;
 import java.awt.Color;
 import java.awt.geom.Rectangle2D;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 
 /** Paints a strip chart: the bar of controller states, faults behind the lines, axes, lines and collisions. */
 final class StripPainter {
@@ -35,6 +39,9 @@ final class StripPainter {
     private static final int RIBBON_HEIGHT = 15;
     private static final int STATE_COLOUR_HEIGHT = 3;
     private static final int FAULT_ALPHA = 45;
+    /** Of all shades together. */
+    private static final int MAX_ALPHA = 90;
+
     private static final int GRID_ALPHA = 75;
 
     private final Surface surface;
@@ -63,6 +70,7 @@ final class StripPainter {
         LegendPlace legend = scale.legend();
         LegendEntry.paint(legend.rows(), surface, theme, textStyle, legend.corner(), LegendPlace.ROW_HEIGHT);
         StateIntervals.within(content.frame(), content.span()).forEach(this::paintState);
+        paintShades();
         content.items().forEach(this::paintItem);
         PlotPainter painter = new PlotPainter(surface, scale.plot());
         // Translucent, so that it differs from the shading of faults as well as from the canvas.
@@ -111,22 +119,48 @@ final class StripPainter {
         return Math.max(area.x(), Math.min(area.x() + area.width(), scale.plot().x(Math.min(time, 1e9))));
     }
 
-    /** Shades the interval of a fault in the colour of its sensor, or marks a moment. */
+    /**
+     * Shades the intervals of faults in the colours of their sensors. Several faults of a sensor shade an interval
+     * once, and all sensors together leave the lines readable.
+     */
+    private void paintShades() {
+        Map<Color, List<TimelineItem>> faults = content.items().stream()
+                .filter(TimelineItem::isInterval)
+                .collect(Collectors.groupingBy(this::colour, LinkedHashMap::new, Collectors.toList()));
+        int alpha = Math.min(FAULT_ALPHA, MAX_ALPHA / Math.max(1, faults.size()));
+        faults.forEach((colour, items) -> {
+            double shaded = area.x();
+            for (TimelineItem item : sorted(items)) {
+                double from = Math.max(shaded, x(item.start()));
+                double to = x(item.end());
+                if (to > from) {
+                    surface.fill(
+                            new Rectangle2D.Double(from, area.y(), to - from, area.height()),
+                            Palette.withAlpha(colour, alpha));
+                    shaded = to;
+                }
+            }
+        });
+    }
+
+    private static List<TimelineItem> sorted(List<TimelineItem> items) {
+        return items.stream()
+                .sorted(Comparator.comparingDouble(TimelineItem::start))
+                .toList();
+    }
+
+    private Color colour(TimelineItem item) {
+        int sensor = item.lane() instanceof Lane.SensorLane lane ? scale.sensorIndex(lane.id()) : 0;
+        return item.colours(theme.palette(), sensor).outline();
+    }
+
+    /** Marks the start and the end of a fault in the colour of its sensor, or a moment. */
     private void paintItem(TimelineItem item) {
         if (!item.isInterval()) {
             paintMoment(item.start(), theme.palette().muted(), DashPattern.DOTTED);
-            return;
-        }
-        double from = x(item.start());
-        double to = x(item.end());
-        if (to > from) {
-            int sensor = item.lane() instanceof Lane.SensorLane lane ? scale.sensorIndex(lane.id()) : 0;
-            Color colour = item.colours(theme.palette(), sensor).outline();
-            surface.fill(
-                    new Rectangle2D.Double(from, area.y(), to - from, area.height()),
-                    Palette.withAlpha(colour, FAULT_ALPHA));
-            paintMoment(item.start(), colour, DashPattern.SOLID);
-            paintMoment(item.end(), colour, DashPattern.SOLID);
+        } else if (x(item.end()) > x(item.start())) {
+            paintMoment(item.start(), colour(item), DashPattern.SOLID);
+            paintMoment(item.end(), colour(item), DashPattern.SOLID);
         }
     }
 

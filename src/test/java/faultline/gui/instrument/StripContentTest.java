@@ -26,6 +26,7 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.math.BigDecimal;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -76,6 +77,26 @@ class StripContentTest {
         assertEquals(rgb(content(SPAN, List.of(), null), 11, 0.03), rgb(with, 11, 0.03));
         assertNotEquals(rgb(content(SPAN, List.of(), null), 13, 0.03), rgb(with, 13, 0.03));
         assertNotEquals(rgb(content(SPAN, List.of(fault("front")), null), 13, 0.03), rgb(with, 13, 0.03));
+    }
+
+    @Test
+    void faultsOfOneSensorShadeItOnce() {
+        assertEquals(
+                rgb(content(SPAN, List.of(fault("left")), null), 13, 0.03),
+                rgb(content(SPAN, Collections.nCopies(6, fault("left")), null), 13, 0.03));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void allFaultySensorsTogetherLeaveTheTextReadable(Theme theme) {
+        List<TimelineItem> faults = FRAME.snapshot().sensors().stream()
+                .map(sensor -> fault(sensor.spec().id()))
+                .toList();
+        StripContent content = content(SPAN, faults, null);
+        StripScale scale = content.scale(900, 420, true);
+        Color shade = new Color(content.toImage(theme, 1)
+                .getRGB((int) scale.plot().x(13), (int) scale.plot().y(0.03)));
+        assertTrue(Contrast.of(theme.palette().text(), shade) >= 7, shade.toString());
     }
 
     @ParameterizedTest
