@@ -120,10 +120,10 @@ final class SensorPainter {
 
     private static String labelText(int index, SensorSnapshot sensor, SceneLabels labels) {
         String faults = sensor.faults().stream()
-                .map(fault -> " " + labels.faultName().apply(fault.kind()))
+                .map(fault -> labels.faultName().apply(fault.kind()))
                 .distinct()
-                .collect(Collectors.joining());
-        boolean switchedOff = !sensor.spec().on() && faults.isEmpty();
-        return (index + 1) + (switchedOff ? " " + labels.switchedOff() : faults);
+                .collect(Collectors.joining(", "));
+        String state = faults.isEmpty() && !sensor.spec().on() ? labels.switchedOff() : faults;
+        return (index + 1 + " " + state).strip();
     }
 }

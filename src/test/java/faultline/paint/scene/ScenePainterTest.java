@@ -229,6 +229,22 @@ class ScenePainterTest {
     }
 
     @Test
+    void theFaultsOfASensorAreListed() {
+        Frame frame = withSensor(SampleFrames.faultySensor(
+                FRONT,
+                AT_2_1,
+                new Reading(0.6),
+                new Reading(0.5),
+                FaultKind.STUCK.createFault(0.3),
+                FaultKind.BIAS.createFault(0.1),
+                FaultKind.BIAS.createFault(0.1)));
+        String svg = new RenderRequest(
+                        frame, FrameRenderer.fitCamera(frame.snapshot(), 900, 640), LIGHT, EnumSet.of(Layer.CONES))
+                .toSvg();
+        assertTrue(svg.contains(">1 stuck, bias<"), "each fault once");
+    }
+
+    @Test
     void aSensorThatIsOffHasADashedGreyOutlineWithoutFill() {
         Pixels pixels = Pixels.render(
                 withSensor(SampleFrames.sensor(FRONT.withOn(false), AT_2_1, new Reading(Reading.OFF))), LIGHT);
