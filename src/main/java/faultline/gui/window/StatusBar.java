@@ -15,6 +15,7 @@ import faultline.gui.theme.SeparatorBorder;
 import faultline.gui.theme.UiText;
 import faultline.world.Snapshot;
 import java.awt.EventQueue;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -50,6 +51,7 @@ final class StatusBar extends JPanel {
             return UiText.plain(super.createToolTip());
         }
     });
+    private final transient StalledRun stalledRun;
     private int noteFramesLeft;
     /** Null while the cursor is outside the canvas. */
     private transient Vector2 cursorPoint;
@@ -59,7 +61,12 @@ final class StatusBar extends JPanel {
     private String shownFailure = "";
 
     StatusBar() {
+        this(System::nanoTime);
+    }
+
+    StatusBar(LongSupplier nanoTime) {
         super(new StatusLayout(GAP, StatusCell.class::isInstance));
+        stalledRun = new StalledRun(nanoTime);
         setBorder(SeparatorBorder.above(3, 14, 3));
         for (StatusCell cell : new StatusCell[] {running, time, pace, state, pose, cursor, scale, tick}) {
             add(cell);
@@ -89,13 +96,25 @@ final class StatusBar extends JPanel {
                                 : status.running() ? "status.running" : "status.paused"));
         time.setStatusText(NumberText.format("t %.3f s", world.time()));
         tick.setStatusText(NumberText.format("tick %d", world.tick()));
+        boolean stalled = stalledRun.isStalled(world, status);
         pace.setStatusText(
-                status.achievedSpeed() > 0
+                status.achievedSpeed() > 0 && !stalled
                         ? NumberText.format("%.2f× ", status.achievedSpeed()) + Messages.get("status.realTime")
                         : "–");
         state.setStatusText(StateText.name(frame.telemetry().state()));
         pose.setStatusText(poseText(world.pose()));
         showNote(status);
+        showStall(stalled);
+    }
+
+    /** Says why nothing moves, and why a run does not pause at once. */
+    private void showStall(boolean stalled) {
+        String sentence = Messages.get("status.stalled");
+        if (stalled) {
+            showNote(sentence);
+        } else {
+            removeNote(sentence);
+        }
     }
 
     private static String poseText(Pose pose) {

@@ -16,6 +16,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.world.Refusal;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JToolTip;
@@ -40,6 +41,23 @@ class StatusBarTest {
         assertTrue(texts().get(4).endsWith("θ 179.9°"), texts().get(4));
         show(SampleFrames.frameOf(new Pose(1, 1, -1e-4)), running(1));
         assertTrue(texts().get(4).endsWith("θ 0.0°"), texts().get(4));
+    }
+
+    @Test
+    void aRunWhoseControllerDoesNotAnswerSaysSo() {
+        AtomicLong nanos = new AtomicLong();
+        StatusBar watching = callOnEdt(() -> new StatusBar(nanos::get));
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
+        runOnEdt(() -> watching.setFrame(frame, running(2.0)));
+        nanos.set(1_900_000_000L);
+        runOnEdt(() -> watching.setFrame(frame, running(2.0)));
+        assertTrue(texts(watching).contains("2.00× real time"));
+        nanos.set(2_100_000_000L);
+        runOnEdt(() -> watching.setFrame(frame, running(2.0)));
+        assertTrue(texts(watching).contains("Waiting for an answer of the controller"));
+        assertFalse(texts(watching).contains("2.00× real time"));
+        runOnEdt(() -> watching.setFrame(frame, new SessionStatus(false, 1, 0, 0, null, null)));
+        assertFalse(texts(watching).contains("Waiting for an answer of the controller"));
     }
 
     @Test
@@ -141,8 +159,12 @@ class StatusBarTest {
     }
 
     private List<String> texts() {
+        return texts(bar);
+    }
+
+    private static List<String> texts(StatusBar from) {
         return callOnEdt(() ->
-                ComponentFinder.findAll(bar, JLabel.class).map(JLabel::getText).toList());
+                ComponentFinder.findAll(from, JLabel.class).map(JLabel::getText).toList());
     }
 
     @Test
