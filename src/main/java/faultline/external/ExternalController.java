@@ -81,12 +81,21 @@ public final class ExternalController implements Controller, TickObserver, AutoC
             if (words.isEmpty()) {
                 throw new IOException("the command is empty");
             }
-            return new ChildProcess(words, patience, errors);
+            return startChild(words, patience, errors);
         } catch (IOException | IllegalArgumentException e) {
             throw new ControllerStartException(
                     "the controller \"" + command + "\" cannot be started: " + e.getMessage()
                             + ControllerChoice.hint(command),
                     e);
+        }
+    }
+
+    private static ChildProcess startChild(List<String> words, double patience, Consumer<String> errors)
+            throws IOException {
+        try {
+            return new ChildProcess(words, patience, errors);
+        } catch (IOException e) {
+            throw new IOException(StartFailure.describe(words.get(0), e.getMessage()), e);
         }
     }
 

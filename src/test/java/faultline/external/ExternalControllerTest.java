@@ -244,7 +244,8 @@ class ExternalControllerTest {
     void aProgramThatIsNotThereIsReported() {
         ControllerStartException e =
                 assertThrows(ControllerStartException.class, () -> run("no-such-program --x", office(), PATIENCE));
-        assertTrue(e.getMessage().startsWith("the controller \"no-such-program --x\" cannot be started: "));
+        assertEquals(
+                "the controller \"no-such-program --x\" cannot be started: there is no such program", e.getMessage());
     }
 
     @Test

@@ -1,0 +1,37 @@
+package faultline.external;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Reasons why a program cannot be started, in the words of several versions of the JDK. */
+class StartFailureTest {
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "Cannot run program \"x\": error=2, No such file or directory | there is no such program",
+                "Cannot run program \"x\": Exec failed, error: 2 (No such file or directory) | there is no such program",
+                "Cannot run program \"x\": error=13, Permission denied | the file is not executable",
+                "Cannot run program \"x\": Exec failed, error: 7 (Argument list too long) | Argument list too long",
+                "the command is too odd | the command is too odd"
+            })
+    void theReasonIsInPlainWords(String message, String reason) {
+        assertEquals(reason, StartFailure.describe("x", message));
+    }
+
+    @Test
+    void aScriptWithoutItsInterpreterIsNotCalledMissing(@TempDir Path folder) throws IOException {
+        Path script = Files.writeString(folder.resolve("follower"), "#!/no/such/python");
+        assertEquals(
+                "the interpreter that its first line names does not exist",
+                StartFailure.describe(script.toString(), "Cannot run program: error=2, No such file or directory"));
+    }
+}
