@@ -11,6 +11,7 @@ import faultline.gui.text.ReadingText;
 import faultline.scenario.Scenario;
 import faultline.world.Collision;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -38,7 +39,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
                     Messages.get(
                             "verdict.broken",
                             NumberText.format("%.3f", frame.snapshot().time())),
-                    status.failure().get(),
+                    capitalised(status.failure().get()),
                     frame.snapshot().tick()));
         }
         List<Expectation.Condition> required = scenario.expectation().conditions();
@@ -48,6 +49,10 @@ public record RunVerdict(boolean success, String title, String detail, long even
             return Optional.of(atEnd(frame, required));
         }
         return collision.map(contact -> atCollision(contact, required));
+    }
+
+    private static String capitalised(String sentence) {
+        return sentence.isEmpty() ? "" : sentence.substring(0, 1).toUpperCase(Locale.ROOT) + sentence.substring(1);
     }
 
     private static boolean isEnd(SessionFrame frame, SimulationSetup setup) {

@@ -83,12 +83,12 @@ class RunVerdictTest {
     }
 
     @Test
-    void aFailureIsQuoted() throws ScenarioException {
+    void aFailureIsQuotedAsASentence() throws ScenarioException {
         Scenario office = Scenario.loadShipped("office.xml");
         SessionStatus failed = new SessionStatus(false, 1, 0, 0, null, "tick 7: the controller threw");
         SessionFrame frame = new SessionFrame(frameAt(office.setup(), 7).frame(), Recording.EMPTY);
         RunVerdict verdict = RunVerdict.of(frame, failed, office).orElseThrow();
-        assertEquals("tick 7: the controller threw", verdict.detail());
+        assertEquals("Tick 7: the controller threw", verdict.detail());
         assertEquals(0, verdict.tickBefore(0.01));
     }
 
