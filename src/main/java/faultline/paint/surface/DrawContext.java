@@ -102,8 +102,7 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
 
     /** Draws a text around a centre, with a halo of the canvas's colour. */
     public void drawLabel(String text, double centreX, double centreY, Color colour) {
-        Rectangle2D bounds =
-                font.createGlyphVector(surface.fontRenderContext(), text).getVisualBounds();
+        Rectangle2D bounds = TextOutline.bounds(text, font, surface.fontRenderContext());
         surface.drawHaloedText(
                 text,
                 centreX - bounds.getCenterX(),

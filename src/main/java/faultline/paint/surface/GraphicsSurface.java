@@ -109,7 +109,7 @@ public record GraphicsSurface(Graphics2D graphics) implements Surface {
     }
 
     private void drawOutlinedText(String text, double x, double y, Color colour, Color halo, Font font) {
-        Shape outline = font.createGlyphVector(fontRenderContext(), text).getOutline((float) x, (float) y);
+        Shape outline = TextOutline.of(text, font, fontRenderContext(), x, y);
         draw(outline, halo, DrawContext.HALO_STROKE);
         fill(outline, colour);
     }

@@ -38,7 +38,7 @@ record LabelSprite(BufferedImage image, int left, int baseline) {
     private record SpriteKey(String text, Font font, Color colour, Color halo, double scale) {
 
         private LabelSprite render() {
-            Shape letters = font.createGlyphVector(FONT_CONTEXT, text).getOutline();
+            Shape letters = TextOutline.of(text, font, FONT_CONTEXT, 0, 0);
             Shape rim = DrawContext.HALO_STROKE.createStrokedShape(letters);
             AffineTransform larger = AffineTransform.getScaleInstance(scale, scale);
             Rectangle bounds = larger.createTransformedShape(rim).getBounds();
