@@ -3,6 +3,7 @@ package faultline.gui.properties;
 import faultline.geometry.Vector2;
 import faultline.gui.panel.RefusalNote;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
 import faultline.scenario.xml.ScenarioLimits;
@@ -18,7 +19,7 @@ import javax.swing.JTextField;
 
 /**
  * A field for points, written as {@code x,y x,y}. If the text is not allowed, a note below the field says why; the text
- * stays until the focus leaves the field, which shows the old points again.
+ * stays until Escape is pressed or the focus leaves the field, which shows the old points again.
  */
 final class PointsField extends JTextField {
 
@@ -42,6 +43,7 @@ final class PointsField extends JTextField {
                 setText(format(shown));
             }
         });
+        KeyBindings.bind(this, "ESCAPE", this::revert);
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent event) {
@@ -56,6 +58,11 @@ final class PointsField extends JTextField {
     public Dimension getMinimumSize() {
         Dimension size = super.getMinimumSize();
         return new Dimension(size.width / 2, size.height);
+    }
+
+    private void revert() {
+        setText(format(shown));
+        note.hide();
     }
 
     /** Applies the text; returns false if it is not allowed. */

@@ -146,6 +146,26 @@ class RefusalNoteRobotTest {
     }
 
     @Test
+    void escapeShowsTheOldPointsAgain() {
+        JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
+        runOnEdt(() -> tabs.setSelectedIndex(tabs.getTabCount() - 1));
+        driver.choose("selectNext");
+        JTextField waypoints = ComponentFinder.find(driver.window(), JTextField.class, "Waypoints, m");
+        driver.robot().waitFor("an obstacle is selected", waypoints::isEnabled);
+        String before = callOnEdt(waypoints::getText);
+        runOnEdt(() -> {
+            waypoints.requestFocusInWindow();
+            waypoints.setText("1;");
+            waypoints.postActionEvent();
+        });
+        waitForNote(waypoints, "Invalid points");
+        driver.robot().waitFor("the field has the focus", waypoints::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the old points", () -> before.equals(waypoints.getText()));
+        assertTrue(callOnEdt(() -> notes().findAny().isEmpty()), "they are allowed");
+    }
+
+    @Test
     void theNoteAboutPointsEndsWhenTheyAreCorrected() {
         JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
         runOnEdt(() -> tabs.setSelectedIndex(tabs.getTabCount() - 1));
