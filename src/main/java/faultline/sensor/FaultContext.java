@@ -24,7 +24,7 @@ public final class FaultContext {
      *
      * @param onset the first tick in which it acts
      * @param dt the length of a tick, seconds
-     * @param heldReading the last reported reading
+     * @param heldReading the last reported reading; nothing if there was none
      */
     public FaultContext(long onset, double dt, double heldReading) {
         this.onset = onset;
@@ -70,7 +70,10 @@ public final class FaultContext {
         return (tick - onset) * dt;
     }
 
-    /** Stores a reading, and returns the one of an earlier time, or the first one if the fault is younger. */
+    /**
+     * Stores a reading, and returns the one of an earlier time, or the first one if the fault is younger; nothing if
+     * there was none at that time because the sensor did not answer.
+     */
     double delayed(double reading, double seconds) {
         long now = tick - onset;
         long delay = Math.round(seconds / dt);
@@ -78,9 +81,8 @@ public final class FaultContext {
         if (history.length != size) {
             history = new double[size];
         }
-        // While the sensor is off, nothing is stored.
         for (long i = Math.max(nextStored, now - delay); i < now; i++) {
-            history[(int) (i % size)] = 0;
+            history[(int) (i % size)] = Reading.NOTHING;
         }
         history[(int) (now % size)] = reading;
         nextStored = now + 1;

@@ -11,6 +11,7 @@ import faultline.sensor.Fault;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -66,6 +67,7 @@ final class SensorArray {
         awake = new int[signals.length];
         truth = new double[signals.length];
         reported = new double[signals.length];
+        Arrays.fill(reported, Reading.NOTHING);
         configure(robot);
     }
 

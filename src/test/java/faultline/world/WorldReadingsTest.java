@@ -12,6 +12,7 @@ import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
+import faultline.sensor.SignalFault;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -111,6 +112,15 @@ class WorldReadingsTest {
         world.sense();
         assertEquals(0.5, world.reportedReading(FRONT), 1e-12);
         assertEquals(Optional.of("UNKNOWN_FAULT"), refusal(world, new Command.ClearFault("front", bias)));
+    }
+
+    @Test
+    void aSensorStuckBeforeItsFirstReadingReportsNothing() {
+        World world = room(2.625);
+        world.execute(new Command.InjectFault("front", new SignalFault.StuckAtLast()));
+        world.sense();
+        assertEquals(0.5, world.trueReading(FRONT), 1e-12);
+        assertEquals(Reading.NOTHING, world.reportedReading(FRONT));
     }
 
     @Test
