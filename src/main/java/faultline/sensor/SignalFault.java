@@ -15,7 +15,8 @@ public final class SignalFault {
     public record StuckAtLast() implements Fault {
         @Override
         public double apply(double reading, FaultContext context) {
-            return context.heldReading();
+            double held = context.heldReading();
+            return Reading.isOff(held) ? held : limited(held, context.range());
         }
     }
 
@@ -103,7 +104,7 @@ public final class SignalFault {
     public record Delayed(double value) implements Fault {
         @Override
         public double apply(double reading, FaultContext context) {
-            return context.delayed(reading, value);
+            return limited(context.delayed(reading, value), context.range());
         }
     }
 

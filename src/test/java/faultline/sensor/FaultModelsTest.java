@@ -36,6 +36,16 @@ class FaultModelsTest {
     }
 
     @Test
+    void aSensorStuckAtLastReportsNothingThatASmallerRangeExcludes() {
+        Fault stuck = new SignalFault.StuckAtLast();
+        double held = stuck.apply(0.1, context.at(150, 0.3, 0.2, SensorRandom.forTick(STREAM, 150)));
+        assertEquals(Reading.NOTHING, held);
+        FaultContext silent = new FaultContext(100, DT, Reading.OFF);
+        double none = stuck.apply(0.1, silent.at(150, 0.3, 0.2, SensorRandom.forTick(STREAM, 150)));
+        assertTrue(Reading.isOff(none), "stuck while it did not answer");
+    }
+
+    @Test
     void aScaledReadingIsMultipliedAndLostBeyondTheRange() {
         assertEquals(0.6, apply(new SignalFault.Scale(1.5), 100, 0.4), 1e-12);
         assertEquals(Reading.NOTHING, apply(new SignalFault.Scale(1.5), 100, 0.6));
@@ -72,6 +82,14 @@ class FaultModelsTest {
         }
         double none = Reading.NOTHING;
         assertEquals(List.of(0.1, 0.1, none, none, none, 0.1 + 0.01 * 6, 0.1 + 0.01 * 7), reported);
+    }
+
+    @Test
+    void aDelayedReadingIsNothingIfASmallerRangeExcludesIt() {
+        Fault delayed = new SignalFault.Delayed(0.01);
+        apply(delayed, 100, 0.5);
+        double late = delayed.apply(0.2, context.at(101, 0.3, 0.2, SensorRandom.forTick(STREAM, 101)));
+        assertEquals(Reading.NOTHING, late);
     }
 
     @Test
