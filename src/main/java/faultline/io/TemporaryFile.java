@@ -183,12 +183,16 @@ final class TemporaryFile {
         }
     }
 
-    /** Returns whether no process has locked a file, except for one that has just been created. */
+    /**
+     * Returns whether no process has locked a file, except for one that has just been created. Anything else of that
+     * name is not opened: a pipe would block, and the locks of this process on the file of a link would end.
+     */
     private static boolean isAbandoned(Path file, long now) throws IOException {
-        if (Files.getLastModifiedTime(file).toMillis() > now - MAX_MILLIS_WITHOUT_LOCK) {
+        if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
+                || Files.getLastModifiedTime(file).toMillis() > now - MAX_MILLIS_WITHOUT_LOCK) {
             return false;
         }
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE);
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
                 FileLock free = channel.tryLock()) {
             return free != null;
         } catch (OverlappingFileLockException e) {

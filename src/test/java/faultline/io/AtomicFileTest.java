@@ -23,6 +23,8 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -328,5 +330,23 @@ class AtomicFileTest {
             write(folder.resolve("a.txt"), "new", true);
         }
         assertEquals(List.of(young, written, other, folder.resolve("a.txt")), files());
+    }
+
+    @Test
+    @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no named pipes in folders")
+    void aPipeOrALinkWithTheNameOfATemporaryFileIsNotOpened() throws Exception {
+        Path victim = Files.createFile(folder.resolve("victim"));
+        Path link = Files.createSymbolicLink(folder.resolve(".faultline-2.tmp"), victim);
+        // Java would open the pipe to set its time.
+        for (String command : List.of("mkfifo .faultline-1.tmp", "touch -t 200001010000 .faultline-1.tmp victim")) {
+            Process process = new ProcessBuilder(command.split(" "))
+                    .directory(folder.toFile())
+                    .start();
+            assertEquals(0, process.waitFor());
+        }
+        write(folder.resolve("a.txt"), "new", true);
+        Path pipe = folder.resolve(".faultline-1.tmp");
+        assertEquals(List.of(pipe, link, folder.resolve("a.txt"), victim), files());
     }
 }
