@@ -31,7 +31,7 @@ public record RecordedDecision(long tick, double leftVolts, double rightVolts, S
     boolean differs(Decision other) {
         return Double.doubleToLongBits(leftVolts) != Double.doubleToLongBits(other.leftVolts())
                 || Double.doubleToLongBits(rightVolts) != Double.doubleToLongBits(other.rightVolts())
-                || !state.equals(other.telemetry().state().name())
-                || !condition.equals(other.telemetry().condition());
+                || !state.equals(XmlText.oneLine(other.telemetry().state().name()))
+                || !condition.equals(XmlText.oneLine(other.telemetry().condition()));
     }
 }
