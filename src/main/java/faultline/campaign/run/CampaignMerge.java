@@ -86,11 +86,20 @@ public final class CampaignMerge {
                 inputs.addAll(part.folder.files());
             }
             out.checkTables(inputs);
+            requireHeaders();
             long broken = concatenate(out.runs(), CampaignFolder::runs, true);
             concatenate(out.timing(), CampaignFolder::timing, false);
             new WorstRuns(plan, out).writeReplays();
             out.writeMerged(plan);
             return new CampaignRunner.RunCounts(plan.runCount(), plan.runCount(), broken);
+        }
+    }
+
+    private void requireHeaders() throws IOException {
+        for (ShardFolder part : parts) {
+            try (LineReader in = new LineReader(part.folder.runs())) {
+                RunTable.requireNoOther(ResultColumns.header(plan), in.next(), part.folder.runs());
+            }
         }
     }
 

@@ -60,7 +60,7 @@ final class RunTable implements Closeable {
         try (LineReader in = new LineReader(file)) {
             String first = in.next();
             if (!first.equals(header)) {
-                requireIncomplete(file, first);
+                requireNoOther(header, first, file);
                 return 0;
             }
             long length = in.length();
@@ -78,9 +78,12 @@ final class RunTable implements Closeable {
         }
     }
 
-    /** A header that a killed process has left has no line end; another program may have changed all rows of others. */
-    private static void requireIncomplete(Path file, String header) throws IOException {
-        if (header.endsWith("\n")) {
+    /**
+     * Throws an exception if a table begins with a complete header that is not the expected one: another program may
+     * have changed all rows. A killed process leaves an incomplete header.
+     */
+    static void requireNoOther(String header, String given, Path file) throws IOException {
+        if (given.endsWith("\n") && !given.equals(header)) {
             throw new IOException(file + ":1: this is not the header of the campaign;"
                     + " restore the table, or remove it to make all runs again");
         }

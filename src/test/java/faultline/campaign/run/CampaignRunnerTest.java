@@ -240,6 +240,15 @@ class CampaignRunnerTest {
     }
 
     @Test
+    void aPartThatAnotherProgramHasChangedIsRefused() throws Exception {
+        CampaignFolder one = part(1);
+        CampaignFolder two = part(2);
+        CampaignFolder three = part(3);
+        Files.writeString(three.runs(), Files.readString(three.runs()).replace("\n", "\r\n"));
+        cannotMerge(three.runs() + ":1: this is not the header of the campaign", one, two, three);
+    }
+
+    @Test
     void aPartWhoseManifestIsDamagedIsRefused() throws Exception {
         CampaignFolder one = part(1);
         Path manifest = folder.resolve("part-1/campaign.json");
