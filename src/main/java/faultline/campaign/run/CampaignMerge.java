@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -86,7 +87,13 @@ public final class CampaignMerge {
                 inputs.addAll(part.folder.files());
             }
             out.checkTables(inputs);
-            requireHeaders();
+            for (ShardFolder part : parts) {
+                requireHeader(part.folder.runs());
+            }
+            // An interrupted merge may have left its own table, but no other file is replaced.
+            if (Files.exists(out.runs())) {
+                requireHeader(out.runs());
+            }
             long broken = concatenate(out.runs(), CampaignFolder::runs, true);
             concatenate(out.timing(), CampaignFolder::timing, false);
             new WorstRuns(plan, out).writeReplays();
@@ -95,11 +102,9 @@ public final class CampaignMerge {
         }
     }
 
-    private void requireHeaders() throws IOException {
-        for (ShardFolder part : parts) {
-            try (LineReader in = new LineReader(part.folder.runs())) {
-                RunTable.requireNoOther(ResultColumns.header(plan), in.next(), part.folder.runs());
-            }
+    private void requireHeader(Path table) throws IOException {
+        try (LineReader in = new LineReader(table)) {
+            RunTable.requireNoOther(ResultColumns.header(plan), in.next(), table);
         }
     }
 

@@ -240,6 +240,19 @@ class CampaignRunnerTest {
     }
 
     @Test
+    void aMergeReplacesOnlyATableThatAnInterruptedMergeHasLeft() throws Exception {
+        CampaignFolder whole = new CampaignFolder(reference);
+        CampaignFolder merged = new CampaignFolder(Files.createDirectory(folder.resolve("merged")));
+        Files.writeString(merged.runs(), "another,table\n");
+        IOException refusal = assertThrows(IOException.class, () -> new CampaignMerge(List.of(whole)).writeTo(merged));
+        assertTrue(refusal.getMessage().contains("is not the header of the campaign"), refusal.getMessage());
+        assertEquals("another,table\n", Files.readString(merged.runs()));
+        Files.write(merged.runs(), expected);
+        new CampaignMerge(List.of(whole)).writeTo(merged);
+        assertArrayEquals(expected, Files.readAllBytes(merged.runs()));
+    }
+
+    @Test
     void aPartThatAnotherProgramHasChangedIsRefused() throws Exception {
         CampaignFolder one = part(1);
         CampaignFolder two = part(2);
