@@ -18,7 +18,7 @@ class StartFailureTest {
             delimiter = '|',
             value = {
                 "Cannot run program \"x\": error=2, No such file or directory | there is no such program",
-                "Cannot run program \"x\": Exec failed, error: 2 (No such file or directory) | there is no such program",
+                "Cannot run program \"x\": Exec failed, error: 2 (No such file) | there is no such program",
                 "Cannot run program \"x\": error=13, Permission denied | the file is not executable",
                 "Cannot run program \"x\": Exec failed, error: 7 (Argument list too long) | Argument list too long",
                 "the command is too odd | the command is too odd"
