@@ -80,9 +80,9 @@ public final class CampaignReport {
             addOutcome(outcome.word(), rows);
         }
         addOutcome("broken", rows);
-        String size = data.rows().size() + " of " + plan.runCount() + " runs: " + plan.worldCount() + " worlds, "
-                + plan.seedCount() + (plan.seedCount() == 1 ? " seed" : " seeds") + " each, " + plan.cellCount()
-                + " combinations in each. ";
+        String size = data.rows().size() + " of " + Html.count(plan.runCount(), "run") + ": "
+                + Html.count(plan.worldCount(), "world") + ", " + Html.count(plan.seedCount(), "seed") + " each, "
+                + Html.count(plan.cellCount(), "combination") + " in each. ";
         String meaning =
                 "A robot carries on if it touches nothing and, in the time of two laps after the fault, passes at"
                         + " least 0.80 of the wall that it follows within 0.15 m of the wanted path. ";

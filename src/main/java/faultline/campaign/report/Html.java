@@ -63,6 +63,11 @@ final class Html {
         return out.append("</tbody></table></div>\n").toString();
     }
 
+    /** Returns a number with its noun, given in the singular. */
+    static String count(long number, String noun) {
+        return number + " " + noun + (number == 1 ? "" : "s");
+    }
+
     /** Returns a share in per cent, with one decimal between 90 and 100. */
     static String percent(double share) {
         return format(share > 0.9 && share < 1 ? "%.1f&thinsp;%%" : "%.0f&thinsp;%%", 100 * share);

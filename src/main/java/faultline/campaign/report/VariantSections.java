@@ -92,8 +92,8 @@ final class VariantSections {
         String range =
                 scale == 100 ? Html.format("%+.0f to %+.0f", low, high) : Html.number(low) + " to " + Html.number(high);
         boolean clear = low > 0 || high < 0;
-        return (clear ? "<b>" + value + "</b>" : value) + "<br><small>" + range + "; " + difference.pairs()
-                + " pairs</small>";
+        return (clear ? "<b>" + value + "</b>" : value) + "<br><small>" + range + "; "
+                + Html.count(difference.pairs(), "pair") + "</small>";
     }
 
     private String forests(Comparison comparison, List<String> levels) {

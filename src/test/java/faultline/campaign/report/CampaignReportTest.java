@@ -127,6 +127,13 @@ class CampaignReportTest {
     }
 
     @Test
+    void oneOfAThingIsSingular() throws Exception {
+        String html = report("<seeds count=\"1\"/><set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        assertTrue(html.contains("4 of 4 runs: 2 worlds, 1 seed each, 2 combinations in each."), html);
+        assertEquals("1 pair", Html.count(1, "pair"));
+    }
+
+    @Test
     void numbersHaveThreeDigits() {
         assertEquals(
                 List.of("0.00187", "-0.0000971", "0.751", "12.3", "0", "&ndash;"),
