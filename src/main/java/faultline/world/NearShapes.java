@@ -5,7 +5,6 @@ import faultline.geometry.SectorDistance;
 import faultline.geometry.Segment;
 import faultline.geometry.SpecularDistance;
 import java.util.Arrays;
-import java.util.Comparator;
 
 /**
  * The shapes that one sensor may see while the robot stays near a pose, by ascending lower bound of their distances, so
@@ -15,7 +14,6 @@ final class NearShapes {
 
     /** A shape with the numbers that a reading needs. */
     private static final class NearShape {
-        private double lowerBound;
         private ConvexShape shape;
         private double tangent;
         private boolean mattSegment;
@@ -24,8 +22,7 @@ final class NearShapes {
         private double dx;
         private double dy;
 
-        private void set(ConvexShape newShape, double newTangent, double newBound) {
-            lowerBound = newBound;
+        private void set(ConvexShape newShape, double newTangent) {
             shape = newShape;
             tangent = newTangent;
             mattSegment = false;
@@ -39,9 +36,13 @@ final class NearShapes {
         }
     }
 
-    private static final Comparator<NearShape> BY_LOWER_BOUND = Comparator.comparingDouble(entry -> entry.lowerBound);
-
     private NearShape[] entries = new NearShape[0];
+    /**
+     * For each entry the bits of its lower bound as a float, and its index in the lower half. To sort numbers needs no
+     * comparator, with which the virtual machine compiled the sort several times.
+     */
+    private long[] keys = new long[0];
+
     private int size;
 
     void clear() {
@@ -59,25 +60,39 @@ final class NearShapes {
     void add(ConvexShape shape, double tangent, double lowerBound) {
         if (size == entries.length) {
             entries = Arrays.copyOf(entries, 2 * size + 4);
+            keys = Arrays.copyOf(keys, entries.length);
             for (int i = size; i < entries.length; i++) {
                 entries[i] = new NearShape();
             }
         }
-        entries[size++].set(shape, tangent, lowerBound);
+        entries[size].set(shape, tangent);
+        keys[size] = key(lowerBound, size);
+        size++;
+    }
+
+    /**
+     * Returns the bits of a float that is not above a lower bound, and an index. The bits of floats that are not
+     * negative have the same order as the floats.
+     */
+    private static long key(double lowerBound, int index) {
+        float bound = Math.max(0, Math.nextDown((float) lowerBound));
+        return (long) Float.floatToRawIntBits(bound) << Integer.SIZE | index;
+    }
+
+    private static float lowerBound(long key) {
+        return Float.intBitsToFloat((int) (key >>> Integer.SIZE));
     }
 
     /** Must be called when all shapes have been added. */
     void sort() {
-        if (size > 1) {
-            Arrays.sort(entries, 0, size, BY_LOWER_BOUND);
-        }
+        Arrays.sort(keys, 0, size);
     }
 
     /** Returns the distance to the nearest shape in a sector, metres, or positive infinity. */
     double nearest(SectorDistance sector) {
         double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < size && entries[i].lowerBound < least; i++) {
-            NearShape entry = entries[i];
+        for (int i = 0; i < size && lowerBound(keys[i]) < least; i++) {
+            NearShape entry = entries[(int) keys[i]];
             least = Math.min(
                     least,
                     entry.mattSegment
