@@ -26,15 +26,8 @@ final class TextOutline {
                 : font.createGlyphVector(context, text).getVisualBounds();
     }
 
-    /** Returns whether the letters of a text are not simply beside each other; the layout of others would be slower. */
+    /** Returns whether letters join, combine or run leftwards; the layout of other texts would be slower. */
     private static boolean needsLayout(String text) {
-        return text.chars().anyMatch(TextOutline::isComplex);
-    }
-
-    /**
-     * Returns whether a character combines with others, or belongs to a script that joins letters or runs leftwards.
-     */
-    private static boolean isComplex(int c) {
-        return c >= 0x0300 && c <= 0x036F || c >= 0x0590 && c <= 0x18AF || c >= 0xFB1D && c <= 0xFEFC;
+        return Font.textRequiresLayout(text.toCharArray(), 0, text.length());
     }
 }
