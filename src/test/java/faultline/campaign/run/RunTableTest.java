@@ -54,9 +54,7 @@ class RunTableTest {
         Path file = Files.writeString(folder.resolve("runs.csv"), changed);
         IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 2));
         assertEquals(
-                file + ":1: this is not the header of the campaign; restore the table, or remove it to make all runs"
-                        + " again",
-                e.getMessage());
+                file + ":1: this is not the header of the campaign; restore the table, or remove it", e.getMessage());
         assertEquals(changed, Files.readString(file));
     }
 
