@@ -13,8 +13,8 @@ final class HealthReport {
     /** A sensor with this much evidence against it is suspected. */
     private static final double SUSPICIOUS = 0.5;
 
-    /** A suspected sensor with no more evidence than this is trusted again. */
-    private static final double HARMLESS = 0.2;
+    /** A suspected sensor with no more evidence than this, in whole tenths, is trusted again. */
+    private static final double HARMLESS = 0.3;
 
     private final double[] shares;
     private List<SensorHealth> health;
@@ -56,8 +56,8 @@ final class HealthReport {
         if (finding != SensorFinding.NONE) {
             return SensorTrust.DISTRUSTED;
         }
-        double limit = before == SensorTrust.SUSPECTED ? HARMLESS + 0.1 : SUSPICIOUS;
-        return evidence >= limit ? SensorTrust.SUSPECTED : SensorTrust.TRUSTED;
+        boolean suspected = before == SensorTrust.SUSPECTED ? evidence > HARMLESS : evidence >= SUSPICIOUS;
+        return suspected ? SensorTrust.SUSPECTED : SensorTrust.TRUSTED;
     }
 
     /** Returns the health of all sensors in the robot's order. */
