@@ -67,6 +67,11 @@ final class SurvivalTables {
     }
 
     private List<Map<String, String>> read(String name) throws IOException {
+        return read(folder, name);
+    }
+
+    /** Returns the rows of a csv file in a folder, by column. */
+    static List<Map<String, String>> read(Path folder, String name) throws IOException {
         List<String> lines = Files.readAllLines(folder.resolve(name + ".csv"));
         List<String> header = Csv.cells(lines.get(0));
         List<Map<String, String>> rows = new ArrayList<>();

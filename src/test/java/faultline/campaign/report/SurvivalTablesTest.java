@@ -5,15 +5,56 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** The survival tables of the results say what the csv files beside them say. */
+/** The survival tables of the results and the delays of the page on faults say what the csv files beside them say. */
 class SurvivalTablesTest {
+
+    private static final Path FOLDER = Path.of("docs/results/survival");
 
     @Test
     void theTextHoldsTheTablesOfTheFiles() throws IOException {
         assertEquals(
-                SurvivalTables.markdown(Path.of("docs/results/survival")),
-                SurvivalTables.block(Files.readString(Path.of("docs/results.md"))));
+                SurvivalTables.markdown(FOLDER), SurvivalTables.block(Files.readString(Path.of("docs/results.md"))));
+    }
+
+    @Test
+    void thePageOnFaultsHasTheDelaysOfTheFile() throws IOException {
+        List<Map<String, String>> cells = SurvivalTables.read(FOLDER, "survival");
+        String page = Files.readString(Path.of("docs/faults.md"));
+        List<String> rows = page.substring(page.indexOf("| fault | `left`: median, s"))
+                .lines()
+                .takeWhile(line -> line.startsWith("|"))
+                .skip(2)
+                .toList();
+        assertEquals(11, rows.size());
+        for (String row : rows) {
+            String[] said = row.substring(2, row.length() - 2).split(" \\| ");
+            Map<String, String> left = cell(cells, said[0], "left");
+            Map<String, String> front = cell(cells, said[0], "front");
+            assertSaid(said[1], left.get("delay_median_s"), row);
+            assertSaid(said[2], left.get("delay_90_s"), row);
+            assertSaid(said[3], front.get("delay_median_s"), row);
+            assertSaid(said[4], front.get("delay_90_s"), row);
+        }
+    }
+
+    private static Map<String, String> cell(List<Map<String, String>> cells, String fault, String sensor) {
+        return cells.stream()
+                .filter(row -> row.get("controller_diagnosis").equals("on")
+                        && row.get("final_rung").equals("all")
+                        && row.get("fault_label").equals(fault)
+                        && row.get("fault_sensor").equals(sensor))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** A number is said with as many decimals as the page gives it. */
+    private static void assertSaid(String said, String value, String row) {
+        int decimals = said.length() - said.indexOf('.') - 1;
+        assertEquals(String.format(Locale.ROOT, "%." + decimals + "f", Double.parseDouble(value)), said, row);
     }
 }
