@@ -101,6 +101,37 @@ class ResultsTextTest {
         }
     }
 
+    /** The sweeps beside one long wall, without noise, with a sensor whose axis passes through the centre. */
+    @Test
+    void theAlignmentBesideOneLongWallWithEqualReadings() {
+        double near = 0;
+        double all = 0;
+        int trials = 0;
+        for (String quantity : List.of("cone", "distance", "motor", "period", "position-along", "range", "spin-rate")) {
+            ResultsTable table = ResultsTable.of("eq4-" + quantity).where("timing", "equal-readings");
+            trials += table.rows().size();
+            all = Math.max(all, largestError(table));
+            double most =
+                    switch (quantity) {
+                        case "distance" -> 0.72;
+                        case "motor" -> 60;
+                        case "period" -> 50;
+                        default -> Double.POSITIVE_INFINITY;
+                    };
+            String column = "eq4_" + quantity.replace('-', '_');
+            near = Math.max(near, largestError(table.between(column, Double.NEGATIVE_INFINITY, most)));
+        }
+        assertSaid(
+                "with equal readings to within %.2f degrees, or %.1f if the wall is at the limit of the range, the time"
+                        + " constant of the motors exceeds 60 ms or the period 50 ms (n = %d for each rule), and to"
+                        + " within %.2f degrees in a [hypercube]",
+                near, all, trials, largestError(ResultsTable.of("eq4-hypercube").where("timing", "equal-readings")));
+    }
+
+    private static double largestError(ResultsTable table) {
+        return table.numbers("error_deg").map(Math::abs).max().orElseThrow();
+    }
+
     @Test
     void thePositioningBesideTheWall() {
         ResultsTable moments = ResultsTable.of("fig4-positioning");

@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class ExamplePlansTest {
@@ -46,6 +47,26 @@ class ExamplePlansTest {
             double lost = thresholds.get(Threshold.LOST_MARGIN);
             assertTrue(lost >= 0.04 && lost <= 0.1 && lost != 0.06, "drawn: " + lost);
         }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "survival, 60001 to 60040",
+        "two-faults, 61001 to 61060",
+        "wall-side-sensors, 62001 to 62060",
+        "one-sensor, 63001 to 63060",
+        "healthy, 64001 to 64400",
+        "wrong-wheels, 65001 to 65040",
+        "motor-faults, 66001 to 66040",
+        "detection, 330001 to 330040"
+    })
+    void theResultsNameTheRoomsOfTheirPlans(String name, String rooms) throws Exception {
+        CampaignPlan plan = PlanFiles.read(Path.of("scenarios/campaigns", name + ".xml"));
+        String results = Files.readString(Path.of("docs/results.md"));
+        assertTrue(results.contains("| `" + name + "` | " + rooms + " |"), rooms);
+        PlannedRun last = plan.run(plan.runCount() - 1);
+        assertEquals(rooms, (plan.run(0).world() + " to " + last.world()).replace("room-", ""));
+        assertEquals(1, last.seed());
     }
 
     @ParameterizedTest
