@@ -12,7 +12,9 @@ import java.util.stream.Stream;
 /** The names of all types in the source, with the text of their files. */
 final class SourceNames {
 
-    private static final Pattern NESTED = Pattern.compile("\\n {4,}(?:\\w+ )*(?:class|record|enum|interface) (\\w+)");
+    /** A type in another one. Private ones do not count: a page that names one means a type that is gone. */
+    private static final Pattern NESTED =
+            Pattern.compile("\\n {4,}(?!private )(?:\\w+ )*(?:class|record|enum|interface) (\\w+)");
 
     private final Map<String, String> sources = new HashMap<>();
 
