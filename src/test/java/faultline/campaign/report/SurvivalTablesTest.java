@@ -1,6 +1,7 @@
 package faultline.campaign.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -33,8 +34,8 @@ class SurvivalTablesTest {
         assertEquals(11, rows.size());
         for (String row : rows) {
             String[] said = row.substring(2, row.length() - 2).split(" \\| ");
-            Map<String, String> left = cell(cells, said[0], "left");
-            Map<String, String> front = cell(cells, said[0], "front");
+            Map<String, String> left = cell(cells, "on", said[0], "left");
+            Map<String, String> front = cell(cells, "on", said[0], "front");
             assertSaid(said[1], left.get("delay_median_s"), row);
             assertSaid(said[2], left.get("delay_90_s"), row);
             assertSaid(said[3], front.get("delay_median_s"), row);
@@ -42,9 +43,34 @@ class SurvivalTablesTest {
         }
     }
 
-    private static Map<String, String> cell(List<Map<String, String>> cells, String fault, String sensor) {
+    @Test
+    void theVerdictHasTheSharesWithoutDiagnosis() throws IOException {
+        List<Map<String, String>> cells = SurvivalTables.read(FOLDER, "survival");
+        String said = String.format(
+                Locale.ROOT,
+                "%s %% and %s %% of the runs carry on. The six states also watch the diagonal front sensors, so false"
+                        + " surfaces there, such as ghosts or negative drift, stop the progress too: %s %% carry on"
+                        + " when `front-left` fails, %s %% when `front-right` does.",
+                percentWithout(cells, "left"),
+                percentWithout(cells, "front"),
+                percentWithout(cells, "front-left"),
+                percentWithout(cells, "front-right"));
+        String text = Files.readString(Path.of("docs/results.md")).replaceAll("\\s+", " ");
+        assertTrue(text.contains(said), () -> "the results should say: " + said);
+        for (String sensor : List.of("right", "rear-left", "rear", "rear-right")) {
+            assertEquals("100", percentWithout(cells, sensor));
+        }
+    }
+
+    private static String percentWithout(List<Map<String, String>> cells, String sensor) {
+        double share = Double.parseDouble(cell(cells, "off", "all", sensor).get("share"));
+        return share == 1 ? "100" : String.format(Locale.ROOT, "%.0f", 100 * share);
+    }
+
+    private static Map<String, String> cell(
+            List<Map<String, String>> cells, String diagnosis, String fault, String sensor) {
         return cells.stream()
-                .filter(row -> row.get("controller_diagnosis").equals("on")
+                .filter(row -> row.get("controller_diagnosis").equals(diagnosis)
                         && row.get("final_rung").equals("all")
                         && row.get("fault_label").equals(fault)
                         && row.get("fault_sensor").equals(sensor))
