@@ -63,8 +63,8 @@ class SurvivalTablesTest {
     }
 
     private static String percentWithout(List<Map<String, String>> cells, String sensor) {
-        double share = Double.parseDouble(cell(cells, "off", "all", sensor).get("share"));
-        return share == 1 ? "100" : String.format(Locale.ROOT, "%.0f", 100 * share);
+        String share = cell(cells, "off", "all", sensor).get("share");
+        return String.format(Locale.ROOT, "%.0f", 100 * Double.parseDouble(share));
     }
 
     private static Map<String, String> cell(

@@ -50,7 +50,7 @@ public final class ReadmePictures {
         }
     }
 
-    private static RenderRequest twoFaults() throws ScenarioException {
+    static RenderRequest twoFaults() throws ScenarioException {
         Scenario office = Scenario.loadShipped("office.xml");
         Simulation run = new Simulation(office.setup(), ControllerMode.DIRECT);
         long ticks = Math.round(SHOWN_AT / office.setup().dt());
