@@ -1,5 +1,6 @@
 package faultline.studies.figure;
 
+import faultline.io.MessageText;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -20,7 +21,7 @@ public final class CsvTable {
     public void addRow(Object... cells) {
         List<String> texts = new ArrayList<>();
         for (Object cell : cells) {
-            texts.add(cell instanceof Double number ? format(number) : cell.toString());
+            texts.add(cell instanceof Double number ? format(number) : MessageText.csvCell(cell.toString()));
         }
         lines.add(String.join(",", texts));
     }
