@@ -11,7 +11,11 @@ import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
 import faultline.studies.CornerRun.SensorSelection;
 import faultline.studies.figure.SortedSample;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -26,8 +30,14 @@ class OtherWorldsTest {
 
     /** Returns a trial from a random start with a random seed; draws are those of one generator. */
     private static AlignmentTrial trial(TimingRule rule, RobotSpec robot, double period, SplittableRandom random) {
+        return trial(rule, robot, period, random, 0.55, 0.8);
+    }
+
+    /** Returns such a trial from a start between two distances of the robot's centre from the wall, metres. */
+    private static AlignmentTrial trial(
+            TimingRule rule, RobotSpec robot, double period, SplittableRandom random, double least, double most) {
         double slant = Degrees.toRadians(random.nextDouble(-30, 30));
-        double away = random.nextDouble(0.55, 0.8);
+        double away = random.nextDouble(least, most);
         AlignmentTrial there = AlignmentTrial.standard(rule, 0)
                 .withRobot(robot)
                 .withPeriod(period)
@@ -38,11 +48,16 @@ class OtherWorldsTest {
 
     private static SortedSample errors(
             TimingRule rule, double degreesPerSecond, double period, double noiseMm, long draws) {
+        return errors(rule, degreesPerSecond, period, noiseMm, draws, ALIGNMENTS);
+    }
+
+    private static SortedSample errors(
+            TimingRule rule, double degreesPerSecond, double period, double noiseMm, long draws, int alignments) {
         SplittableRandom random = new SplittableRandom(draws);
         RobotSpec robot = SetupVariations.withNoise(
                 AlignmentTrial.robot(0.8, Degrees.toRadians(20), Degrees.toRadians(degreesPerSecond), 0.05),
                 noiseMm / 1000);
-        return SortedSample.of(IntStream.range(0, ALIGNMENTS)
+        return SortedSample.of(IntStream.range(0, alignments)
                 .mapToObj(i -> trial(rule, robot, period, random).run())
                 .flatMap(result -> result.stream())
                 .mapToDouble(result -> Math.toDegrees(result.headingError())));
@@ -102,6 +117,56 @@ class OtherWorldsTest {
             AlignmentTrial trial = trial(TimingRule.EQUAL_READINGS, robot, 0.01, random);
             assertEquals(0, Math.toDegrees(trial.run().orElseThrow().headingError()), 0.3, "start " + i);
         }
+    }
+
+    @Test
+    void theResultsGiveTheGrossErrorsAtSixHundredOtherStarts() throws IOException {
+        int equal = errors(TimingRule.EQUAL_READINGS, 60, 0.01, 10, 82, 600).countBeyond(5);
+        int exact = errors(TimingRule.RANGE, 60, 0.01, 8, 85, 600).countBeyond(5);
+        assertSaid(
+                "%d of 600 (%s) with equal readings at 10 mm, %d of 600 (%s) by the exact rule at 8 mm",
+                equal, interval(equal, 600), exact, interval(exact, 600));
+    }
+
+    /** Right wheels that are faster or slower by a fifth bend the path to the wall. */
+    @Test
+    void theResultsGiveTheErrorsOfUnequalWheelsAtOtherStarts() throws IOException {
+        SortedSample near = errorsOfUnequalWheels(0.55, 0.8);
+        SortedSample far = errorsOfUnequalWheels(0.8, 1.2);
+        assertSaid(
+                "%d of %d alignments with equal readings (%s) are off by more than 0.06 degrees if the robot starts"
+                        + " 0.55 to 0.8 m from the wall, by at most %.1f, and %d of %d (%s) from 0.8 to 1.2 m, by up to"
+                        + " %.1f",
+                near.countBeyond(0.06),
+                near.size(),
+                interval(near.countBeyond(0.06), near.size()),
+                Math.max(near.max(), -near.quantile(0)),
+                far.countBeyond(0.06),
+                far.size(),
+                interval(far.countBeyond(0.06), far.size()),
+                Math.max(far.max(), -far.quantile(0)));
+    }
+
+    private static SortedSample errorsOfUnequalWheels(double least, double most) {
+        SplittableRandom random = new SplittableRandom(86);
+        RobotSpec robot = AlignmentTrial.BASE.robot();
+        return SortedSample.of(IntStream.range(0, 600)
+                .mapToObj(i -> robot.withDriveScale(new DriveScale(1, i % 2 == 0 ? 1.2 : 0.8, 1)))
+                .map(unequal -> trial(TimingRule.EQUAL_READINGS, unequal, 0.01, random, least, most)
+                        .run())
+                .flatMap(result -> result.stream())
+                .mapToDouble(result -> Math.toDegrees(result.headingError())));
+    }
+
+    private static String interval(int hits, int trials) {
+        double[] interval = SortedSample.wilson(hits, trials);
+        return String.format(Locale.ROOT, "%.1f to %.1f %%", 100 * interval[0], 100 * interval[1]);
+    }
+
+    private static void assertSaid(String sentence, Object... numbers) throws IOException {
+        String said = String.format(Locale.ROOT, sentence, numbers);
+        String text = Files.readString(Path.of("docs/results.md")).replaceAll("\\s+", " ");
+        assertTrue(text.contains(said), () -> "the results should say: " + said);
     }
 
     /** Statement 7: the P term is clamped. */
