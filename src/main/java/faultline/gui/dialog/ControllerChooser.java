@@ -1,12 +1,12 @@
 package faultline.gui.dialog;
 
+import faultline.engine.RunFailedException;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RunController;
-import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
@@ -133,9 +133,18 @@ public final class ControllerChooser implements WorkspaceListener {
         workspace.scenario().ifPresent(open -> scenarioName = open.name());
     }
 
-    @Override
-    public void taskFailed(TaskKind what, Path file, Throwable cause) {
-        ghostPending &= what != TaskKind.OPEN;
+    /**
+     * Called when a scenario could not be opened. If the chosen controller could not be started, this opens the
+     * scenario with its own controller instead and returns true; the dialog still shows the choice.
+     */
+    public boolean openFailed(Throwable cause) {
+        if (cause instanceof RunFailedException && !next.isScenarios()) {
+            use(ControllerSelection.SCENARIO);
+            workspace.retry();
+            return true;
+        }
+        ghostPending = false;
+        return false;
     }
 
     /** With a controller that cannot be started, no scenario could be opened; the dialog still shows it. */

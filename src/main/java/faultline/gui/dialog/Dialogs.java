@@ -72,6 +72,14 @@ public final class Dialogs {
                 owner, text, Messages.get(opens ? "badFile.title" : "failed.title"), JOptionPane.ERROR_MESSAGE);
     }
 
+    /** Shows why the chosen controller does not start, so that a scenario opens with its own. */
+    public void showControllerFailure(Path file, Throwable cause) {
+        String text = Messages.get(
+                "chooseController.failed", String.valueOf(file.getFileName()), ErrorMessages.describe(cause));
+        JOptionPane.showMessageDialog(
+                owner, TextWrap.wrap(text), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
+    }
+
     /** Returns the message for an open file that another program has made unreadable. */
     public static String unreadableFileText(ScenarioException exception) {
         Problem first = exception.problems().get(0);

@@ -26,6 +26,8 @@ public final class Workspace implements AutoCloseable {
     private OpenDocument open;
     private volatile UnaryOperator<SimulationSetup> controllerChoice = UnaryOperator.identity();
     private WorkspaceTask task;
+    /** Starts the last task again. */
+    private Runnable lastTask = () -> {};
 
     /** Adds a listener; listeners are called in the order in which they were added. */
     public void addListener(WorkspaceListener listener) {
@@ -79,6 +81,7 @@ public final class Workspace implements AutoCloseable {
     void start(WorkspaceTask newTask, Callable<OpenDocument> maker, Runnable then) {
         cancelActiveTask();
         task = newTask;
+        lastTask = () -> start(newTask, maker, then);
         BackgroundTasks.run(
                 maker,
                 made -> {
@@ -87,6 +90,11 @@ public final class Workspace implements AutoCloseable {
                     }
                 },
                 failure -> taskFailed(newTask, failure));
+    }
+
+    /** Starts the last task again, after it has failed. */
+    public void retry() {
+        lastTask.run();
     }
 
     /** Cancels the active task without other effects. */

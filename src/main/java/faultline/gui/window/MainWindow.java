@@ -395,6 +395,10 @@ public final class MainWindow extends JFrame {
             if (what == TaskKind.OPEN && Files.notExists(file)) {
                 preferences.recentFiles().remove(file);
             }
+            if (what == TaskKind.OPEN && controllerChooser.openFailed(cause)) {
+                dialogs.showControllerFailure(file, cause);
+                return;
+            }
             boolean keepsScenario =
                     what != TaskKind.OPEN || workspace.scenario().isPresent();
             if (!keepsScenario && !exampleOpened) {

@@ -3,6 +3,8 @@ package faultline.gui.dialog;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -21,6 +23,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @ExtendWith(EdtChecker.class)
 class ControllerChooserTest {
@@ -30,6 +34,7 @@ class ControllerChooserTest {
     private static final ControllerSelection MISSING = new ControllerSelection("no-such-controller", List.of());
 
     private final List<TaskKind> failures = new ArrayList<>();
+    private boolean opensWithoutChoice;
     private Workspace workspace;
     private DocumentStore store;
     private RunController run;
@@ -45,6 +50,7 @@ class ControllerChooserTest {
                 @Override
                 public void taskFailed(TaskKind task, Path file, Throwable failure) {
                     failures.add(task);
+                    opensWithoutChoice = task == TaskKind.OPEN && chooser.openFailed(failure);
                 }
             });
             chooser = new ControllerChooser(
@@ -69,5 +75,29 @@ class ControllerChooserTest {
                 () -> failures.size() > 1
                         || workspace.scenario().orElseThrow().name().equals("Cable"));
         assertEquals(List.of(TaskKind.RESTART), callOnEdt(() -> List.copyOf(failures)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"no-such-controller", "java -version"})
+    void aScenarioOpensWithItsOwnControllerIfTheChosenOneCannotBeStarted(String command) {
+        runOnEdt(() -> {
+            chooser.select(new ControllerSelection(command, List.of()));
+            store.open(CABLE);
+        });
+        Await.until(
+                "the other scenario",
+                () -> workspace.scenario().orElseThrow().name().equals("Cable"));
+        assertEquals(List.of(TaskKind.OPEN), callOnEdt(() -> List.copyOf(failures)));
+        assertTrue(opensWithoutChoice);
+    }
+
+    @Test
+    void aFileThatCannotBeReadIsNotOpenedAgain() {
+        runOnEdt(() -> {
+            chooser.select(MISSING);
+            store.open(Path.of("scenarios/no-such-file.xml"));
+        });
+        Await.until("the failure", () -> failures.equals(List.of(TaskKind.OPEN)));
+        assertFalse(opensWithoutChoice);
     }
 }
