@@ -146,6 +146,9 @@ final class ResultTable extends RowTable {
             }
             return heading;
         };
+        if (getTableHeader().getDefaultRenderer() instanceof JLabel label) {
+            label.putClientProperty("html.disable", false);
+        }
         for (int column = 0; column < getColumnCount(); column++) {
             getColumnModel().getColumn(column).setHeaderRenderer(headings);
         }

@@ -13,6 +13,7 @@ import faultline.gui.document.Workspace;
 import faultline.gui.properties.FloorPlanFiles;
 import faultline.gui.properties.ImportForm;
 import faultline.gui.text.Messages;
+import faultline.gui.text.TextDirection;
 import faultline.gui.theme.Glyph;
 import faultline.scenario.Scenario;
 import java.awt.Component;
@@ -265,6 +266,6 @@ public final class FileController {
                 .filter(Scenario::recorded)
                 .map(run -> " " + Messages.get("title.replay"))
                 .orElse("");
-        return title + (workspace.isChanged() ? "*" : "") + kind + " – Faultline";
+        return TextDirection.leftToRight(title + (workspace.isChanged() ? "*" : "") + kind + " – Faultline");
     }
 }

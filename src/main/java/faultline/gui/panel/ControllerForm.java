@@ -78,7 +78,6 @@ public final class ControllerForm {
         this.onChange = onChange;
         UiText.tip(diagnosis, "controller.diagnosis.tip");
         UiText.tip(nameLabel, "controller.name.tip");
-        UiText.plain(name);
         setName("");
         diagnosis.addActionListener(event -> change(old -> old.withDiagnosis(diagnosis.isSelected())));
         sections = List.of(

@@ -1,6 +1,5 @@
 package faultline.gui.panel;
 
-import faultline.gui.theme.UiText;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
@@ -78,7 +77,7 @@ public final class RefusalNote {
         }
         text = sentence;
         field.getAccessibleContext().setAccessibleDescription(sentence);
-        JToolTip tip = UiText.plain(field.createToolTip());
+        JToolTip tip = field.createToolTip();
         tip.setTipText(sentence);
         Point at = location(place, tip.getPreferredSize());
         popup = PopupFactory.getSharedInstance().getPopup(place, tip, at.x, at.y);

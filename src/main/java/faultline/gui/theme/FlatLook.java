@@ -1,22 +1,31 @@
 package faultline.gui.theme;
 
+import faultline.gui.text.TextDirection;
 import java.awt.Component;
 import java.awt.Font;
+import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
 import java.awt.RenderingHints;
 import java.awt.Toolkit;
 import java.beans.PropertyChangeListener;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.swing.AbstractButton;
 import javax.swing.InputMap;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.JViewport;
 import javax.swing.KeyStroke;
 import javax.swing.UIDefaults;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
+import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.FontUIResource;
+import javax.swing.plaf.metal.MetalCheckBoxUI;
+import javax.swing.plaf.metal.MetalLabelUI;
 import javax.swing.plaf.metal.MetalLookAndFeel;
+import javax.swing.plaf.metal.MetalToolTipUI;
 
 /** Installs the flat look on top of Metal. */
 final class FlatLook {
@@ -32,7 +41,10 @@ final class FlatLook {
             FlatSplitPaneUI.class,
             FlatTabbedPaneUI.class,
             FlatMenuUI.class,
-            FlatMenuItemUI.class);
+            FlatMenuItemUI.class,
+            FlatLabelUI.class,
+            FlatCheckBoxUI.class,
+            FlatToolTipUI.class);
 
     /**
      * The border of a text field or of a scroll pane shows the focus, but Swing repaints only the caret or a cell when
@@ -81,6 +93,68 @@ final class FlatLook {
     private static void register(UIDefaults defaults, Class<?> delegate) {
         defaults.put(delegate.getSimpleName().substring("Flat".length()), delegate.getName());
         defaults.put(delegate.getName(), delegate);
+    }
+
+    /**
+     * Makes a component show its text as it is, even if it looks like HTML: it may contain the name of a file or of an
+     * obstacle. A component that shows HTML sets the property to false.
+     */
+    static void showPlainText(JComponent component) {
+        if (component.getClientProperty("html.disable") == null) {
+            component.putClientProperty("html.disable", true);
+        }
+    }
+
+    /** A label, also in lists, tables and option panes, that shows its text as it is, from left to right. */
+    public static final class FlatLabelUI extends MetalLabelUI {
+
+        private static final FlatLabelUI SHARED = new FlatLabelUI();
+
+        /** Called by Swing to create a delegate. */
+        public static ComponentUI createUI(JComponent component) {
+            return SHARED;
+        }
+
+        @Override
+        protected void installDefaults(JLabel label) {
+            super.installDefaults(label);
+            showPlainText(label);
+        }
+
+        @Override
+        protected void paintEnabledText(JLabel label, Graphics graphics, String text, int x, int y) {
+            super.paintEnabledText(label, graphics, TextDirection.leftToRight(text), x, y);
+        }
+    }
+
+    /** A check box that shows its text as it is. */
+    public static final class FlatCheckBoxUI extends MetalCheckBoxUI {
+
+        /** Called by Swing to create a delegate. */
+        public static ComponentUI createUI(JComponent component) {
+            return new FlatCheckBoxUI();
+        }
+
+        @Override
+        public void installDefaults(AbstractButton box) {
+            super.installDefaults(box);
+            showPlainText(box);
+        }
+    }
+
+    /** A tool tip that shows its text as it is. */
+    public static final class FlatToolTipUI extends MetalToolTipUI {
+
+        /** Called by Swing to create a delegate. */
+        public static ComponentUI createUI(JComponent component) {
+            return new FlatToolTipUI();
+        }
+
+        @Override
+        public void installUI(JComponent tip) {
+            showPlainText(tip);
+            super.installUI(tip);
+        }
     }
 
     /** Reserves Ctrl+Shift+O for the menu; Metal uses it to change the direction of a text. */

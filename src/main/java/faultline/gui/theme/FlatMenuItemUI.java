@@ -31,5 +31,6 @@ public final class FlatMenuItemUI extends BasicMenuItemUI {
     protected void installDefaults() {
         super.installDefaults();
         defaultTextIconGap = KEYS_GAP;
+        FlatLook.showPlainText(menuItem);
     }
 }

@@ -25,12 +25,6 @@ public final class UiText {
 
     private UiText() {}
 
-    /** Makes a component show a text as it is, even if it looks like HTML, because another program has written it. */
-    public static <T extends JComponent> T plain(T component) {
-        component.putClientProperty("html.disable", true);
-        return component;
-    }
-
     /** Creates a label with the text of a key. */
     public static JLabel label(String key) {
         return RefreshSteps.add(new JLabel(), label -> label.setText(Messages.get(key)));

@@ -3,6 +3,7 @@ package faultline.gui.window;
 import faultline.gui.action.ContextMenu;
 import faultline.gui.settings.RecentFiles;
 import faultline.gui.text.Messages;
+import faultline.gui.text.TextDirection;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import java.awt.event.HierarchyEvent;
@@ -45,7 +46,8 @@ final class RecentMenu extends JMenu {
 
     private JMenuItem createItem(int number, Path file) {
         JMenuItem item = new JMenuItem();
-        ContextMenu.number(item, number, file.getFileName() + "  –  " + file.getParent());
+        String text = file.getFileName() + "  –  " + file.getParent();
+        ContextMenu.number(item, number, TextDirection.leftToRight(text));
         item.addActionListener(event -> opener.accept(file));
         return item;
     }

@@ -20,7 +20,6 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JToolTip;
 
 /**
  * One line about the run: its state, time, pace, controller state, pose and the cursor position, and at the end a note.
@@ -45,12 +44,7 @@ final class StatusBar extends JPanel {
     private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
     private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
     private final StatusCell scale = cell("status.scale", "0000 px/m");
-    private final JLabel note = UiText.plain(new JLabel() {
-        @Override
-        public JToolTip createToolTip() {
-            return UiText.plain(super.createToolTip());
-        }
-    });
+    private final JLabel note = new JLabel();
     private final transient StalledRun stalledRun;
     private int noteFramesLeft;
     /** Null while the cursor is outside the canvas. */

@@ -16,16 +16,21 @@ import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JScrollBar;
 import javax.swing.JSlider;
 import javax.swing.JSpinner;
+import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.JToolTip;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import javax.swing.plaf.basic.BasicHTML;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -42,6 +47,24 @@ class ThemeTest {
             assertTrue(popup.widthFor(44, 400) >= texts);
             assertTrue(popup.widthFor(44, 20) > popup.widthFor(44, 400), "room for a scroll bar");
             assertEquals(2 * texts, popup.widthFor(2 * texts, 400));
+        });
+    }
+
+    @Test
+    void namesThatLookLikeHtmlAreShownAsTheyAre() {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            String name = "<html><b>name";
+            JTable table = new JTable(new Object[][] {{name}}, new Object[] {name});
+            JToolTip tip = new JToolTip();
+            tip.setTipText(name);
+            JComponent cell = (JComponent) table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
+            for (JComponent component :
+                    List.of(new JLabel(name), new JCheckBox(name), new JMenuItem(name), tip, cell)) {
+                assertNull(
+                        component.getClientProperty(BasicHTML.propertyKey),
+                        component.getClass().getSimpleName());
+            }
         });
     }
 

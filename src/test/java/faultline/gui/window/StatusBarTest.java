@@ -4,7 +4,6 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
@@ -19,8 +18,6 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
-import javax.swing.JToolTip;
-import javax.swing.plaf.basic.BasicHTML;
 import org.junit.jupiter.api.Test;
 
 class StatusBarTest {
@@ -165,21 +162,5 @@ class StatusBarTest {
     private static List<String> texts(StatusBar from) {
         return callOnEdt(() ->
                 ComponentFinder.findAll(from, JLabel.class).map(JLabel::getText).toList());
-    }
-
-    @Test
-    void aNoteIsNeverReadAsHtml() {
-        String line = "<html><h1>Hello";
-        runOnEdt(() -> {
-            bar.showNote(line);
-            JLabel note = ComponentFinder.findAll(bar, JLabel.class)
-                    .filter(label -> line.equals(label.getText()))
-                    .findFirst()
-                    .orElseThrow();
-            assertNull(note.getClientProperty(BasicHTML.propertyKey));
-            JToolTip tip = note.createToolTip();
-            tip.setTipText(note.getToolTipText());
-            assertNull(tip.getClientProperty(BasicHTML.propertyKey));
-        });
     }
 }
