@@ -1,20 +1,19 @@
 package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
+import faultline.io.DecimalText;
+import java.math.BigDecimal;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.text.ParseException;
 import java.util.Locale;
-import java.util.regex.Pattern;
 import javax.swing.text.DefaultFormatter;
 
 /**
- * Formats numbers in fields with a decimal point in every locale; parses numbers with a point or a comma, within
+ * Formats numbers in fields with a decimal point in every locale; parses numbers as in files, also with a comma, within
  * limits.
  */
 final class DecimalFormatter extends DefaultFormatter {
-
-    private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d{1,12}(\\.\\d{0,12})?|\\.\\d{1,12})");
 
     private final transient DecimalFormat format;
     /** The same without zeros at the end. */
@@ -44,10 +43,9 @@ final class DecimalFormatter extends DefaultFormatter {
     @Override
     public Double stringToValue(String text) throws ParseException {
         String normalized = text.strip().replace(',', '.');
-        if (!NUMBER.matcher(normalized).matches()) {
-            throw new ParseException(Messages.get("number.none"), 0);
-        }
-        double value = Double.parseDouble(normalized);
+        BigDecimal exact =
+                DecimalText.parse(normalized).orElseThrow(() -> new ParseException(Messages.get("number.none"), 0));
+        double value = DecimalText.toDouble(exact, normalized);
         if (value < min || value > max) {
             throw new ParseException(limitsText(), 0);
         }

@@ -23,8 +23,8 @@ class DecimalFormatterTest {
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
-            value = {"1.25 | 1.25", "1,25 | 1.25", " 3 | 3", ".5 | 0.5", "2. | 2", "+4 | 4"})
-    void pointAndCommaAreBothTaken(String text, double value) throws ParseException {
+            value = {"1.25 | 1.25", "1,25 | 1.25", " 3 | 3", ".5 | 0.5", "2. | 2", "+4 | 4", "1e1 | 10", "5E-1 | 0.5"})
+    void pointAndCommaAndExponentsAreTaken(String text, double value) throws ParseException {
         for (String country : new String[] {"en-US", "pl-PL", "de-CH"}) {
             Locale.setDefault(Locale.forLanguageTag(country));
             assertEquals(value, new DecimalFormatter("0.00##", 0.01, 100).stringToValue(text));
@@ -32,7 +32,7 @@ class DecimalFormatterTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "x", "1.2.3", "1,2,3", "1 2", "0x10", "NaN", "Infinity", "1e3", "0", "100.01", "-1"})
+    @ValueSource(strings = {"", "x", "1.2.3", "1,2,3", "1 2", "0x10", "NaN", "Infinity", "1e", "1e3", "0", "101", "-1"})
     void whatIsNoNumberOrBeyondTheLimitsIsRefused(String text) {
         assertThrows(ParseException.class, () -> new DecimalFormatter("0.00##", 0.01, 100).stringToValue(text));
     }
