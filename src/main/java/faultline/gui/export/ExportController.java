@@ -49,6 +49,7 @@ public final class ExportController implements WorkspaceListener {
     private final BiFunction<String, String, Optional<Path>> fileSelector;
     private final Consumer<Path> onWritten;
     private final Consumer<String> note;
+    private final Consumer<String> removeNote;
     private final UiAction recordGif = UiAction.toggle("record", false, this::recordGif)
             .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_M))
             .withIcon(Glyph.RECORD);
@@ -60,7 +61,8 @@ public final class ExportController implements WorkspaceListener {
     /**
      * Creates a controller. {@code fileSelector} asks for a file, given the key of the dialog's title and the extension
      * with its dot, and returns empty if cancelled; {@code onWritten} is called with each file that has been written,
-     * on the event dispatch thread; {@code note} shows a sentence to the user.
+     * on the event dispatch thread; {@code note} shows a sentence to the user, and {@code removeNote} removes it if it
+     * is still shown.
      */
     public ExportController(
             Component parent,
@@ -68,13 +70,15 @@ public final class ExportController implements WorkspaceListener {
             SimulationCanvas canvas,
             BiFunction<String, String, Optional<Path>> fileSelector,
             Consumer<Path> onWritten,
-            Consumer<String> note) {
+            Consumer<String> note,
+            Consumer<String> removeNote) {
         this.parent = parent;
         this.workspace = workspace;
         this.canvas = canvas;
         this.fileSelector = fileSelector;
         this.onWritten = onWritten;
         this.note = note;
+        this.removeNote = removeNote;
         workspace.addListener(this);
     }
 
@@ -205,7 +209,10 @@ public final class ExportController implements WorkspaceListener {
                     .isPresent()) {
                 showError(new MessageException(file.toString(), WriteProblem.OWN_INPUT.with(), null));
             } else {
-                new ExportTask(parent, export, file, onWritten, this::showError).start();
+                String writing = Messages.get("export.writing", String.valueOf(file.getFileName()));
+                note.accept(writing);
+                new ExportTask(parent, export, file, () -> removeNote.accept(writing), onWritten, this::showError)
+                        .start();
             }
         });
     }

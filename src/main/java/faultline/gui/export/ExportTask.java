@@ -22,6 +22,7 @@ final class ExportTask {
 
     private final FileExport export;
     private final Path file;
+    private final Runnable onEnd;
     private final Consumer<Path> onWritten;
     private final Consumer<Throwable> onFailed;
     private final TaskProgress progress = new TaskProgress();
@@ -29,10 +30,18 @@ final class ExportTask {
     private final Timer timer = new Timer(POLL_MILLIS, event -> updateMonitor());
     private int shownPercent;
 
-    ExportTask(Component parent, FileExport export, Path file, Consumer<Path> onWritten, Consumer<Throwable> onFailed) {
+    /** Creates a task; {@code onEnd} runs when it has ended, also if it was cancelled. */
+    ExportTask(
+            Component parent,
+            FileExport export,
+            Path file,
+            Runnable onEnd,
+            Consumer<Path> onWritten,
+            Consumer<Throwable> onFailed) {
         assert EventQueue.isDispatchThread();
         this.export = export;
         this.file = file;
+        this.onEnd = onEnd;
         this.onWritten = onWritten;
         this.onFailed = onFailed;
         monitor = new ProgressMonitor(
@@ -89,5 +98,6 @@ final class ExportTask {
     private void end() {
         timer.stop();
         monitor.close();
+        onEnd.run();
     }
 }

@@ -79,7 +79,13 @@ public final class MainWindow extends JFrame {
             new BatchActions(this, fileController, controllerChooser, this::showNote);
     private final SimulationCanvas canvas = new SimulationCanvas(undoController);
     private final transient ExportController exportController = new ExportController(
-            this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote, this::showNote);
+            this,
+            workspace,
+            canvas,
+            fileController::chooseExportFile,
+            this::showSavedNote,
+            this::showNote,
+            this::removeNote);
     private final transient RunActions runActions;
     private final transient WindowPreferences preferences;
     private final transient ThemeAction themeAction;

@@ -80,6 +80,7 @@ class ExportControllerTest {
     private final List<Path> written = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
     private final List<String> notes = new ArrayList<>();
+    private final List<String> removedNotes = new ArrayList<>();
 
     @BeforeEach
     void runAFewTicks() {
@@ -96,7 +97,8 @@ class ExportControllerTest {
                     canvas,
                     (action, extension) -> Optional.of(folder.resolve("out" + extension)),
                     written::add,
-                    notes::add);
+                    notes::add,
+                    removedNotes::add);
             actions = controller.actions();
             documentStore = new DocumentStore(workspace);
             documentStore.open(Path.of("scenarios/office.xml"));
@@ -139,6 +141,17 @@ class ExportControllerTest {
         assertTrue(Files.mismatch(run, chart) >= 0);
         assertTrue(Files.size(exportToFile("exportChartSvg", "-chart.svg")) > 0);
         assertTrue(Files.size(exportToFile("exportChartCsv", "-chart.csv")) > 0);
+    }
+
+    @Test
+    void aNoteIsShownWhileAFileIsWritten() {
+        runOnEdt(() -> {
+            perform("exportGif");
+            assertEquals(List.of("Writing out.gif"), notes);
+            assertEquals(List.of(), removedNotes);
+        });
+        Await.until("the export", () -> !written.isEmpty());
+        assertEquals(notes, callOnEdt(() -> List.copyOf(removedNotes)));
     }
 
     @Test
@@ -319,6 +332,7 @@ class ExportControllerTest {
                     }
                 },
                 file,
+                () -> {},
                 written::add,
                 failure -> {}));
         runOnEdt(task::start);
@@ -340,6 +354,7 @@ class ExportControllerTest {
                     throw new CancellationException();
                 },
                 file,
+                () -> {},
                 written::add,
                 failure -> {}));
         runOnEdt(task::start);

@@ -127,7 +127,7 @@ class MainPanelTest {
             new EditActions(edits).addTo(actions);
             obstacleActions(edits).addTo(actions);
             new SensorActions(workspace, edits).addTo(actions);
-            new ExportController(canvas, workspace, canvas, files::chooseExportFile, file -> {}, text -> {})
+            new ExportController(canvas, workspace, canvas, files::chooseExportFile, file -> {}, text -> {}, text -> {})
                     .actions()
                     .forEach(actions::add);
             ViewActions.addTo(actions, canvas);
