@@ -243,7 +243,7 @@ public final class FileController {
     /** Runs an action that would lose unsaved changes, after asking whether to save them. */
     public void runIfChangesHandled(Runnable action) {
         // A number that was just committed has not reached the run yet and does not count as a change.
-        boolean changed = commitPendingEdit.getAsBoolean() || workspace.isChanged();
+        boolean changed = commitPendingEdit.getAsBoolean() || workspace.isChanged() || workspace.awaitsCommands();
         if (!changed) {
             action.run();
             return;

@@ -74,13 +74,22 @@ public final class BackgroundTasks {
                         for (Thread thread : BEFORE_EXIT) {
                             thread.join();
                         }
-                        EventQueue.invokeLater(task);
+                        EventQueue.invokeLater(() -> runUnlessBusy(task));
                     } catch (InterruptedException e) {
                         Thread.currentThread().interrupt();
                     }
                 },
                 "faultline-exit");
         waiting.start();
+    }
+
+    /** Runs a task, or waits again if the results that have been passed on have started more work. */
+    private static void runUnlessBusy(Runnable task) {
+        if (BEFORE_EXIT.stream().anyMatch(Thread::isAlive)) {
+            runAfterAll(task);
+        } else {
+            task.run();
+        }
     }
 
     private static <T> void perform(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {

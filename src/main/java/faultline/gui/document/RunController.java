@@ -117,16 +117,20 @@ public final class RunController implements WorkspaceListener {
      * results on the event dispatch thread; it is not called without a run.
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
-        submit(open -> open.session()
-                .send(
-                        commands,
-                        results -> EventQueue.invokeLater(() -> {
-                            commandsExecuted(open, results);
-                            onExecuted.accept(results);
-                        })));
+        submit(open -> {
+            open.document().commandsSent();
+            open.session()
+                    .send(
+                            commands,
+                            results -> EventQueue.invokeLater(() -> {
+                                commandsExecuted(open, results);
+                                onExecuted.accept(results);
+                            }));
+        });
     }
 
     private void commandsExecuted(OpenDocument open, List<CommandResult> results) {
+        open.document().commandsAnswered();
         if (results.stream().anyMatch(result -> result.refusal().isEmpty())) {
             boolean changedBefore = open.document().isChanged();
             open.document().commandsExecuted(results);

@@ -20,6 +20,8 @@ final class ScenarioDocument {
     private Scenario saved;
     /** Null if commands have been executed since it was made. */
     private Scenario edited;
+    /** The number of times that commands were sent whose results are not known yet. */
+    private int unanswered;
 
     /**
      * Creates a document without edits: its file, null for none; the scenario that the file holds, null for none; and
@@ -72,6 +74,19 @@ final class ScenarioDocument {
     /** Returns whether the file holds another scenario than the edited one, or none. */
     boolean isChanged() {
         return !edited().equals(saved);
+    }
+
+    void commandsSent() {
+        unanswered++;
+    }
+
+    void commandsAnswered() {
+        unanswered--;
+    }
+
+    /** Returns whether the results of some commands are not known yet. */
+    boolean awaitsCommands() {
+        return unanswered > 0;
     }
 
     void commandsExecuted(List<CommandResult> results) {

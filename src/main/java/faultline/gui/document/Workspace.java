@@ -177,6 +177,11 @@ public final class Workspace implements AutoCloseable {
         return document().filter(ScenarioDocument::isChanged).isPresent();
     }
 
+    /** Returns whether commands have been sent whose results are not known yet, because the run is busy. */
+    public boolean awaitsCommands() {
+        return document().filter(ScenarioDocument::awaitsCommands).isPresent();
+    }
+
     /**
      * Returns a scenario that replays the run so far exactly; empty before the first session. The future completes on a
      * background thread, exceptionally if the session is closed before.

@@ -63,6 +63,24 @@ class BackgroundTasksTest {
     }
 
     @Test
+    void theProgramAlsoWaitsForWorkThatAResultStarts() {
+        runOnEdt(() -> {
+            BackgroundTasks.runBeforeExit(
+                    () -> "checked",
+                    checked -> BackgroundTasks.runBeforeExit(
+                            () -> perform(() -> "written"), this::addOutcome, failure -> {}),
+                    failure -> {});
+            BackgroundTasks.runAfterAll(() -> addOutcome("exit"));
+        });
+        worker.join();
+        // The task that exits would be in the queue by now.
+        runOnEdt(() -> assertEquals(List.of(), outcomes));
+        released.complete(null);
+        Await.until("the exit", () -> outcomes.size() == 2);
+        assertEquals(List.of("written", "exit"), outcomes);
+    }
+
+    @Test
     void otherTasksEndWithTheProgram() throws Exception {
         runOnEdt(() -> BackgroundTasks.run(() -> perform(() -> "read"), this::addOutcome, failure -> {}));
         assertTrue(worker.get().isDaemon());

@@ -117,6 +117,18 @@ class WorkspaceTest {
     }
 
     @Test
+    void anEditThatTheRunHasNotMadeYetIsAwaited() {
+        runOnEdt(() -> {
+            assertFalse(workspace.awaitsCommands());
+            send(new Command.SwitchSensor("left", false));
+            send(new Command.SwitchSensor("no such sensor", false));
+            assertTrue(workspace.awaitsCommands());
+        });
+        waitFor("both results", () -> !workspace.awaitsCommands());
+        assertTrue(callOnEdt(workspace::isChanged));
+    }
+
+    @Test
     void aSaveKeepsTheCommentsOfTheFileInThatFileAndInAnother() throws IOException {
         Files.writeString(file, Files.readString(file).replace("<robot", "<!-- the robot -->\n  <robot"));
         Path other = folder.resolve("other.xml");
