@@ -191,12 +191,6 @@ final class FileDialogs {
             return true;
         }
         String question = Messages.get("files.replace", file.getFileName().toString());
-        return JOptionPane.showConfirmDialog(
-                        parent,
-                        TextWrap.wrap(question),
-                        Messages.get("files.replace.title"),
-                        JOptionPane.OK_CANCEL_OPTION,
-                        JOptionPane.WARNING_MESSAGE)
-                == JOptionPane.OK_OPTION;
+        return showOptions("files.replace", question, "files.replace.replace", "unsaved.cancel") == 0;
     }
 }

@@ -141,7 +141,7 @@ class SaveRobotTest {
         assertEquals("office.xml* – Faultline", callOnEdt(driver.window()::getTitle));
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
         driver.enterFile("Save scenario", other);
-        driver.clickButton("Replace file", "OK");
+        driver.clickButton("Replace file", "Replace");
         driver.waitForTitle("other.xml");
         assertTrue(Files.readString(other).contains("<scenario"));
     }
@@ -177,7 +177,7 @@ class SaveRobotTest {
         }
         driver.chooseLater("exportSvg");
         driver.enterFile("Export drawing", link);
-        driver.clickButton("Replace file", "OK");
+        driver.clickButton("Replace file", "Replace");
         JDialog dialog = driver.dialog("Faultline");
         assertTrue(
                 WindowDriver.text(dialog).contains("this is the open scenario itself; expected another file"),
