@@ -46,7 +46,7 @@ final class WindowBounds {
                 new Dimension(Math.min(MIN_SIZE.width, screen.width), Math.min(MIN_SIZE.height, screen.height)));
         Rectangle bounds = preferences
                 .get(Preference.BOUNDS)
-                .filter(WindowBounds::isOnScreen)
+                .flatMap(stored -> onScreen(stored, screens()))
                 .orElseGet(() -> centred(screen));
         window.setBounds(bounds);
         if (preferences.get(Preference.MAXIMISED)) {
@@ -101,12 +101,38 @@ final class WindowBounds {
         return Math.min(available, Math.max(usual, share));
     }
 
-    private static boolean isOnScreen(Rectangle bounds) {
+    private static Stream<Rectangle> screens() {
         return Stream.of(GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices())
-                .map(device -> device.getDefaultConfiguration().getBounds().intersection(bounds))
-                .anyMatch(visible -> visible.width >= MIN_VISIBLE_TITLE.width
-                        && visible.height >= MIN_VISIBLE_TITLE.height
-                        && visible.y == bounds.y);
+                .map(device -> device.getDefaultConfiguration().getBounds());
+    }
+
+    /**
+     * Returns bounds whose title bar is on a screen, empty for others. If they are larger than the screen, because they
+     * were stored with another one, they are reduced to it.
+     */
+    static Optional<Rectangle> onScreen(Rectangle bounds, Stream<Rectangle> screens) {
+        return screens.filter(screen -> isTitleOn(screen.intersection(bounds), bounds))
+                .findFirst()
+                .map(screen -> reduced(bounds, screen));
+    }
+
+    private static boolean isTitleOn(Rectangle visible, Rectangle bounds) {
+        return visible.width >= MIN_VISIBLE_TITLE.width
+                && visible.height >= MIN_VISIBLE_TITLE.height
+                && visible.y == bounds.y;
+    }
+
+    private static Rectangle reduced(Rectangle bounds, Rectangle screen) {
+        Rectangle reduced = new Rectangle(bounds);
+        if (bounds.width > screen.width) {
+            reduced.x = screen.x;
+            reduced.width = screen.width;
+        }
+        if (bounds.height > screen.height) {
+            reduced.y = screen.y;
+            reduced.height = screen.height;
+        }
+        return reduced;
     }
 
     /** Keeps bounds that the window manager has reported for the visible window in its normal state. */
