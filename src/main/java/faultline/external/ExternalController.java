@@ -159,7 +159,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     private RunFailedException failure(Exception cause, String when) {
         child.close();
         List<String> said = child.lastErrorLines();
-        String errors = said.isEmpty() ? "" : "; its last words on standard error: " + String.join(" | ", said);
+        String errors = said.isEmpty() ? "" : "; its last lines on standard error: " + String.join(" | ", said);
         String sentence = cause instanceof ProtocolException broken
                 ? broken.sentence(who, when)
                 : who + " cannot be read " + when + ": " + cause.getMessage();

@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.io.ShellText;
 import java.io.File;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -28,11 +29,23 @@ final class StartFailure {
         if (!error.find()) {
             return message;
         }
-        if (error.group(1).equals(MISSING)) {
-            return new File(program).exists()
-                    ? "the interpreter that its first line names does not exist"
-                    : "there is no such program";
-        }
-        return error.group(1).equals(NOT_PERMITTED) ? "the file is not executable" : error.group(2);
+        return switch (error.group(1)) {
+            case MISSING -> missing(program) + pythonHint(program);
+            case NOT_PERMITTED -> "the file is not executable" + pythonHint(program);
+            default -> error.group(2);
+        };
+    }
+
+    /** A name without a folder is searched for in the folders of programs, which do not include the current one. */
+    private static String missing(String program) {
+        return new File(program).getParent() != null && new File(program).exists()
+                ? "the interpreter that its first line names does not exist"
+                : "there is no such program";
+    }
+
+    private static String pythonHint(String program) {
+        return program.endsWith(".py") && new File(program).exists()
+                ? "; a program in Python is started by \"python3 " + ShellText.quoted(program) + "\""
+                : "";
     }
 }

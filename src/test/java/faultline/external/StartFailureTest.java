@@ -34,4 +34,19 @@ class StartFailureTest {
                 "the interpreter that its first line names does not exist",
                 StartFailure.describe(script.toString(), "Cannot run program: error=2, No such file or directory"));
     }
+
+    @Test
+    void aProgramInPythonIsNamedWithItsInterpreter(@TempDir Path folder) throws IOException {
+        Path script = Files.writeString(folder.resolve("my.py"), "import faultline");
+        assertEquals(
+                "the file is not executable; a program in Python is started by \"python3 " + script + "\"",
+                StartFailure.describe(script.toString(), "Cannot run program: error=13, Permission denied"));
+    }
+
+    @Test
+    void aFileInTheCurrentFolderIsNoProgramByItsNameAlone() {
+        assertEquals(
+                "there is no such program",
+                StartFailure.describe("pom.xml", "Cannot run program: error=2, No such file or directory"));
+    }
 }
