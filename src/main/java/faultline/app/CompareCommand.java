@@ -202,6 +202,9 @@ final class CompareCommand {
         }
         files.commit();
         output.println(comparison.lines());
+        if (comparison.seedsMakeNoDifference()) {
+            output.println("seeds: nothing in these runs is random, so every seed gives the same run");
+        }
         output.println("page: " + files.page());
         output.println("table: " + files.table());
         comparison.windowCommands().forEach(command -> output.println("window: " + command));

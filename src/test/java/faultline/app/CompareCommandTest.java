@@ -89,6 +89,36 @@ class CompareCommandTest {
     }
 
     @Test
+    void aDifferenceIsTheMeanOverPairsOfRunsWithTheSameSeed() throws Exception {
+        CommandResult result =
+                compare("--controller", "none", "--controller", "wall-follower", "--seeds", "3", "--until", "6");
+        assertEquals(0, result.code, result.err);
+        List<String> lines = result.out.lines().toList();
+        String moving = lines.get(2).substring(lines.get(2).lastIndexOf("  ") + 2);
+        assertTrue(moving.matches("\\d\\.\\d\\d \\[.*]"), lines::toString);
+        // A robot that stands still has a path of 0 m; Wilson's interval of 0 in 3 runs ends at 0.56.
+        assertEquals(List.of("2 less 1", "3 pairs", "none", "none", "0.00 [-0.56, 0.56]", moving), cells(lines.get(3)));
+        assertFalse(result.out.contains("random"), result.out);
+        assertTrue(Files.readString(page()).contains("Differences to none in runs with the same seed"));
+    }
+
+    @Test
+    void seedsThatMakeNoDifferenceAreReported() {
+        String[] controllers = {"--controller", "none", "--controller", "wall-follower"};
+        String file = "scenarios/yard.xml";
+        String out = command(Stream.concat(
+                                Stream.of("compare", file, "--out", "" + page(), "--seeds", "2", "--until", "1"),
+                                Stream.of(controllers))
+                        .toArray(String[]::new))
+                .out;
+        assertTrue(out.contains("\nseeds: nothing in these runs is random, so every seed gives the same run\n"), out);
+    }
+
+    private static List<String> cells(String line) {
+        return List.of(line.split(" {2,}"));
+    }
+
+    @Test
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
     void aComparisonSaysThatControllersWereGivenTheTruth() throws Exception {
         CommandResult result = compare("--controller", "none", "--controller", STRAIGHT, "--until", "1", "--truth");

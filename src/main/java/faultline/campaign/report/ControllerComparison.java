@@ -67,11 +67,14 @@ public final class ControllerComparison {
         return Csv.row(cells);
     }
 
-    /** {@return one line for each controller under a header, in columns} */
+    /** {@return one line for each controller and for each difference to the first one, under a header, in columns} */
     public List<String> lines() {
         List<List<String>> table = new ArrayList<>();
         table.add(header());
         controllers.forEach(controller -> table.add(cells(controller)));
+        for (int i = 1; i < controllers.size(); i++) {
+            table.add(differences((i + 1) + " less 1", " pairs", controllers.get(i)));
+        }
         int columns = table.get(0).size();
         int[] widths = new int[columns];
         table.forEach(
@@ -106,6 +109,19 @@ public final class ControllerComparison {
                 .toList();
     }
 
+    private List<String> differences(String name, String unit, ControllerRuns controller) {
+        List<ControllerRuns.RunPair> pairs = controller.pairs(controllers.get(0));
+        return Stream.concat(
+                        Stream.of(name, pairs.size() + unit),
+                        Arrays.stream(Metric.values()).map(metric -> metric.difference(pairs)))
+                .toList();
+    }
+
+    /** {@return whether no run depends on its seed, so that more seeds and their intervals tell nothing} */
+    public boolean seedsMakeNoDifference() {
+        return controllers.stream().allMatch(ControllerRuns::areAllEqual);
+    }
+
     /** {@return the page} */
     public String html() {
         String title = "Controllers in " + (scenario.name().isEmpty() ? "a scenario" : scenario.name());
@@ -127,8 +143,29 @@ public final class ControllerComparison {
         return Html.section(
                 "Numbers",
                 Html.paragraph("Means over the seeds with their 95 % confidence intervals."
-                                + (truth ? " Controllers in child processes were given the ground truth." : ""))
-                        + Html.table("numbers", header(), rows));
+                                + (truth ? " Controllers in child processes were given the ground truth." : "")
+                                + (seedsMakeNoDifference()
+                                        ? " Nothing in these runs is random: every seed gives the same run."
+                                        : ""))
+                        + Html.table("numbers", header(), rows)
+                        + pairedDifferences());
+    }
+
+    private String pairedDifferences() {
+        String first = controllers.get(0).controller();
+        List<List<String>> rows = controllers.stream()
+                .skip(1)
+                .map(controller -> differences(controller.controller(), "", controller).stream()
+                        .map(Html::escape)
+                        .toList())
+                .toList();
+        List<String> header = new ArrayList<>(header());
+        header.set(1, "pairs");
+        return rows.isEmpty()
+                ? ""
+                : Html.paragraph("Differences to " + first
+                                + " in runs with the same seed: means with their 95 % confidence intervals.")
+                        + Html.table("numbers", header, rows);
     }
 
     private String spread() {

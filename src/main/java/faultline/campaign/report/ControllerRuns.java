@@ -2,7 +2,9 @@ package faultline.campaign.report;
 
 import faultline.engine.RobotPath;
 import faultline.engine.metrics.RunResult;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * The runs of one controller in one scenario.
@@ -33,6 +35,29 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
      * @param metres the length of the whole path, from tick to tick
      */
     public record ComparedRun(RunResult result, RobotPath path, double metres) {}
+
+    /** A run of this controller, and the run of another one with the same seed. */
+    record RunPair(ComparedRun own, ComparedRun other) {}
+
+    /** Returns the completed runs whose seed another controller has completed, too, in the order of their seeds. */
+    List<RunPair> pairs(ControllerRuns other) {
+        Map<Long, ComparedRun> partners = new HashMap<>();
+        other.runs.forEach(run -> partners.put(run.result().seed(), run));
+        return runs.stream()
+                .filter(run -> partners.containsKey(run.result().seed()))
+                .map(run -> new RunPair(run, partners.get(run.result().seed())))
+                .toList();
+    }
+
+    /** Returns whether all of several runs are the same run. */
+    boolean areAllEqual() {
+        return runs.size() > 1
+                && runs.stream()
+                                .map(run -> run.result().trajectoryHash())
+                                .distinct()
+                                .count()
+                        == 1;
+    }
 
     /**
      * A run that failed.

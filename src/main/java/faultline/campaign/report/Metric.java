@@ -79,7 +79,31 @@ enum Metric {
         if (values.length == 1) {
             return format(mean);
         }
-        Interval interval = interval(values);
+        return text(mean, interval(values));
+    }
+
+    /** Returns the mean difference of pairs of runs with its interval, as {@link #summary} does for one controller. */
+    String difference(List<ControllerRuns.RunPair> pairs) {
+        List<ControllerRuns.RunPair> complete = pairs.stream()
+                .filter(pair -> of(pair.own()).isPresent() && of(pair.other()).isPresent())
+                .toList();
+        double[] differences = complete.stream()
+                .mapToDouble(
+                        pair -> of(pair.own()).getAsDouble() - of(pair.other()).getAsDouble())
+                .toArray();
+        return this == COLLISION && differences.length > 1
+                ? text(Arrays.stream(differences).average().orElseThrow(), pairedInterval(complete))
+                : summary(differences);
+    }
+
+    private Interval pairedInterval(List<ControllerRuns.RunPair> pairs) {
+        double[] counts = new double[4];
+        pairs.forEach(pair -> counts[
+                (int) (2 * of(pair.own()).getAsDouble() + of(pair.other()).getAsDouble())]++);
+        return Interval.pairedDifference(counts[3], counts[2], counts[1], counts[0]);
+    }
+
+    private String text(double mean, Interval interval) {
         return format(mean) + " [" + format(interval.low()) + ", " + format(interval.high()) + "]";
     }
 }
