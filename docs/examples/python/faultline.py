@@ -21,6 +21,7 @@ Lengths are metres, angles radians, times seconds. A reading is a distance, ``No
 """
 
 import json
+import operator
 import os
 import subprocess
 import sys
@@ -38,12 +39,12 @@ NO_ANSWER = _NoAnswer()
 
 def volts(left, right, state=None, why=None):
     """Returns a drive message with a voltage for each side."""
-    return _with_state({"type": "drive", "left_v": left, "right_v": right}, state, why)
+    return _with_state({"type": "drive", "left_v": float(left), "right_v": float(right)}, state, why)
 
 
 def velocities(v, omega, state=None, why=None):
     """Returns a drive message with a forward velocity (m/s) and a turn rate (rad/s, positive to the left)."""
-    return _with_state({"type": "drive", "v_m_s": v, "omega_rad_s": omega}, state, why)
+    return _with_state({"type": "drive", "v_m_s": float(v), "omega_rad_s": float(omega)}, state, why)
 
 
 def _with_state(message, state, why):
@@ -58,6 +59,9 @@ class Sight(dict):
     """The readings of one tick by the ids of the sensors, with ``tick``, ``t``, ``robot`` and, on request, ``truth``."""
 
     __slots__ = ("tick", "t", "robot", "truth")
+
+    def __missing__(self, sensor):
+        raise KeyError("there is no sensor %r; the robot has %s" % (sensor, ", ".join(self)))
 
     def distance(self, sensor, otherwise):
         """Returns a sensor's distance, or another value if it sees nothing or does not answer."""
@@ -107,6 +111,12 @@ def drive_with(decide, name="python", begin=None):
     ``begin(hello)`` is called first, if given. Standard output belongs to the protocol, so ``print`` is redirected to
     standard error. Returns the ``end`` message, or None if the simulator closed the connection.
     """
+    if sys.stdin.isatty():
+        print(
+            'This program waits for the simulator, which starts it: faultline run FILE --controller "python3 %s"'
+            % os.path.basename(sys.argv[0]),
+            file=sys.stderr,
+        )
     answers = open(sys.stdout.fileno(), "wb", closefd=False)
     sys.stdout = sys.stderr
     robot = None
@@ -141,7 +151,12 @@ class Simulator:
 
     def __init__(self, scenario, truth=False, command=None):
         command = list(command or default_command()) + ["serve", str(scenario)] + (["--truth"] if truth else [])
-        self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        try:
+            self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        except FileNotFoundError:
+            raise FileNotFoundError(
+                "there is no program %r; give the command that starts the simulator, or set FAULTLINE" % command[0]
+            ) from None
         self.hello = self._receive()
         self._robot = _Robot(self.hello)
         self.done = False
@@ -152,11 +167,13 @@ class Simulator:
         self.done = False
         self.end = None
         self._robot = _Robot(self.hello)
-        return self._ask({"type": "reset"} if seed is None else {"type": "reset", "seed": seed})
+        return self._ask({"type": "reset"} if seed is None else {"type": "reset", "seed": operator.index(seed)})
 
     def step(self, drive, ticks=1):
         """Drives for some ticks and returns what is then seen; ``done`` tells whether the run is over."""
-        return self._ask(dict(drive, ticks=ticks))
+        if self.done:
+            raise RuntimeError("the run is over (%s); reset begins another one" % self.end["reason"])
+        return self._ask(dict(drive, ticks=operator.index(ticks)))
 
     def _ask(self, message):
         _write(message, self._process.stdin)
@@ -169,7 +186,9 @@ class Simulator:
     def _receive(self):
         line = self._process.stdout.readline()
         if not line:
-            raise RuntimeError("the simulator has ended with exit code %s" % self._process.wait())
+            raise RuntimeError(
+                "the simulator has ended with exit code %s; the reason is on its standard error" % self._process.wait()
+            )
         return _read(line)
 
     def close(self):

@@ -133,6 +133,52 @@ class PythonClientTest {
     }
 
     @Test
+    void numbersOfOtherTypesAreSent() throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import faultline, fractions
+                class Int32:
+                    def __index__(self): return 7
+                half = fractions.Fraction(1, 2)
+                with faultline.Simulator("scenarios/office.xml") as simulator:
+                    simulator.reset(seed=Int32())
+                    print(simulator.step(faultline.velocities(half, half), ticks=Int32()).tick)
+                    print(simulator.step(faultline.volts(half, half)).tick)
+                """);
+        assertEquals("7\n8", output.text().strip());
+    }
+
+    @Test
+    void mistakesAreExplained() throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import faultline
+                def explain(action):
+                    try:
+                        action()
+                    except (KeyError, RuntimeError, FileNotFoundError) as mistake:
+                        print(mistake.args[0])
+                with faultline.Simulator("scenarios/office.xml") as simulator:
+                    sight = simulator.reset()
+                    explain(lambda: sight.distance("lefft", 1))
+                    simulator.step(faultline.velocities(0, 0), ticks=1000000)
+                    explain(lambda: simulator.step(faultline.velocities(0, 0)))
+                    simulator.reset()
+                explain(lambda: faultline.Simulator("scenarios/office.xml", command=["no-such-program"]))
+                """);
+        assertEquals(
+                """
+                there is no sensor 'lefft'; the robot has front, front-left, left, rear-left, rear, rear-right, right, \
+                front-right
+                the run is over (duration); reset begins another one
+                there is no program 'no-such-program'; give the command that starts the simulator, or set FAULTLINE
+                """,
+                output.text());
+    }
+
+    @Test
     void theGymnasiumEnvironmentPassesItsCheck() throws Exception {
         assumeTrue(python("-c", "import gymnasium").code() == 0, "needs the Python package gymnasium");
         Output output = python(
