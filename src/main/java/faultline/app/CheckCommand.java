@@ -2,6 +2,7 @@ package faultline.app;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
+import faultline.external.ControllerChoice;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.nio.file.Path;
@@ -17,7 +18,9 @@ final class CheckCommand {
     }
 
     int run(List<String> arguments) throws UsageException {
-        List<String> files = new Arguments(arguments, List.of()).files();
+        Arguments given = new Arguments(arguments, List.of("--jar"));
+        ControllerOptions.parse(given, false).jars().forEach(ControllerChoice::addJar);
+        List<String> files = given.files();
         if (files.isEmpty()) {
             throw new UsageException("check takes one or more scenario files, not none");
         }

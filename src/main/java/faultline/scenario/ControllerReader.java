@@ -57,10 +57,10 @@ final class ControllerReader {
         String type = node.attributes().getOrDefault("type", DEFAULT_TYPE).strip();
         boolean provided = !TYPE_READERS.containsKey(type)
                 && ControllerProviders.find(type).isPresent();
-        ElementRules.checkChildren(
-                node,
-                provided ? List.of("setting") : type.equals(RECORDED) ? List.of("decisions") : List.of(),
-                problems);
+        if (provided || TYPE_READERS.containsKey(type)) {
+            // The elements of an unknown controller may be those that it needs.
+            ElementRules.checkChildren(node, children(type, provided), problems);
+        }
         ControllerSpec controller = provided
                 ? new ControllerSpec.Provided(type, readPeriod(fields), readSettings(node, problems))
                 : fields.choice("type", knownTypes(type), ControllerReader::readWallFollower)
@@ -72,6 +72,10 @@ final class ControllerReader {
         return controller instanceof ControllerSpec.Recorded empty
                 ? new ControllerSpec.Recorded(empty.wanted(), empty.ticks(), readDecisions(node, problems))
                 : controller;
+    }
+
+    private static List<String> children(String type, boolean provided) {
+        return provided ? List.of("setting") : type.equals(RECORDED) ? List.of("decisions") : List.of();
     }
 
     /** Returns the types of the program; for an unknown type also those on the class path, to be named with it. */

@@ -201,7 +201,7 @@ class CommandLineTest {
             run                             | run takes one scenario file, not none
             run a.xml b.xml                 | run takes one scenario file, not 2
             check                           | check takes one or more scenario files, not none
-            check --all a.xml               | there is no option "--all" here; expected none
+            check --all a.xml               | there is no option "--all" here; expected --jar
             run a.xml --sed 1               | there is no option "--sed" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
             run a.xml -x                    | there is no option "-x" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
             run a.xml --pace 0              | --pace is "0"; expected a multiple of real time from 0.001 to 1000000

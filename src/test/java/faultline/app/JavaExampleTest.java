@@ -135,6 +135,16 @@ class JavaExampleTest {
     }
 
     @Test
+    void aFileThatNamesTheControllerIsCheckedWithTheJar() throws IOException {
+        String file = yardOfTheExample().toString();
+        List<String> problems = run("check", file).lines().toList();
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(
+                problems.get(0).contains(": type of <controller> is \"my-follower\"; expected "), problems::toString);
+        assertEquals(file + ": good\n", run("check", file, "--jar", jar.toString()));
+    }
+
+    @Test
     void theWindowOpensAFileThatNamesAControllerOfTheJar() throws Exception {
         String file = yardOfTheExample().toString();
         String expected = value(run("run", file, "--jar", jar.toString()), "trajectory_hash");
