@@ -21,7 +21,7 @@ final class HelpText {
                                            the trajectory is the same
               --trace OUT.csv              write one row for every tick; OUT.csv.gz is compressed
               --trace-format 1|2           2 adds volts, telemetry, faults, health and OUT.csv.json (default: 1)
-              --image OUT.png              write a picture of the end of the run
+              --image OUT.png              write a picture of the end of the run; OUT.svg is a drawing
               --journal OUT.xml            write the scenario that replays this run
               --film OUT.gif               write a film of the run
               --pace X                     at X times real time (default: as fast as possible)

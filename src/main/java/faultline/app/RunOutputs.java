@@ -9,10 +9,10 @@ import faultline.engine.metrics.TraceWriter;
 import faultline.io.AtomicFile;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.PngImage;
+import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Palette;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -133,7 +133,7 @@ final class RunOutputs implements AutoCloseable {
             files.get(Output.TRACE_HEADER).stream().write(header.getBytes(StandardCharsets.UTF_8));
         }
         if (files.containsKey(Output.IMAGE)) {
-            PngImage.write(renderImage(lastFrame), files.get(Output.IMAGE).stream());
+            writeImage(files.get(Output.IMAGE).stream());
         }
         if (files.containsKey(Output.JOURNAL)) {
             Scenario replay = JournalScenario.create(scenario, journal);
@@ -145,8 +145,15 @@ final class RunOutputs implements AutoCloseable {
         AtomicFile.commitAll(files.values());
     }
 
-    private static BufferedImage renderImage(Frame frame) {
-        return FrameRenderer.render(frame, Palette.LIGHT, IMAGE_WIDTH, FrameRenderer.heightFor(frame, IMAGE_WIDTH));
+    /** Writes the last frame, as a drawing if its file is named so. */
+    private void writeImage(OutputStream out) throws IOException {
+        RenderRequest picture = FrameRenderer.request(
+                lastFrame, Palette.LIGHT, IMAGE_WIDTH, FrameRenderer.heightFor(lastFrame, IMAGE_WIDTH));
+        if (options.outputs().get(Output.IMAGE).toString().endsWith(".svg")) {
+            out.write(picture.toSvg().getBytes(StandardCharsets.UTF_8));
+        } else {
+            PngImage.write(picture.toImage(1), out);
+        }
     }
 
     @Override

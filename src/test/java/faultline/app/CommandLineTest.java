@@ -19,12 +19,14 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
+import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.w3c.dom.Element;
 
 /** Runs the command line and checks exit codes, output and error messages. */
 class CommandLineTest {
@@ -156,6 +158,18 @@ class CommandLineTest {
         assertEquals(run.value("trajectory_hash"), replay.value("trajectory_hash"));
         assertEquals("5", replay.value("seed"));
         assertEquals(List.of(image, journal, trace), filesInFolder());
+    }
+
+    @Test
+    void anImageIsADrawingIfItsFileIsNamedSo() throws Exception {
+        Path image = folder.resolve("image.svg");
+        assertEquals(0, command("run", COLLIDING_SCENARIO, "--until", "12", "--image", "" + image).code);
+        Element drawing = DocumentBuilderFactory.newInstance()
+                .newDocumentBuilder()
+                .parse(image.toFile())
+                .getDocumentElement();
+        assertEquals("svg", drawing.getTagName());
+        assertEquals("1200", drawing.getAttribute("width"));
     }
 
     @Test

@@ -32,8 +32,12 @@ public final class FrameRenderer {
 
     /** Renders a whole world with the default layers as a new opaque picture; width and height in pixels, positive. */
     public static BufferedImage render(Frame frame, Palette palette, int width, int height) {
-        return new RenderRequest(frame, fitCamera(frame.snapshot(), width, height), palette, Layer.defaults())
-                .toImage(1);
+        return request(frame, palette, width, height).toImage(1);
+    }
+
+    /** Returns the description of the picture of a whole world with the default layers; sizes in pixels, positive. */
+    public static RenderRequest request(Frame frame, Palette palette, int width, int height) {
+        return new RenderRequest(frame, fitCamera(frame.snapshot(), width, height), palette, Layer.defaults());
     }
 
     /** Returns the camera that shows a whole world with a margin; width and height in pixels, positive. */
