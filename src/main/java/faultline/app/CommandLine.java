@@ -18,7 +18,7 @@ import java.util.List;
 /** Finds the command that the arguments name, runs it, and turns a failure into one line and an exit code. */
 final class CommandLine {
 
-    /** The option that shows all commands, also after one of them. */
+    /** The option that shows all commands or, after a command, that one. */
     private static final String HELP = "--help";
 
     private static final List<String> COMMANDS = List.of(
@@ -108,7 +108,7 @@ final class CommandLine {
         }
         String first = args.get(0);
         if (COMMANDS.contains(first)) {
-            return run(args.contains(HELP) ? HELP : first, args.subList(1, args.size()));
+            return args.contains(HELP) ? println(HelpText.help(first)) : run(first, args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {
             throw new UsageException("there is no command " + MessageText.quoted(first) + "; expected "
@@ -134,7 +134,6 @@ final class CommandLine {
             case "--version" -> println(HelpText.version());
             case "--window" -> new WindowCommand(output).runWithDialogs(arguments);
             case "--startup-time" -> new WindowCommand(output).measureStartup(arguments);
-            case HELP -> println(HelpText.help());
             default -> throw new IllegalArgumentException("no command: " + command);
         };
     }

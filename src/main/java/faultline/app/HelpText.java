@@ -1,6 +1,7 @@
 package faultline.app;
 
 import faultline.io.ProgramCommand;
+import java.util.Arrays;
 import java.util.Optional;
 
 /** The output of {@code --help} and {@code --version}. */
@@ -14,6 +15,7 @@ final class HelpText {
               --controller WHICH           driven by a child process, such as "python3 my.py", or one in Java
               --ghost-controller WHICH     with a ghost beside it that another controller drives
               --jar FILE.jar               find controllers in Java in this file as well
+
             faultline run FILE [OPTION]... run a scenario without a window and print its summary
               --until S                    for S seconds in place of the file's duration
               --seed N                     with seed N in place of the file's
@@ -28,43 +30,77 @@ final class HelpText {
               --json                       print the summary as one JSON object
               --controller WHICH           with a controller in a child process, such as "python3 my.py", or one in Java
               --jar FILE.jar               find controllers in Java in this file as well
-              --patience S|none            how long a child may take to answer (default: 10)
+              --patience S|none            how many seconds a child may take to answer (default: 10)
               --truth                      give it the ground truth as well
+
+            faultline check FILE...        report everything that is wrong with scenario files and plans of campaigns
+              --jar FILE.jar               find controllers in Java in this file as well
+
             faultline compare FILE --controller A --controller B... --out FILE.html
                                            run each controller in the scenario; make a table and a page
               --seeds N                    with N seeds from the file's on (default: 1)
               --until, --jar, --patience, --truth   as for run
               --open                       show the first two in the window, the second as a ghost
+
             faultline serve FILE [--truth] step a scenario from outside, over standard input and output
+
             faultline controller FILE      act as the child of --controller, with the controller of a scenario
-            faultline import MAP --out FILE make a scenario from a floor plan: a map_server YAML file or an image
+
+            faultline import MAP --out FILE
+                                           make a scenario from a floor plan: a map_server YAML file or an image
               --resolution M               the side of a pixel in metres, for an image
               --unknown free|wall          what unknown cells are (default: free)
               --min-cells N                drop groups of fewer solid cells
               --smooth CELLS               straighten outlines by up to this (default: 0, exact)
-              --start X,Y,HEADING          where the robot starts (default: the largest free disc)
-            faultline check FILE...        report everything that is wrong with scenario files
-            faultline campaign PLAN --out DIR make all runs of a campaign plan, one row each in DIR/runs.csv
+              --start X,Y,HEADING          where the robot starts, from the lower left corner, metres and degrees
+                                           (default: the largest free disc)
+
+            faultline campaign PLAN --out DIR
+                                           make all runs of a campaign plan, one row each in DIR/runs.csv
               --jobs N                     on N threads (default: one for each processor)
               --shard I/N                  only the I-th of N parts
               --resume                     continue the campaign in DIR, if there is one
-            faultline merge DIR... --out DIR put the parts of a campaign together
-            faultline report DIR --out FILE.html make a page of a campaign, with intervals and differences
+
+            faultline merge DIR... --out DIR
+                                           put the parts of a campaign together
+
+            faultline report DIR --out FILE.html
+                                           make a page of a campaign, with intervals and differences
               --table FILE.csv             write the numbers of its cells as well
+
             faultline figures --out DIR    make the paper's figures and the studies behind its claims
               --theme light|dark|adaptive  their colours; adaptive follows the reader's screen (default: adaptive)
+
             faultline --window [FILE]      open the window as a desktop does, where problems of the file are shown
-            faultline --startup-time [FILE] open the window, print how long that took, and close it
+
+            faultline --startup-time [FILE]
+                                           open the window, print how long that took, and close it
+
+            faultline COMMAND --help       show only the help of a command
             faultline --help | --version
 
             Exit codes: 0 done and every expectation held, 1 an expectation failed, 2 bad usage or a bad file, 3 the run broke.""";
 
     private HelpText() {}
 
-    /** Returns the help, which explains what the name of the program stands for if it is not a command itself. */
+    /** Returns the help of all commands. */
     static String help() {
+        return withMeaningOfName(HELP);
+    }
+
+    /** Returns the paragraph about a command, or the help of all commands if it has none. */
+    static String help(String command) {
+        return Arrays.stream(HELP.split("\n\n"))
+                .filter(paragraph -> paragraph.startsWith("faultline " + command + " "))
+                .findFirst()
+                .map(HelpText::withMeaningOfName)
+                .orElseGet(HelpText::help);
+    }
+
+    /** Adds what the name of the program stands for, if it is not a command itself. */
+    private static String withMeaningOfName(String help) {
         String command = ProgramCommand.text();
-        return HELP + (command.equals("faultline") ? "" : "\n\"faultline\" stands for: " + command);
+        return help + (command.equals("faultline") ? "" : "\n\n\"faultline\" stands for: " + command);
     }
 
     static String version() {

@@ -26,6 +26,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Element;
 
 /** Runs the command line and checks exit codes, output and error messages. */
@@ -339,11 +340,31 @@ class CommandLineTest {
         assertTrue(run.err.contains("\"summary\":{\"truth\":\"given to the controller\",\"ticks\":\"1\","), run.err);
     }
 
-    @Test
-    void helpIsShownAfterACommandToo() {
-        CommandResult help = command("run", "--help");
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "run",
+                "check",
+                "compare",
+                "serve",
+                "controller",
+                "import",
+                "campaign",
+                "merge",
+                "report",
+                "figures"
+            })
+    void helpAfterACommandIsThePartOfThatCommand(String name) {
+        CommandResult help = command(name, "--help");
         assertEquals(0, help.code);
-        assertEquals(command("--help").out, help.out);
+        assertTrue(help.out.startsWith("faultline " + name + " "), help.out);
+        List<String> others = help.out
+                .lines()
+                .skip(1)
+                .filter(line -> line.startsWith("faultline "))
+                .toList();
+        assertEquals(List.of(), others);
+        assertTrue(command("--help").out.contains(help.out.lines().findFirst().orElseThrow()), help.out);
     }
 
     @Test
