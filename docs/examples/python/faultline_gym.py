@@ -58,3 +58,6 @@ class WallFollowingEnv(gymnasium.Env):
 
     def close(self):
         self._simulator.close()
+
+
+gymnasium.register("faultline/WallFollowing-v0", entry_point=WallFollowingEnv)

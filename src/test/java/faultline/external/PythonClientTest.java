@@ -197,6 +197,23 @@ class PythonClientTest {
         assertEquals(0, output.code());
     }
 
+    @Test
+    void theDocumentedUseOfTheEnvironmentRuns() throws Exception {
+        assumeTrue(python("-c", "import gymnasium").code() == 0, "needs the Python package gymnasium");
+        Matcher block = Pattern.compile("```python\n(from faultline_gym .*?)```", Pattern.DOTALL)
+                .matcher(Files.readString(Path.of("docs/controllers.md")));
+        assertTrue(block.find());
+        Output output = python(
+                "-W",
+                "ignore",
+                "-c",
+                block.group(1).replace("command=command", "command=None")
+                        + "import gymnasium\n"
+                        + "gymnasium.make('faultline/WallFollowing-v0').close()\n"
+                        + "print(over)\n");
+        assertEquals("True", output.text().strip());
+    }
+
     /** REP 117 says what stands for a reading that is no distance. The modules of ROS 2 are replaced by empty ones. */
     @Test
     void theBridgeToRosWritesReadingsAsRanges() throws Exception {
