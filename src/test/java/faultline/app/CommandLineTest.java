@@ -340,6 +340,18 @@ class CommandLineTest {
         assertTrue(run.err.contains("\"summary\":{\"truth\":\"given to the controller\",\"ticks\":\"1\","), run.err);
     }
 
+    @Test
+    void everyLineOfTheSummaryIsExplained() throws IOException {
+        String page = Files.readString(Path.of("docs/traces.md"));
+        List<String> unexplained = command("run", COLLIDING_SCENARIO, "--until", "12")
+                .out
+                .lines()
+                .map(line -> line.split(": ")[0])
+                .filter(key -> !page.contains("`" + key + "`"))
+                .toList();
+        assertEquals(List.of(), unexplained);
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {
