@@ -102,7 +102,7 @@ public final class CampaignReport {
                 : Html.paragraph(
                         "Undecided runs (" + count + ") ended before their verdict was known, and no share counts"
                                 + " them. Shares count short runs with a contact, so they are lower than those of"
-                                + " longer runs.");
+                                + " longer runs. A greater @duration in the plan decides more runs.");
     }
 
     private long count(String outcome) {

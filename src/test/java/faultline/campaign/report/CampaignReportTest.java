@@ -123,6 +123,7 @@ class CampaignReportTest {
         String html =
                 report("<set attribute=\"@duration\" value=\"2\"/><set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
         assertTrue(html.contains("<p>Undecided runs (8) ended before their verdict was known"), "2 s are no lap");
+        assertTrue(html.contains("A greater @duration in the plan decides more runs."), "what helps");
         assertTrue(html.contains("one in twenty is in bold by chance"));
     }
 
