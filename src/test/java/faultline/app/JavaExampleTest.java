@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.JavaProcess;
 import faultline.control.ControllerProvider;
+import faultline.control.ControllerSpec;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioRun;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -13,6 +16,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.stream.Stream;
@@ -121,6 +125,16 @@ class JavaExampleTest {
             assertEquals(
                     usage, run("run", "scenarios/yard.xml", "--controller", name, "--jar", jar.toString(), "--truth"));
         }
+    }
+
+    @Test
+    void aTestRunsTheExampleInAShippedScenario() throws Exception {
+        String output = run("run", "scenarios/yard.xml", "--controller", "my-follower", "--jar", jar.toString());
+        Scenario yard = Scenario.loadShipped("yard.xml");
+        ControllerSpec mine = new ControllerSpec.Provided("my-follower", 0, Map.of());
+        ScenarioRun run = yard.withSetup(yard.setup().withController(mine)).run();
+        assertTrue(run.collision().isEmpty());
+        assertEquals(value(output, "trajectory_hash"), run.trajectoryHash());
     }
 
     /** Returns a file that names the controller of the example. */

@@ -24,6 +24,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,6 +53,34 @@ class SimulationServerTest {
 
     private static SimulationSetup office() throws Exception {
         return Scenario.load(Path.of("scenarios/office.xml")).setup().withDuration(1);
+    }
+
+    @Test
+    void theDocumentedExchangeIsTheOneOfTheProgram() throws Exception {
+        String page = Files.readString(Path.of("docs/controllers.md"));
+        Path eye = Files.writeString(folder.resolve("eye.xml"), block(page, "xml", "<scenario [^>]*name=\"Eye\""));
+        List<String> lines = block(page, "text", "\\{\"type\":\"hello\"")
+                .replaceAll("\n {4}", "")
+                .lines()
+                .toList();
+        String requests = lines.stream()
+                .filter(line -> line.startsWith("> "))
+                .map(line -> line.substring(2) + "\n")
+                .collect(Collectors.joining());
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        byte[] in = requests.getBytes(StandardCharsets.UTF_8);
+        new SimulationServer("faultline 0.1.0", "Eye", false, new ByteArrayInputStream(in), out)
+                .run(Scenario.load(eye).setup());
+        assertEquals(
+                lines.stream().filter(line -> !line.startsWith("> ")).toList(),
+                out.toString(StandardCharsets.UTF_8).lines().toList());
+    }
+
+    private static String block(String page, String language, String start) {
+        Matcher block = Pattern.compile("(?s)```" + language + "\n(" + start + ".*?)```")
+                .matcher(page);
+        assertTrue(block.find(), start);
+        return block.group(1);
     }
 
     @Test
