@@ -14,6 +14,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
 
 /**
  * A controller in a child process, called in lock-step by the simulation thread. If the child violates the protocol or
@@ -44,6 +45,9 @@ public final class ExternalController implements Controller, TickObserver, AutoC
 
     /** The state of a child without a name until it names one. */
     private static final String NAMELESS_STATE = "EXTERN";
+
+    /** A line of a traceback that only marks a part of the line above it. */
+    private static final Pattern MARKS = Pattern.compile("[ ~^]*");
 
     private final String who;
     private final ChildProcess child;
@@ -158,12 +162,24 @@ public final class ExternalController implements Controller, TickObserver, AutoC
 
     private RunFailedException failure(Exception cause, String when) {
         child.close();
-        List<String> said = child.lastErrorLines();
-        String errors = said.isEmpty() ? "" : "; its last lines on standard error: " + String.join(" | ", said);
         String sentence = cause instanceof ProtocolException broken
                 ? broken.sentence(who, when)
                 : who + " cannot be read " + when + ": " + cause.getMessage();
-        return new RunFailedException(sentence + errors, cause);
+        return new RunFailedException(sentence + standardError(child.lastErrorLines()), cause);
+    }
+
+    /**
+     * Returns what a child wrote, the last line first: a traceback ends with the reason, and a message may be cut off.
+     */
+    private static String standardError(List<String> lines) {
+        List<String> words =
+                lines.stream().filter(line -> !MARKS.matcher(line).matches()).toList();
+        if (words.isEmpty()) {
+            return "";
+        }
+        int last = words.size() - 1;
+        return "; its last line on standard error: " + words.get(last)
+                + (last == 0 ? "" : "; the lines before: " + String.join(" | ", words.subList(0, last)));
     }
 
     /**

@@ -191,11 +191,13 @@ class ExternalControllerTest {
     }
 
     @Test
-    void theLastWordsOnStandardErrorAreKeptWithTheFailure() {
+    void theLastLinesOnStandardErrorAreKeptWithTheFailure() {
         String flood = "read l; for i in $(seq 3000); do echo line $i >&2; done; exit 1";
         RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(flood), office(), PATIENCE));
-        assertTrue(e.getMessage().contains("line 2981 | "), e.getMessage());
-        assertTrue(e.getMessage().endsWith("line 3000"), e.getMessage());
+        assertTrue(
+                e.getMessage().contains("; its last line on standard error: line 3000; the lines before: line 2981 | "),
+                e.getMessage());
+        assertTrue(e.getMessage().endsWith("line 2999"), e.getMessage());
         assertEquals(3000, errors.size());
     }
 

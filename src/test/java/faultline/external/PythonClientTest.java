@@ -1,6 +1,7 @@
 package faultline.external;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -99,9 +100,10 @@ class PythonClientTest {
                 assertThrows(RunFailedException.class, () -> run(setup, program, new CopyOnWriteArrayList<>()));
         assertTrue(
                 e.getMessage()
-                        .endsWith("TypeError: decide returned None; it must return faultline.velocities(...)"
-                                + " or faultline.volts(...)"),
+                        .contains("; its last line on standard error: TypeError: decide returned None; it must return"
+                                + " faultline.velocities(...) or faultline.volts(...); the lines before: "),
                 e.getMessage());
+        assertFalse(e.getMessage().contains("^^"), e.getMessage());
     }
 
     @Test
