@@ -73,7 +73,7 @@ public final class ControllerComparison {
         table.add(header());
         controllers.forEach(controller -> table.add(cells(controller)));
         for (int i = 1; i < controllers.size(); i++) {
-            table.add(differences((i + 1) + " less 1", " pairs", controllers.get(i)));
+            table.add(differences((i + 1) + " less 1", controllers.get(i)));
         }
         int columns = table.get(0).size();
         int[] widths = new int[columns];
@@ -109,10 +109,10 @@ public final class ControllerComparison {
                 .toList();
     }
 
-    private List<String> differences(String name, String unit, ControllerRuns controller) {
+    private List<String> differences(String name, ControllerRuns controller) {
         List<ControllerRuns.RunPair> pairs = controller.pairs(controllers.get(0));
         return Stream.concat(
-                        Stream.of(name, pairs.size() + unit),
+                        Stream.of(name, Html.count(pairs.size(), "pair")),
                         Arrays.stream(Metric.values()).map(metric -> metric.difference(pairs)))
                 .toList();
     }
@@ -155,17 +155,15 @@ public final class ControllerComparison {
         String first = controllers.get(0).controller();
         List<List<String>> rows = controllers.stream()
                 .skip(1)
-                .map(controller -> differences(controller.controller(), "", controller).stream()
+                .map(controller -> differences(controller.controller(), controller).stream()
                         .map(Html::escape)
                         .toList())
                 .toList();
-        List<String> header = new ArrayList<>(header());
-        header.set(1, "pairs");
         return rows.isEmpty()
                 ? ""
                 : Html.paragraph("Differences to " + first
                                 + " in runs with the same seed: means with their 95 % confidence intervals.")
-                        + Html.table("numbers", header, rows);
+                        + Html.table("numbers", header(), rows);
     }
 
     private String spread() {
