@@ -8,10 +8,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -20,6 +22,8 @@ import org.junit.jupiter.api.Test;
 class DocsTest {
 
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)(?:#[^)]*)?\\)");
+    private static final Pattern ANCHOR = Pattern.compile("\\]\\(([^)#:]*)#([^)]+)\\)");
+    private static final Pattern HEADING = Pattern.compile("(?m)^#+ (.*)$");
     private static final Pattern CODE = Pattern.compile("`([^`\n]+)`");
     private static final Pattern CLASS_NAME =
             Pattern.compile("(?:[a-z]+\\.)*([A-Z]\\w+[a-z]\\w*)((?:\\.\\w+)*)(?:\\(.*\\))?");
@@ -56,6 +60,30 @@ class DocsTest {
                     .forEach(link -> dead.add(page + ": " + link));
         }
         assertEquals(List.of(), dead);
+    }
+
+    @Test
+    void everyHeadingThatALinkNamesExists() throws IOException {
+        List<String> dead = new ArrayList<>();
+        for (Path page : pages()) {
+            for (MatchResult link :
+                    ANCHOR.matcher(Files.readString(page)).results().toList()) {
+                Path target = link.group(1).isEmpty() ? page : page.resolveSibling(link.group(1));
+                if (!anchors(target).contains(link.group(2))) {
+                    dead.add(page + ": " + link.group());
+                }
+            }
+        }
+        assertEquals(List.of(), dead);
+    }
+
+    /** Returns the anchors that hosts of repositories give the headings of a page. */
+    private static Set<String> anchors(Path page) throws IOException {
+        return HEADING.matcher(FENCED.matcher(Files.readString(page)).replaceAll(""))
+                .results()
+                .map(found -> found.group(1).toLowerCase(Locale.ROOT))
+                .map(heading -> heading.replaceAll("[^\\w\\- ]", "").replace(' ', '-'))
+                .collect(Collectors.toSet());
     }
 
     @Test
