@@ -16,6 +16,12 @@ public final class SectorDistance {
 
     private static final double NONE = Double.POSITIVE_INFINITY;
 
+    /**
+     * If both ends of a segment are farther beside an edge than this, metres, the segment is outside and does not go
+     * through the apex, in spite of rounding.
+     */
+    private static final double OUTSIDE = -1e-6;
+
     private final double cosHalf;
     private final double sinHalf;
     private final double range;
@@ -83,6 +89,11 @@ public final class SectorDistance {
         rightY = axisY * cosHalf - axisX * sinHalf;
     }
 
+    /** {@return the radius, metres} */
+    public double range() {
+        return range;
+    }
+
     /** Returns the apex' x, metres. */
     double x() {
         return x;
@@ -118,6 +129,15 @@ public final class SectorDistance {
     public double toSegment(double ax, double ay, double dx, double dy) {
         double px = ax - x;
         double py = ay - y;
+        // Signed distances of the ends from the lines of the edges, positive inside the cone: p x L and R x p.
+        double leftStart = px * leftY - py * leftX;
+        double leftGain = dx * leftY - dy * leftX;
+        double rightStart = rightX * py - rightY * px;
+        double rightGain = rightX * dy - rightY * dx;
+        if (Math.max(leftStart, leftStart + leftGain) < OUTSIDE
+                || Math.max(rightStart, rightStart + rightGain) < OUTSIDE) {
+            return NONE;
+        }
         double dd = dx * dx + dy * dy;
         double foot = dd == 0 ? 0 : Math.max(0, Math.min(1, -(px * dx + py * dy) / dd));
         double fx = px + foot * dx;
@@ -129,11 +149,6 @@ public final class SectorDistance {
         if (nearest == 0) {
             return 0;
         }
-        // Signed distances of the ends from the lines of the edges, positive inside the cone: p x L and R x p.
-        double leftStart = px * leftY - py * leftX;
-        double leftGain = dx * leftY - dy * leftX;
-        double rightStart = rightX * py - rightY * px;
-        double rightGain = rightX * dy - rightY * dx;
         double from = Math.max(clipFrom(leftStart, leftGain), clipFrom(rightStart, rightGain));
         double to = Math.min(clipTo(leftStart, leftGain), clipTo(rightStart, rightGain));
         if (!(from <= to)) {
