@@ -7,8 +7,8 @@ import faultline.geometry.SpecularDistance;
 import java.util.Arrays;
 
 /**
- * The shapes that one sensor may see while the robot stays near a pose, by ascending lower bound of their distances, so
- * that a reading ends at the first shape that is certainly farther. Reused without allocation.
+ * The shapes that one sensor may see while the robot stays near a pose, by ascending distance from the sensor at that
+ * pose, so that a reading ends at the first shape that is certainly farther. Reused without allocation.
  */
 final class NearShapes {
 
@@ -38,8 +38,8 @@ final class NearShapes {
 
     private NearShape[] entries = new NearShape[0];
     /**
-     * For each entry the bits of its lower bound as a float, and its index in the lower half. To sort numbers needs no
-     * comparator, with which the virtual machine compiled the sort several times.
+     * For each entry the bits of its distance as a float, rounded down, and its index in the lower half. To sort
+     * numbers needs no comparator, with which the virtual machine compiled the sort several times.
      */
     private long[] keys = new long[0];
 
@@ -55,9 +55,9 @@ final class NearShapes {
 
     /**
      * Adds a shape with the tangent of the greatest angle of incidence at which it is sensed, positive infinity for
-     * all, and a lower bound of its distance, metres.
+     * all, and its distance from the sensor at the pose, metres.
      */
-    void add(ConvexShape shape, double tangent, double lowerBound) {
+    void add(ConvexShape shape, double tangent, double distance) {
         if (size == entries.length) {
             entries = Arrays.copyOf(entries, 2 * size + 4);
             keys = Arrays.copyOf(keys, entries.length);
@@ -66,20 +66,20 @@ final class NearShapes {
             }
         }
         entries[size].set(shape, tangent);
-        keys[size] = key(lowerBound, size);
+        keys[size] = key(distance, size);
         size++;
     }
 
     /**
-     * Returns the bits of a float that is not above a lower bound, and an index. The bits of floats that are not
-     * negative have the same order as the floats.
+     * Returns the bits of a float that is not above a distance, and an index. The bits of floats that are not negative
+     * have the same order as the floats.
      */
-    private static long key(double lowerBound, int index) {
-        float bound = Math.max(0, Math.nextDown((float) lowerBound));
+    private static long key(double distance, int index) {
+        float bound = Math.max(0, Math.nextDown((float) distance));
         return (long) Float.floatToRawIntBits(bound) << Integer.SIZE | index;
     }
 
-    private static float lowerBound(long key) {
+    private static float distance(long key) {
         return Float.intBitsToFloat((int) (key >>> Integer.SIZE));
     }
 
@@ -88,16 +88,24 @@ final class NearShapes {
         Arrays.sort(keys, 0, size);
     }
 
-    /** Returns the distance to the nearest shape in a sector, metres, or positive infinity. */
-    double nearest(SectorDistance sector) {
+    /**
+     * Returns the distance to the nearest shape in a sector, metres, or positive infinity.
+     *
+     * @param sector the cone of the sensor
+     * @param moved the distance that the sensor has moved from where it was at the pose, or more, metres
+     */
+    double nearest(SectorDistance sector, double moved) {
         double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < size && lowerBound(keys[i]) < least; i++) {
+        double limit = sector.range() + moved;
+        for (int i = 0; i < size && distance(keys[i]) <= limit; i++) {
             NearShape entry = entries[(int) keys[i]];
-            least = Math.min(
-                    least,
-                    entry.mattSegment
-                            ? sector.toSegment(entry.ax, entry.ay, entry.dx, entry.dy)
-                            : nearest(sector, entry.shape, entry.tangent));
+            double distance = entry.mattSegment
+                    ? sector.toSegment(entry.ax, entry.ay, entry.dx, entry.dy)
+                    : nearest(sector, entry.shape, entry.tangent);
+            if (distance < least) {
+                least = distance;
+                limit = least + moved;
+            }
         }
         return least;
     }

@@ -56,6 +56,10 @@ final class SensorArray {
     private double regionHeading;
     private double regionCos;
     private double regionSin;
+    /** The distance of the robot's centre from the pose at which the shapes were collected, metres. */
+    private double driven;
+    /** The angle between the robot's heading and that of this pose, radians. */
+    private double turned;
 
     SensorArray(RobotSpec robot, long seed, double dt) {
         this.dt = dt;
@@ -126,7 +130,9 @@ final class SensorArray {
                 version = -1;
             }
         }
-        if (version != obstacles.version() || !isInRegion(body)) {
+        driven = distanceFromRegion(body);
+        turned = Math.abs(body.heading() - regionHeading);
+        if (version != obstacles.version() || !(driven < maxTravel && turned < MAX_TURN)) {
             collect(obstacles, body);
         }
         collectMoving(obstacles, body);
@@ -169,10 +175,10 @@ final class SensorArray {
         }
     }
 
-    private boolean isInRegion(RobotBody body) {
+    private double distanceFromRegion(RobotBody body) {
         double dx = body.x() - regionX;
         double dy = body.y() - regionY;
-        return dx * dx + dy * dy < maxTravel * maxTravel && Math.abs(body.heading() - regionHeading) < MAX_TURN;
+        return Math.sqrt(dx * dx + dy * dy);
     }
 
     private void collect(ObstacleSet obstacles, RobotBody body) {
@@ -182,6 +188,8 @@ final class SensorArray {
         regionHeading = body.heading();
         regionCos = body.cos();
         regionSin = body.sin();
+        driven = 0;
+        turned = 0;
         double radius = 0;
         for (int i = 0; i < truth.length; i++) {
             soundCones[i].setHorizon(truth[i]);
@@ -218,13 +226,13 @@ final class SensorArray {
         if (cone.isOutsideBody() && isInsideSolid(new Vector2(cone.apexX(body), cone.apexY(body)))) {
             return 0;
         }
-        double distance = cone.measure(body, movingNear);
+        double distance = cone.measure(body, driven, turned, movingNear);
         while (!cone.isCertain(distance)) {
             cone.widenHorizon();
             farCandidates.clear();
             obstacles.findStaticNear(regionX, regionY, cone.searchRadius(), farCandidates);
             collect(cone, farCandidates);
-            distance = cone.measure(body, movingNear);
+            distance = cone.measure(body, driven, turned, movingNear);
         }
         return distance;
     }

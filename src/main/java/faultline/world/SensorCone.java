@@ -138,9 +138,12 @@ final class SensorCone {
         }
         for (int i = 0; i < candidates.size(); i++) {
             ConvexShape shape = candidates.shape(i);
+            if (narrow && wedge.nearest(shape) == Double.POSITIVE_INFINITY) {
+                continue;
+            }
             double distance = shape.distanceTo(x, y);
-            if (distance <= horizon + travel && (!narrow || wedge.nearest(shape) < Double.POSITIVE_INFINITY)) {
-                near.add(shape, tangent(candidates.owner(i)), distance - travel - MARGIN);
+            if (distance <= horizon + travel) {
+                near.add(shape, tangent(candidates.owner(i)), distance);
             }
         }
         near.sort();
@@ -151,10 +154,14 @@ final class SensorCone {
     }
 
     /**
-     * Returns the distance to the nearest shape in the cone, metres, or positive infinity, given the robot's body, near
-     * the pose of the collected shapes, and the moving obstacles near it.
+     * Returns the distance to the nearest shape in the cone, metres, or positive infinity.
+     *
+     * @param body the robot's body, near the pose of the collected shapes
+     * @param driven the distance of its centre from that pose, metres
+     * @param turned the angle between its heading and that of the pose, radians
+     * @param moving the moving obstacles near it
      */
-    double measure(RobotBody body, List<MovingObstacle> moving) {
+    double measure(RobotBody body, double driven, double turned, List<MovingObstacle> moving) {
         if (near.isEmpty() && moving.isEmpty()) {
             return Double.POSITIVE_INFINITY;
         }
@@ -165,7 +172,7 @@ final class SensorCone {
                 y,
                 body.cos() * mount.cos() - body.sin() * mount.sin(),
                 body.sin() * mount.cos() + body.cos() * mount.sin());
-        double least = near.nearest(cone);
+        double least = near.nearest(cone, driven + turned * mountDistance + MARGIN);
         for (int i = 0; i < moving.size(); i++) {
             MovingObstacle mover = moving.get(i);
             if (mover.isWithin(x, y, Math.min(least, range))) {

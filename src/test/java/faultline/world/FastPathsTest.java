@@ -73,6 +73,48 @@ class FastPathsTest {
         }
     }
 
+    /** In floor plans a sensor has dozens of short segments near it, most of them beside its cone. */
+    @Test
+    void everyReadingInAFloorPlanIsThatOfBruteForce() {
+        for (int i = 0; i < WORLDS / 10; i++) {
+            double cell = random.nextDouble(0.02, 0.2);
+            WorldSpec spec =
+                    new WorldSpec(SIZE, SIZE, true, 100, List.of(new Obstacle("plan", randomCells(cell), Pose.ORIGIN)));
+            RobotSpec robot = random.nextBoolean() ? RobotSpec.DEFAULT : robot();
+            Pose start = new Pose(random.nextDouble(SIZE), random.nextDouble(SIZE), random.nextDouble(-10, 10));
+            if (Clearance.findObstruction(spec, robot, start).isEmpty()) {
+                World world = new World(spec, robot, start, DT, 1);
+                BruteForceReference reference = new BruteForceReference(world, spec, DT);
+                for (int tick = 0; tick < TICKS && world.collision().isEmpty(); tick++) {
+                    world.move(random.nextDouble(2, 3), random.nextDouble(2, 3));
+                    world.sense();
+                    assertReadings("plan " + i, world, reference);
+                }
+            }
+        }
+        assertTrue(finiteReadings > 10 * WORLDS, finiteReadings + " readings of something");
+    }
+
+    /** Returns a floor plan of square cells, a side of which is given, in groups that touch. */
+    private ObstacleShape randomCells(double cell) {
+        List<List<Vector2>> rings = new ArrayList<>();
+        for (int group = 0; group < 40; group++) {
+            int column = random.nextInt((int) (SIZE / cell));
+            int row = random.nextInt((int) (SIZE / cell));
+            for (int k = 0; k < 8; k++) {
+                Vector2 corner = new Vector2(column * cell, row * cell);
+                rings.add(List.of(
+                        corner,
+                        corner.plus(new Vector2(cell, 0)),
+                        corner.plus(new Vector2(cell, cell)),
+                        corner.plus(new Vector2(0, cell))));
+                column += random.nextInt(2);
+                row += random.nextInt(3) - 1;
+            }
+        }
+        return new ObstacleShape.PlanShape(rings);
+    }
+
     private void run(String name) {
         boolean crowded = random.nextInt(4) == 0;
         boolean moves = random.nextBoolean();
