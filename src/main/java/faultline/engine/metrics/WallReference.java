@@ -25,6 +25,8 @@ public final class WallReference {
     private final CandidateBuffer candidates = new CandidateBuffer();
     /** Null until it is needed, because creating it takes a long time in large worlds. */
     private SpatialIndex index;
+    /** The wall that was nearer to the last place that is not free: it often is nearer to the next place too. */
+    private ConvexShape lastNearer;
 
     /**
      * Creates the reference of a world at its start.
@@ -132,9 +134,13 @@ public final class WallReference {
 
     private void addIfFree(PlaceRow row, int index, double distance, List<WallSample> places) {
         Vector2 place = row.place(index);
+        if (lastNearer != null && nearness(lastNearer, place, distance) > 0) {
+            return;
+        }
         CandidateBuffer near = findNear(place, distance);
         for (int i = 0; i < near.size(); i++) {
             if (nearness(near.shape(i), place, distance) > 0) {
+                lastNearer = near.shape(i);
                 return;
             }
         }

@@ -175,6 +175,21 @@ class CoverageTest {
     }
 
     @Test
+    void thePlacesAlongAllWallsAreThoseThatBruteForceFinds() {
+        Random random = new Random(814);
+        for (int i = 0; i < 30; i++) {
+            WorldSpec world = i % 2 == 0 ? staircases(random) : clutter(random);
+            WallReference walls = new WallReference(world);
+            double wanted = List.of(0.012, 0.2, 0.35, 0.7, 1.5).get(random.nextInt(5));
+            double spacing = wanted / (5 + random.nextInt(20));
+            assertTrue(
+                    walls.samplesAlongPath(wanted, spacing)
+                            .equals(BruteForceSamples.of(walls, wanted, spacing, wanted)),
+                    "world " + i);
+        }
+    }
+
+    @Test
     void whatIsSampledOnDemandGivesTheSameBitsAsSamplingAllWalls() {
         Random random = new Random(813);
         int present = 0;
