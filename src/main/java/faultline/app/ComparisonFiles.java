@@ -3,6 +3,7 @@ package faultline.app;
 import faultline.io.AtomicFile;
 import faultline.io.MessageText;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -74,9 +75,17 @@ final class ComparisonFiles implements AutoCloseable {
         written.put(file, files.get(file));
     }
 
-    /** Moves the written files into place. */
+    /**
+     * Moves the written files into place. A replay that an earlier comparison wrote to one of the other files is
+     * deleted, because it would seem to be of this one.
+     */
     void commit() throws IOException {
         AtomicFile.commitAll(written.values());
+        for (Path replay : replays) {
+            if (!written.containsKey(replay) && Files.isRegularFile(replay)) {
+                Files.delete(replay);
+            }
+        }
     }
 
     @Override

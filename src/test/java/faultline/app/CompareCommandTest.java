@@ -257,6 +257,17 @@ class CompareCommandTest {
 
     @Test
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void aReplayOfAnEarlierComparisonIsNotLeftBesideOneWithoutIt() throws Exception {
+        compare("--controller", "none", "--controller", "wall-follower", "--until", "1");
+        assertTrue(Files.exists(folder.resolve("page-2.xml")));
+        CommandResult result = compare("--controller", "none", "--controller", "sh -c 'exit 5'", "--until", "1");
+        assertEquals(3, result.code);
+        assertTrue(Files.exists(folder.resolve("page-1.xml")));
+        assertFalse(Files.exists(folder.resolve("page-2.xml")), "the second controller has no replay");
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
     void everyChildIsInformedOfTheEndOfItsRun() {
         String child = STRAIGHT.replace(";; esac", ";; *) echo \"$l\" >&2;; esac");
         CommandResult result = compare("--controller", "none", "--controller", child, "--until", "1", "--seeds", "2");
