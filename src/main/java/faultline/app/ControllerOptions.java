@@ -30,9 +30,13 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
             }
         }
         Optional<Path> jar = given.fileOption("--jar");
-        if (jar.isPresent() && !Files.exists(jar.get())) {
+        if (jar.isPresent() && Files.notExists(jar.get())) {
             throw new UsageException(
                     "--jar is " + MessageText.quoted(jar.get().toString()) + ", and there is no such file");
+        }
+        if (jar.isPresent() && !Files.isReadable(jar.get())) {
+            throw new UsageException(
+                    "--jar is " + MessageText.quoted(jar.get().toString()) + ", which cannot be read");
         }
         if (jar.isPresent() && !isJar(jar.get())) {
             throw new UsageException("--jar is " + MessageText.quoted(jar.get().toString()) + ", which is not a jar");

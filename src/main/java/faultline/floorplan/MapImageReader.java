@@ -38,8 +38,11 @@ final class MapImageReader {
      */
     static MapImage read(Path file) throws FloorPlanException {
         try {
-            if (!Files.exists(file)) {
+            if (Files.notExists(file)) {
                 throw new FloorPlanException(file, FloorPlanProblem.NO_SUCH_IMAGE.with());
+            }
+            if (!Files.isReadable(file)) {
+                throw new FloorPlanException(file, ProblemKind.UNREADABLE_FILE.with());
             }
             if (!Files.isRegularFile(file)) {
                 throw new FloorPlanException(file, FloorPlanProblem.IRREGULAR_IMAGE.with());

@@ -65,8 +65,11 @@ final class MapYamlReader {
 
     private static String readText(Path file) throws FloorPlanException {
         try {
-            if (!Files.exists(file)) {
+            if (Files.notExists(file)) {
                 throw new FloorPlanException(file, ProblemKind.NO_SUCH_FILE.with());
+            }
+            if (!Files.isReadable(file)) {
+                throw new FloorPlanException(file, ProblemKind.UNREADABLE_FILE.with());
             }
             if (!Files.isRegularFile(file)) {
                 throw new FloorPlanException(file, ProblemKind.IRREGULAR_FILE.with(FloorPlanProblem.MAP_FILE.with()));
@@ -162,10 +165,16 @@ final class MapYamlReader {
         double occupied = share("occupied_thresh", "0.65");
         double free = share("free_thresh", "0.196");
         MapDescription description = new MapDescription(image, resolution, yaw(), mode(), isNegated(), occupied, free);
-        if (!Files.isRegularFile(image)) {
+        if (!canBeImage(image)) {
             throw wrong("image", existingImage(image));
         }
         return description;
+    }
+
+    /** Returns whether a file is there. One in a folder without permission may be; it is reported when it is read. */
+    private static boolean canBeImage(Path image) {
+        boolean unknown = !Files.exists(image) && !Files.notExists(image);
+        return Files.isRegularFile(image) || unknown && image.toString().length() <= MAX_SHOWN_PATH;
     }
 
     /** Returns the rule for the image, with its path unless that is too long for a message. */

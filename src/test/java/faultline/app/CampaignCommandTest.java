@@ -121,6 +121,20 @@ class CampaignCommandTest {
     }
 
     @Test
+    void aFolderThatCannotBeReadIsNotSaidToBeWithoutACampaign() throws IOException {
+        // As for a folder without permission, from which a superuser is not kept.
+        Files.createSymbolicLink(folder.resolve("loop"), folder.resolve("loop"));
+        for (String command : List.of("report @/loop --out @/page.html", "merge @/loop --out @/merged")) {
+            assertEquals(2, command(command));
+            assertEquals("faultline: @/loop: the folder cannot be read\n", errors());
+        }
+        assertEquals(2, command("report @/plan.xml --out @/page.html"));
+        assertEquals("faultline: @/plan.xml: there is no campaign\n", errors());
+        assertEquals(2, command("run @/room.xml --controller x --jar @/loop"));
+        assertEquals("faultline: --jar is \"@/loop\", which cannot be read (see faultline --help)\n", errors());
+    }
+
+    @Test
     void whatCannotBeReadOrWrittenIsNamed() throws IOException {
         assertEquals(2, command("report @ --out @/page.html"));
         assertEquals("faultline: @: there is no campaign\n", errors());

@@ -10,8 +10,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -32,8 +35,11 @@ class ImportCommandTest {
         Path map = Files.writeString(folder.resolve("map.pgm"), image);
         List<String> all = new ArrayList<>(List.of("import", map.toString()));
         all.addAll(List.of(arguments));
-        return new CommandLine(new CommandOutput(new PrintStream(out, true), new PrintStream(err, true)))
-                .run(all.toArray(new String[0]));
+        return commandLine().run(all.toArray(new String[0]));
+    }
+
+    private CommandLine commandLine() {
+        return new CommandLine(new CommandOutput(new PrintStream(out, true), new PrintStream(err, true)));
     }
 
     @Test
@@ -45,6 +51,24 @@ class ImportCommandTest {
         assertEquals(2.0, scenario.setup().world().width());
         assertEquals(1.0, scenario.setup().start().x());
         assertTrue(out.toString(StandardCharsets.UTF_8).contains("solid_cells: 40\nrings: 1\nsegments: 4\n"));
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "links may not be permitted")
+    void aFileOfWhichNobodyCanTellWhetherItExistsIsNotCalledMissing() throws Exception {
+        // As in a folder without permission, from which a superuser is not kept.
+        Path loop = folder.resolve("loop");
+        Files.createSymbolicLink(loop, loop);
+        Path map = Files.writeString(folder.resolve("map.yaml"), "image: loop/map.pgm\nresolution: 1\n");
+        for (Path given : List.of(map, loop.resolve("map.yaml"), loop.resolve("map.pgm"))) {
+            err.reset();
+            String[] command = {"import", given.toString(), "--out", folder + "/x.xml", "--resolution=1"};
+            int words = given.toString().endsWith(".pgm") ? 5 : 4;
+            assertEquals(2, commandLine().run(Arrays.copyOf(command, words)));
+            Path unreadable = given.equals(map) ? loop.resolve("map.pgm") : given;
+            assertEquals(
+                    "faultline: " + unreadable + ": the file cannot be read\n", err.toString(StandardCharsets.UTF_8));
+        }
     }
 
     @ParameterizedTest

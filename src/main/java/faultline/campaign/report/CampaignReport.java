@@ -34,6 +34,7 @@ public final class CampaignReport {
      */
     public CampaignReport(Path folder) throws IOException, ScenarioException {
         CampaignFolder campaign = new CampaignFolder(folder);
+        campaign.requireReadable();
         if (!Files.isRegularFile(campaign.runs())) {
             throw new IOException(folder + ": there is no campaign");
         }

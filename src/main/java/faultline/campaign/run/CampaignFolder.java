@@ -108,8 +108,21 @@ public final class CampaignFolder {
         }
     }
 
+    /**
+     * Checks that it can be seen whether a campaign is here.
+     *
+     * @throws IOException if the folder cannot be read, for example because the user has no permission
+     */
+    public void requireReadable() throws IOException {
+        boolean unknown = !Files.exists(manifest()) && !Files.notExists(manifest());
+        if (unknown && !Files.isRegularFile(folder)) {
+            throw new IOException(folder + ": the folder cannot be read");
+        }
+    }
+
     /** Returns the text of the manifest, empty if there is none. */
     Optional<String> readManifest() throws IOException {
+        requireReadable();
         // Bytes that are not text do not belong to this campaign.
         return Files.isRegularFile(manifest())
                 ? Optional.of(new String(Files.readAllBytes(manifest()), StandardCharsets.UTF_8))
