@@ -14,6 +14,9 @@ final class MessageReader {
     /** From here on a double cannot hold every whole number. */
     private static final double FIRST_ROUNDED = 1L << 53;
 
+    private static final String WHOLE_NUMBERS =
+            "a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE + ", without an exponent";
+
     private final Map<?, ?> members;
 
     private MessageReader(Map<?, ?> members) {
@@ -79,7 +82,9 @@ final class MessageReader {
                 && Math.abs(number) < FIRST_ROUNDED) {
             return number.longValue();
         }
-        throw wrong(name, "a whole number");
+        boolean tooLarge = members.get(name) instanceof Number number
+                && number.doubleValue() == Math.rint(number.doubleValue());
+        throw wrong(name, tooLarge ? WHOLE_NUMBERS : "a whole number");
     }
 
     /** Returns a truth value, or another if there is none. */

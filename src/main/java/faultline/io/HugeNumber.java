@@ -1,6 +1,6 @@
 package faultline.io;
 
-/** A number in JSON that is beyond all doubles. It keeps its text, which messages repeat. */
+/** A number in JSON that is beyond all doubles, or has more digits than a long. Messages repeat its text. */
 final class HugeNumber extends Number {
 
     private static final long serialVersionUID = 1L;

@@ -8,8 +8,8 @@ import java.util.Map;
 /**
  * Reads JSON (RFC 8259) in time linear in the text. Objects become {@link Map}s in the order of the text, arrays
  * {@link List}s, strings {@link String}s, numbers {@link Double}s (or {@link Long}s, if they are whole and a double
- * would round them, or other {@link Number}s that are infinite as doubles and have the text of the number), truth
- * values {@link Boolean}s, and {@code null} the constant {@link #NULL}.
+ * would round them, or other {@link Number}s that have the text of the number, if they are beyond all doubles, or whole
+ * and beyond all longs), truth values {@link Boolean}s, and {@code null} the constant {@link #NULL}.
  */
 public final class JsonParser {
 
@@ -240,11 +240,11 @@ public final class JsonParser {
         if (value.isInfinite()) {
             return new HugeNumber(digits);
         }
-        if (Math.abs(value) >= FIRST_ROUNDED && digits.matches("-?\\d{16,19}")) {
+        if (Math.abs(value) >= FIRST_ROUNDED && digits.matches("-?\\d+")) {
             try {
                 return Long.valueOf(digits);
             } catch (NumberFormatException tooLarge) {
-                return value;
+                return new HugeNumber(digits);
             }
         }
         return value;

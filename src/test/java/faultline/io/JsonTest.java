@@ -64,7 +64,9 @@ class JsonTest {
     void aWholeNumberThatADoubleWouldRoundIsExact() throws JsonException {
         assertEquals(9007199254740993L, JsonParser.parse("9007199254740993"));
         assertEquals(Long.MIN_VALUE, JsonParser.parse("-9223372036854775808"));
-        assertEquals(0x1p63, JsonParser.parse("9223372036854775808"));
+        assertEquals(
+                "9223372036854775808", JsonParser.parse("9223372036854775808").toString());
+        assertEquals(0x1p63, ((Number) JsonParser.parse("9223372036854775808")).doubleValue());
         assertEquals(9007199254740991.0, JsonParser.parse("9007199254740991"));
         assertEquals(0x1p53, JsonParser.parse("9007199254740992.0"));
     }

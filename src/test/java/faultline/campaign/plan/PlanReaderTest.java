@@ -128,21 +128,29 @@ class PlanReaderTest {
     void theSchemaHasTheBoundsOfTheProgram() throws Exception {
         Document schema =
                 DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(new File("docs/campaign-1.xsd"));
-        assertEquals(List.of(RoomRules.MIN_CORNER, RoomRules.MAX_CORNER), bounds(schema, "minCorner"));
-        assertEquals(List.of(0, RoomRules.MAX_VISITORS), bounds(schema, "visitors"));
-        assertEquals(2, schema.getElementsByTagName("xs:minInclusive").getLength(), "every bound is checked here");
+        assertEquals(
+                bounds(RoomRules.MIN_CORNER, RoomRules.MAX_CORNER), bounds(schema, "xs:attribute", "minCorner"));
+        assertEquals(bounds(0, RoomRules.MAX_VISITORS), bounds(schema, "xs:attribute", "visitors"));
+        assertEquals(bounds(0, CampaignPlan.MAX_SEED), bounds(schema, "xs:simpleType", "room"));
+        assertEquals(bounds(-CampaignPlan.MAX_SEED, CampaignPlan.MAX_SEED), bounds(schema, "xs:simpleType", "seed"));
+        assertEquals(bounds(1, PlanReader.MAX_RUNS), bounds(schema, "xs:simpleType", "count"));
+        assertEquals(5, schema.getElementsByTagName("xs:minInclusive").getLength(), "every bound is checked here");
     }
 
-    private static List<Integer> bounds(Document schema, String name) {
-        NodeList attributes = schema.getElementsByTagName("xs:attribute");
-        Element attribute = IntStream.range(0, attributes.getLength())
-                .mapToObj(i -> (Element) attributes.item(i))
+    private static List<Long> bounds(long min, long max) {
+        return List.of(min, max);
+    }
+
+    private static List<Long> bounds(Document schema, String kind, String name) {
+        NodeList elements = schema.getElementsByTagName(kind);
+        Element owner = IntStream.range(0, elements.getLength())
+                .mapToObj(i -> (Element) elements.item(i))
                 .filter(element -> element.getAttribute("name").equals(name))
                 .findFirst()
                 .orElseThrow();
         return Stream.of("xs:minInclusive", "xs:maxInclusive")
-                .map(facet -> (Element) attribute.getElementsByTagName(facet).item(0))
-                .map(facet -> Integer.valueOf(facet.getAttribute("value")))
+                .map(facet -> (Element) owner.getElementsByTagName(facet).item(0))
+                .map(facet -> Long.valueOf(facet.getAttribute("value")))
                 .toList();
     }
 }
