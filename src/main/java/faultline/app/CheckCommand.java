@@ -2,7 +2,6 @@ package faultline.app;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
-import faultline.external.ControllerChoice;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.nio.file.Path;
@@ -19,11 +18,11 @@ final class CheckCommand {
 
     int run(List<String> arguments) throws UsageException {
         Arguments given = new Arguments(arguments, List.of("--jar"));
-        ControllerOptions.parse(given, false).jars().forEach(ControllerChoice::addJar);
         List<String> files = given.files();
         if (files.isEmpty()) {
             throw new UsageException("check takes one or more scenario files, not none");
         }
+        ControllerOptions.addJar(given);
         int code = ExitCode.SUCCESS;
         for (String file : files) {
             code = Math.max(code, checkFile(file));

@@ -35,14 +35,18 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
                     "--jar is " + MessageText.quoted(jar.get().toString()) + ", and there is no such file");
         }
         if (jar.isPresent() && !Files.isReadable(jar.get())) {
-            throw new UsageException(
-                    "--jar is " + MessageText.quoted(jar.get().toString()) + ", which cannot be read");
+            throw new UsageException("--jar is " + MessageText.quoted(jar.get().toString()) + ", which cannot be read");
         }
         if (jar.isPresent() && !isJar(jar.get())) {
             throw new UsageException("--jar is " + MessageText.quoted(jar.get().toString()) + ", which is not a jar");
         }
         return new ControllerOptions(
                 patience(given), given.has("--truth"), jar.stream().toList());
+    }
+
+    /** Makes the controllers of {@code --jar} available to a command without {@code --controller}. */
+    static void addJar(Arguments given) throws UsageException {
+        parse(given, true).jars().forEach(ControllerChoice::addJar);
     }
 
     /** Returns the files that a run with some controllers reads, which no output may replace. */

@@ -42,9 +42,11 @@ final class HelpText {
               --until, --jar, --patience, --truth   as for run
               --open                       show the first two in the window, the second as a ghost
 
-            faultline serve FILE [--truth] step a scenario from outside, over standard input and output
+            faultline serve FILE           step a scenario from outside, over standard input and output
+              --truth, --jar               as for run
 
             faultline controller FILE      act as the child of --controller, with the controller of a scenario
+              --jar                        as for run
 
             faultline import MAP --out FILE
                                            make a scenario from a floor plan: a map_server YAML file or an image

@@ -5,6 +5,7 @@ import faultline.external.SimulationServer;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 
 /** {@code serve} and {@code controller}: speak the protocol of controllers over standard input and output. */
@@ -18,16 +19,21 @@ final class ProtocolCommands {
 
     /** Steps a scenario from outside. */
     int serve(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments sorted = new Arguments(arguments, List.of(), List.of("--truth"));
-        Scenario scenario = Scenario.load(sorted.singleFile("serve"));
+        Arguments sorted = new Arguments(arguments, List.of("--jar"), List.of("--truth"));
+        Path file = sorted.singleFile("serve");
+        ControllerOptions.addJar(sorted);
+        Scenario scenario = Scenario.load(file);
         new SimulationServer(HelpText.version(), scenario.name(), sorted.has("--truth"), System.in, output.out())
                 .run(scenario.setup());
         return ExitCode.SUCCESS;
     }
 
-    /** Acts as the child of another simulator, with the built-in controller of a scenario. */
+    /** Acts as the child of another simulator, with the controller of a scenario. */
     int controller(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Scenario scenario = Scenario.load(new Arguments(arguments, List.of()).singleFile("controller"));
+        Arguments sorted = new Arguments(arguments, List.of("--jar"));
+        Path file = sorted.singleFile("controller");
+        ControllerOptions.addJar(sorted);
+        Scenario scenario = Scenario.load(file);
         new BuiltInChild(System.in, output.out()).run(scenario.setup().controller());
         return ExitCode.SUCCESS;
     }

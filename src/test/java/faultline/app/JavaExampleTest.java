@@ -10,6 +10,7 @@ import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioRun;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -115,6 +116,23 @@ class JavaExampleTest {
                                 "--jar",
                                 jar.toString()),
                         "trajectory_hash"));
+    }
+
+    @Test
+    void theOtherCommandsThatReadAScenarioTakeTheJarToo() throws Exception {
+        String file = yardOfTheExample().toString();
+        assertEquals(file + ": good\n", run("check", file, "--jar", jar.toString()));
+        forgetJar();
+        assertTrue(run("check", file).contains("type of <controller> is \"my-follower\""));
+        InputStream input = System.in;
+        try {
+            System.setIn(InputStream.nullInputStream());
+            assertTrue(run("serve", file, "--truth", "--jar", jar.toString()).startsWith("{\"type\":\"hello\""));
+            forgetJar();
+            assertEquals("", run("controller", file, "--jar", jar.toString()));
+        } finally {
+            System.setIn(input);
+        }
     }
 
     @Test
