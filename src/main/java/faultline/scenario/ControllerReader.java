@@ -8,6 +8,7 @@ import faultline.control.Thresholds;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerProviders;
+import faultline.io.Message;
 import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
@@ -162,26 +163,38 @@ final class ControllerReader {
 
     private static List<RecordedDecision> readDecisions(XmlElement node, Problems problems) {
         List<RecordedDecision> decisions = new ArrayList<>();
-        node.childrenNamed("decisions").forEach(child -> {
-            AttributeReader fields = new AttributeReader(child, problems);
-            long tick = fields.integer("from", 0, Long.MAX_VALUE, 0);
-            String state = fields.text("state").orElse("");
-            String why = fields.text("why").orElse("");
-            fields.reportUnknownAndMissing();
-            ElementRules.checkOnlyText(child, problems);
-            StringTokenizer tokens = new StringTokenizer(child.text());
-            while (tokens.hasMoreTokens()) {
-                String token = tokens.nextToken();
-                Optional<DecisionText> read = DecisionText.parse(token);
-                if (read.isEmpty()) {
-                    fields.report("decisions", token, Allowed.DECISIONS.with());
-                    return;
-                }
-                decisions.add(
-                        new RecordedDecision(tick, read.get().left(), read.get().right(), state, why));
-                tick += read.get().ticks();
-            }
-        });
+        long end = 0;
+        for (XmlElement child : node.childrenNamed("decisions").toList()) {
+            end = readDecisions(child, end, decisions, problems);
+        }
         return decisions;
+    }
+
+    /** Adds the decisions of an element, given the tick at which the earlier ones end, and returns where these end. */
+    private static long readDecisions(
+            XmlElement node, long earlierEnd, List<RecordedDecision> decisions, Problems problems) {
+        AttributeReader fields = new AttributeReader(node, problems);
+        long tick = fields.integer("from", earlierEnd, Long.MAX_VALUE, 0);
+        if (tick < earlierEnd) {
+            Message later = Allowed.CLOSED.with(earlierEnd, Long.MAX_VALUE);
+            fields.report("from", String.valueOf(tick), Allowed.WHOLE_NUMBER.with(later));
+        }
+        String state = fields.text("state").orElse("");
+        String why = fields.text("why").orElse("");
+        fields.reportUnknownAndMissing();
+        ElementRules.checkOnlyText(node, problems);
+        StringTokenizer tokens = new StringTokenizer(node.text());
+        while (tokens.hasMoreTokens()) {
+            String token = tokens.nextToken();
+            Optional<DecisionText> read = DecisionText.parse(token);
+            if (read.isEmpty()) {
+                fields.report("decisions", token, Allowed.DECISIONS.with());
+                return tick;
+            }
+            decisions.add(
+                    new RecordedDecision(tick, read.get().left(), read.get().right(), state, why));
+            tick += read.get().ticks();
+        }
+        return tick;
     }
 }

@@ -96,6 +96,26 @@ class ProblemsTest {
         assertEquals("room.xml:" + problem, problems.isEmpty() ? "none" : problems.get(0));
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            <decisions>1,1*10</decisions><decisions from="9">2,2</decisions>   | from of <decisions> is "9"; expected a whole number from 10 to 9223372036854775807
+            <decisions from="3">1,1*10 2,2</decisions><decisions>2,2</decisions> | from of <decisions> is "0"; expected a whole number from 14 to 9223372036854775807
+            <decisions from="3">1,1</decisions><decisions from="-1"/>          | from of <decisions> is "-1"; expected a whole number from 4 to 9223372036854775807
+            <decisions>1,1*10</decisions><decisions from="10">2,2</decisions><decisions from="20"/> | none
+            """)
+    void decisionsDoNotOverlap(String decisions, String problem) {
+        List<String> problems = SampleScenario.problems(SampleScenario.withReplacement(
+                "<controller type=\"wall-follower\" distance=\"0.25\"/>",
+                "<controller type=\"recorded\" ticks=\"5\">" + decisions + "</controller>"));
+        List<String> sentences = problems.stream()
+                .map(line -> line.replaceFirst("^room.xml:\\d+:\\d+: ", ""))
+                .toList();
+        assertEquals(problem.equals("none") ? List.of() : List.of(problem), sentences);
+    }
+
     @Test
     void anElementAmongDecisionsIsReported() throws ScenarioException {
         String text =
