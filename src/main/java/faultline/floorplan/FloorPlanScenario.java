@@ -3,7 +3,6 @@ package faultline.floorplan;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
-import faultline.geometry.RigidMotion;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
 import faultline.scenario.Scenario;
@@ -11,7 +10,6 @@ import faultline.world.Clearance;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
-import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -55,10 +53,14 @@ public final class FloorPlanScenario {
     /** Returns the pose in the middle of the largest free disc. */
     private static Pose middle(FloorPlan plan, boolean unknownIsFree) {
         FreeDisc disc = FreeDisc.largest(plan.grid(), plan.solid(), unknownIsFree);
-        double x = metres(plan, disc.column() + 0.5);
-        double y = metres(plan, disc.row() + 0.5);
-        Vector2 start = frame(plan).toParent(new Vector2(x, y));
-        return new Pose(round(start.x()), round(start.y()), 0);
+        double x = plan.description().metres(disc.column() + 0.5);
+        double y = plan.description().metres(disc.row() + 0.5);
+        Vector2 start = frame(plan).lowerLeft().toParent(new Vector2(x, y));
+        return new Pose(MapFrame.round(start.x()), MapFrame.round(start.y()), 0);
+    }
+
+    private static MapFrame frame(FloorPlan plan) {
+        return MapFrame.of(plan.description(), plan.grid().width(), plan.grid().height());
     }
 
     private static boolean hasRoom(Scenario scenario) {
@@ -75,12 +77,11 @@ public final class FloorPlanScenario {
      * @param start the robot's pose in the world, metres from the lower left corner
      */
     public static Scenario create(String name, FloorPlan plan, Pose start) {
-        Pose frame = frame(plan);
+        MapFrame frame = frame(plan);
         List<Obstacle> obstacles = plan.rings().isEmpty()
                 ? List.of()
-                : List.of(new Obstacle(PLAN_ID, new ObstacleShape.PlanShape(rings(plan)), frame));
-        Vector2 size = size(plan);
-        WorldSpec world = new WorldSpec(size.x(), size.y(), true, WorldSpec.DEFAULT_MAX_MOVING, obstacles);
+                : List.of(new Obstacle(PLAN_ID, new ObstacleShape.PlanShape(rings(plan)), frame.lowerLeft()));
+        WorldSpec world = new WorldSpec(frame.width(), frame.height(), true, WorldSpec.DEFAULT_MAX_MOVING, obstacles);
         SimulationSetup setup = SimulationSetup.of(world, start).withDuration(DURATION);
         String description = plan.grid().width() + " x " + plan.grid().height() + " cells of "
                 + plan.description().resolution().stripTrailingZeros().toPlainString() + " m, "
@@ -88,71 +89,16 @@ public final class FloorPlanScenario {
         return new Scenario(name, description, false, setup, Expectation.NONE);
     }
 
-    /** Coordinates are whole numbers of cells times the resolution, in decimals. */
-    private static double metres(FloorPlan plan, double cells) {
-        return plan.description()
-                .resolution()
-                .multiply(BigDecimal.valueOf(cells))
-                .doubleValue();
-    }
-
-    private static double round(double metres) {
-        return Math.rint(metres * 1e6) / 1e6;
-    }
-
     private static List<List<Vector2>> rings(FloorPlan plan) {
+        MapDescription map = plan.description();
         List<List<Vector2>> rings = new ArrayList<>();
         for (GridRing ring : plan.rings()) {
             List<Vector2> points = new ArrayList<>();
             for (int i = 0; i < ring.size(); i++) {
-                points.add(new Vector2(metres(plan, ring.column(i)), metres(plan, ring.row(i))));
+                points.add(new Vector2(map.metres(ring.column(i)), map.metres(ring.row(i))));
             }
             rings.add(points);
         }
         return rings;
-    }
-
-    /**
-     * Returns the pose of the map's lower left corner: rotated by its yaw, and moved so that all of it is in the world.
-     */
-    private static Pose frame(FloorPlan plan) {
-        double yaw = plan.description().yaw();
-        if (yaw == 0) {
-            return new Pose(0, 0, 0);
-        }
-        double minX = 0;
-        double minY = 0;
-        for (Vector2 corner : rotatedCorners(plan)) {
-            minX = Math.min(minX, corner.x());
-            minY = Math.min(minY, corner.y());
-        }
-        return new Pose(round(-minX), round(-minY), yaw);
-    }
-
-    private static Vector2 size(FloorPlan plan) {
-        if (plan.description().yaw() == 0) {
-            return new Vector2(
-                    metres(plan, plan.grid().width()), metres(plan, plan.grid().height()));
-        }
-        Pose frame = frame(plan);
-        double maxX = 0;
-        double maxY = 0;
-        for (Vector2 corner : rotatedCorners(plan)) {
-            maxX = Math.max(maxX, corner.x() + frame.x());
-            maxY = Math.max(maxY, corner.y() + frame.y());
-        }
-        return new Vector2(round(maxX + 1e-6), round(maxY + 1e-6));
-    }
-
-    private static List<Vector2> rotatedCorners(FloorPlan plan) {
-        RigidMotion turn =
-                RigidMotion.rotationAbout(Vector2.ZERO, plan.description().yaw());
-        double w = metres(plan, plan.grid().width());
-        double h = metres(plan, plan.grid().height());
-        return List.of(
-                turn.toParent(new Vector2(0, 0)),
-                turn.toParent(new Vector2(w, 0)),
-                turn.toParent(new Vector2(w, h)),
-                turn.toParent(new Vector2(0, h)));
     }
 }

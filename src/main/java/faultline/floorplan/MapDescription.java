@@ -78,18 +78,22 @@ public record MapDescription(
         return metres.compareTo(MIN_RESOLUTION) >= 0 && metres.compareTo(MAX_SIZE) <= 0;
     }
 
-    /** Throws an exception if a map with this number of cells exceeds the size of a world. */
+    /** Throws an exception if a map with this number of cells, rotated by its yaw, exceeds the size of a world. */
     void requireSize(int columns, int rows) throws FloorPlanException {
-        BigDecimal width = resolution.multiply(BigDecimal.valueOf(columns));
-        BigDecimal height = resolution.multiply(BigDecimal.valueOf(rows));
-        if (width.max(height).compareTo(MAX_SIZE) > 0) {
+        MapFrame frame = MapFrame.of(this, columns, rows);
+        if (Math.max(frame.width(), frame.height()) > MAX_SIZE.doubleValue()) {
             throw new FloorPlanException(
                     image,
                     FloorPlanProblem.MAP_SIZE.with(
-                            DecimalText.formatRounded(width.doubleValue()),
-                            DecimalText.formatRounded(height.doubleValue()),
+                            DecimalText.formatRounded(frame.width()),
+                            DecimalText.formatRounded(frame.height()),
                             MAX_SIZE));
         }
+    }
+
+    /** Returns a number of cells in metres, the nearest double to their exact product with the resolution. */
+    double metres(double cells) {
+        return resolution.multiply(BigDecimal.valueOf(cells)).doubleValue();
     }
 
     /** Classifies the pixels of this map's image. */

@@ -347,6 +347,17 @@ class FloorPlanTest {
     }
 
     @Test
+    void aMapThatIsOnlyRotatedLargerThanAWorldIsRefused() throws IOException {
+        Path image = write("m.pgm", PLAIN);
+        Path yaml = write("m.yaml", "image: m.pgm\nresolution: 3e4\norigin: [0, 0, 0.785398]\n");
+        IOException e =
+                assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
+        assertEquals(
+                image + ": the map is 106000 x 106000 m large; expected at most 100000 m; the resolution may be wrong",
+                e.getMessage());
+    }
+
+    @Test
     void aMissingImageIsReported() throws IOException {
         Path yaml = write("m.yaml", "image: none.png\nresolution: 0.1\n");
         IOException e =
