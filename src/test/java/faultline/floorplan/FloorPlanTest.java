@@ -165,6 +165,10 @@ class FloorPlanTest {
         assertEquals(
                 List.of(FREE, UNKNOWN, OCCUPIED, UNKNOWN),
                 row(read(file, "mode: raw\n").grid(), 0));
+        // ROS 1 inverts the values of this mode too, ROS 2 does not.
+        assertEquals(
+                List.of(FREE, UNKNOWN, OCCUPIED, UNKNOWN),
+                row(read(file, "mode: raw\nnegate: 1\n").grid(), 0));
         assertEquals(
                 List.of(OCCUPIED, OCCUPIED, UNKNOWN, FREE),
                 row(read(file, "mode: 'scale'\n").grid(), 0));
