@@ -63,10 +63,51 @@ final class MapYamlFlow {
         return c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
     }
 
-    /** Returns the index of the next character outside of quotes. A quote begins only where a scalar may begin. */
-    static int next(String text, int index) {
-        char c = text.charAt(index);
-        boolean isQuote = (c == '"' || c == '\'') && (index == 0 || " \t\n,:[{".indexOf(text.charAt(index - 1)) >= 0);
-        return isQuote ? Math.min(text.length(), MapYamlScalar.closing(text, index) + 1) : index + 1;
+    /** Returns the index of the quotation mark that no other one closes, given where to begin; -1 if there is none. */
+    static int openQuote(CharSequence line, int from) {
+        for (int i = from; i < line.length() && !isComment(line, i); i = next(line, i)) {
+            if (isQuote(line, i) && MapYamlScalar.closing(line, line.charAt(i), i + 1) == line.length()) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /**
+     * Returns whether a character outside of quotes begins a comment: a number sign at the beginning or after a blank.
+     */
+    static boolean isComment(CharSequence text, int index) {
+        return text.charAt(index) == '#' && (index == 0 || Character.isWhitespace(text.charAt(index - 1)));
+    }
+
+    /** Returns the index of the next character outside of quotes. */
+    static int next(CharSequence text, int index) {
+        return isQuote(text, index)
+                ? Math.min(text.length(), MapYamlScalar.closing(text, text.charAt(index), index + 1) + 1)
+                : index + 1;
+    }
+
+    /** Returns whether a character begins a text in quotes. It does so only where a scalar may begin. */
+    private static boolean isQuote(CharSequence text, int index) {
+        if (text.charAt(index) != '"' && text.charAt(index) != '\'') {
+            return false;
+        }
+        int before = index - 1;
+        while (before >= 0 && Character.isWhitespace(text.charAt(before))) {
+            before--;
+        }
+        if (before < 0 || ",:[{".indexOf(text.charAt(before)) >= 0) {
+            return true;
+        }
+        return before < index - 1 && isBeforeScalar(text, before);
+    }
+
+    /** Returns whether the word that ends at an index may be before a scalar: a mark, a tag or an anchor. */
+    private static boolean isBeforeScalar(CharSequence text, int end) {
+        int begin = end;
+        while (begin > 0 && !Character.isWhitespace(text.charAt(begin - 1))) {
+            begin--;
+        }
+        return "!&".indexOf(text.charAt(begin)) >= 0 || begin == end && "-?".indexOf(text.charAt(end)) >= 0;
     }
 }

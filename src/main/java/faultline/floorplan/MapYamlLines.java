@@ -14,6 +14,8 @@ final class MapYamlLines {
     private static final Pattern ENTRY = Pattern.compile("[\\w\"']+\\s*:(\\s.*)?", Pattern.DOTALL);
 
     private static final int NONE = Integer.MAX_VALUE;
+    /** Less than any indentation. */
+    private static final int ANY = -1;
 
     private final String[] source;
     private final List<String> keys;
@@ -45,15 +47,41 @@ final class MapYamlLines {
         int ignoredIndent = NONE;
         while (next < source.length) {
             int number = next + 1;
-            String line = stripComment(source[next++]).replaceFirst("^---(?=\\s)", "   ");
-            int indent = indent(line);
-            if (line.isBlank() || indent > ignoredIndent || indent == ignoredIndent && isItem(line)) {
+            source[next] = source[next].replaceFirst("^---(?=\\s)", "   ");
+            int indent = indent(source[next]);
+            if (indent > ignoredIndent || indent == ignoredIndent && isItem(source[next])) {
+                next++;
+                continue;
+            }
+            String line = nextLine(MapYamlFlow.begins(source[next]) ? ANY : indent);
+            if (line.isBlank()) {
                 continue;
             }
             String joined = joinValue(joinFlow(line), indent);
             ignoredIndent = isUnknown(joined) ? indent : NONE;
             lines.add(new YamlLine(number, joined));
         }
+    }
+
+    /**
+     * Returns the next line without its comment, together with the lines over which a text in quotes continues. They
+     * are indented by more than the given number of blanks; otherwise the mark is part of a text without quotes.
+     */
+    private String nextLine(int indent) {
+        int end = next + 1;
+        StringBuilder line = new StringBuilder(source[next]);
+        int open = MapYamlFlow.openQuote(line, 0);
+        while (open >= 0 && end < source.length && (source[end].isBlank() || indent(source[end]) > indent)) {
+            int checked = line.length();
+            line.append('\n').append(source[end++]);
+            int close = MapYamlScalar.closing(line, line.charAt(open), checked);
+            open = close < line.length() ? MapYamlFlow.openQuote(line, close + 1) : open;
+        }
+        if (open >= 0) {
+            return stripComment(source[next++]);
+        }
+        next = end;
+        return stripComment(line.toString());
     }
 
     /** Adds the lines up to the one that closes a mapping in braces or a list in brackets. */
@@ -64,26 +92,30 @@ final class MapYamlLines {
         StringBuilder joined = new StringBuilder(line);
         int open = MapYamlFlow.depth(line);
         while (open > 0 && next < source.length) {
-            String more = stripComment(source[next++]);
+            String more = nextLine(ANY);
             open += MapYamlFlow.depth(more);
             joined.append('\n').append(more);
         }
         return joined.toString();
     }
 
-    /** Adds the following lines that continue the value of a known key: they are indented, and neither key nor item. */
+    /**
+     * Adds the following lines that continue the value of a known key, or an item of it. They are indented, and neither
+     * a key nor, before a value has begun, an item.
+     */
     private String joinValue(String line, int indent) {
-        if (!keys.contains(key(line))) {
+        if (!isItem(line) && !keys.contains(key(line))) {
             return line;
         }
         boolean isEmpty = line.strip().endsWith(":");
         StringBuilder joined = new StringBuilder(line);
         while (next < source.length) {
-            String more = stripComment(source[next]);
-            if (!more.isBlank() && !isContinuation(more, indent)) {
+            int before = next;
+            String more = nextLine(indent);
+            if (!more.isBlank() && !isContinuation(more, indent, isEmpty)) {
+                next = before;
                 break;
             }
-            next++;
             if (isEmpty && more.strip().startsWith("[")) {
                 return joinFlow(line + " " + more.strip());
             }
@@ -94,9 +126,9 @@ final class MapYamlLines {
         return joined.toString();
     }
 
-    private static boolean isContinuation(String line, int indent) {
+    private static boolean isContinuation(String line, int indent, boolean mayBeItem) {
         return indent(line) > indent
-                && !isItem(line)
+                && !(mayBeItem && isItem(line))
                 && !ENTRY.matcher(line.strip()).matches();
     }
 
@@ -119,10 +151,10 @@ final class MapYamlLines {
         return content.startsWith("-") && (content.length() == 1 || Character.isWhitespace(content.charAt(1)));
     }
 
-    /** Removes a comment: a number sign at the beginning or after a blank, outside of quotes. */
+    /** Removes a comment. */
     private static String stripComment(String line) {
         for (int i = 0; i < line.length(); i = MapYamlFlow.next(line, i)) {
-            if (line.charAt(i) == '#' && (i == 0 || Character.isWhitespace(line.charAt(i - 1)))) {
+            if (MapYamlFlow.isComment(line, i)) {
                 return line.substring(0, i);
             }
         }

@@ -63,14 +63,16 @@ final class MapYamlScalar {
         return (text.length() - i) % 2 == 1;
     }
 
-    /** Returns the index of the quotation mark that closes a quoted text, or the length of the text. */
-    static int closing(String text, int opening) {
-        char quote = text.charAt(opening);
-        int i = opening + 1;
+    /**
+     * Returns the index of the quotation mark that closes a quoted text from an index on, or the length of the text.
+     */
+    static int closing(CharSequence text, char quote, int from) {
+        int i = from;
         while (i < text.length()) {
-            boolean doubled = quote == '\'' && text.startsWith("''", i);
-            boolean escape = quote == '"' && text.charAt(i) == '\\';
-            if (text.charAt(i) == quote && !doubled) {
+            char c = text.charAt(i);
+            boolean doubled = quote == '\'' && c == quote && i + 1 < text.length() && text.charAt(i + 1) == quote;
+            boolean escape = quote == '"' && c == '\\';
+            if (c == quote && !doubled) {
                 return i;
             }
             i += doubled || escape ? 2 : 1;

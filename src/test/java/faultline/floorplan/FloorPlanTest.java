@@ -225,6 +225,10 @@ class FloorPlanTest {
                 "image:\n  m.pgm\nresolution:\n  0.05\norigin:\n\n  [-10,\n  2.5, 0.5]\nnegate: 1\n",
                 "image: m.pgm\nresolution: 0.05\norigin:\n-\t-10\n-\t2.5\n-\t0.5\nnegate: 1\n",
                 "--- {image: m.pgm, resolution: !!float '0.05',\n  origin: [-10, 2.5, !!float \"0.5\"], negate: 1}\n",
+                "{note: \"a }\\\n  # b\", image: m.pgm, resolution: 0.05, meta: {x: ['y [\n# ''{z', it 's],\n w: 1},\n"
+                        + "origin: [-10, 2.5, '0.5'], negate: 1}\n",
+                "note: of \"Bob\nwho: - 'Bob\nimage: 'm.pgm'\nresolution: \"0.05\"\nnegate: 1\n"
+                        + "origin:\n- |-\n  -10\n- !!float \"2.5\"\n- '0.5'\n",
                 "about: |\n  A hall [1\n  with: walls\n\n  # 7\nmeta:\n  image: b.pgm\n  resolution: 7\n"
                         + "image: m.pgm\nresolution: 0.05\nrooms:\n- name: a\n  image: c\n-\n  name: b\n"
                         + "  image: d\norigin: [-10, 2.5, 0.5]\nnegate: 1\nwhy: some words\n  and more\n"
@@ -250,6 +254,9 @@ class FloorPlanTest {
             Bob's hall, west.pgm       | Bob's@  hall,@@   west.pgm
             Bob's hall, west.pgm       | 'Bob''s@  hall, west.pgm'
             Bob's hall,  west.pgm      | "Bob's@  hall,\\@  \\  west.pgm"
+            a # b: - c.pgm             | "a@  # b:@@  - c.pgm" # a comment
+            a - b.pgm                  | 'a@  - b.pgm'
+            a - b.pgm                  | a@  - b.pgm
             hall.pgm                   | >-@  hall.pgm@
             hall.pgm                   | "h\\x61\\u006c\\U0000006C.pgm"
             C\\maps\\x.pgm             | "C\\maps\\x.pgm"
@@ -270,6 +277,9 @@ class FloorPlanTest {
         IOException e =
                 assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
         assertTrue(e.getMessage().startsWith(yaml + ":2:8: image is \"x y y y"), e::getMessage);
+        Path open = write("open.yaml", "{resolution: 1, image: 'x\n" + "y\n".repeat(300_000) + "\"z\n".repeat(50_000));
+        e = assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(open, FloorPlan.Options.DEFAULT));
+        assertTrue(e.getMessage().startsWith(open + ":1:1: there is no"), e::getMessage);
         String tags = "!".repeat(400_000) + " image: x\n" + " y\n".repeat(200_000) + "resolution: 1\n";
         write("m.yaml", tags);
         e = assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
