@@ -2,47 +2,63 @@ package faultline.campaign.plan;
 
 import faultline.io.MessageText;
 import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.XmlElement;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
 /**
- * Finds attributes that two elements of a plan set. Only one of the values would be effective, and the column of the
- * other one would show values that no run had.
+ * Finds attributes that two elements of a plan set, also if one names an element of a scenario by its id and the other
+ * by its number. Only one of the values would be effective, and the column of the other one would show values that no
+ * run had.
  */
 final class AttributeConflicts {
 
-    private final Problems problems;
+    private final XmlElement world;
+    private final Set<ScenarioChange.SetAttribute> found;
+    private final Map<AttributePath, AttributePath> numbered = new HashMap<>();
     private final Set<AttributePath> constant = new HashSet<>();
     private final Set<AttributePath> varied = new HashSet<>();
 
-    private AttributeConflicts(Problems problems) {
-        this.problems = problems;
+    /** Creates a finder of conflicts in a world; the changes that set an attribute again are added to a set. */
+    private AttributeConflicts(XmlElement world, Set<ScenarioChange.SetAttribute> found) {
+        this.world = world;
+        this.found = found;
     }
 
     /** Reports each attribute that is set twice. Variants and masks may replace a constant value. */
-    static void report(List<ScenarioChange> constants, List<Factor> factors, Problems problems) {
-        AttributeConflicts conflicts = new AttributeConflicts(problems);
-        constants.forEach(change -> conflicts.add(change, conflicts.constant));
-        factors.forEach(conflicts::add);
+    static void report(
+            List<WorldSource> worlds, List<ScenarioChange> constants, List<Factor> factors, Problems problems) {
+        Set<ScenarioChange.SetAttribute> found = new LinkedHashSet<>();
+        for (WorldSource source : worlds) {
+            AttributeConflicts conflicts = new AttributeConflicts(source.root(0), found);
+            constants.forEach(change -> conflicts.add(change, conflicts.constant));
+            factors.forEach(conflicts::add);
+        }
+        for (ScenarioChange.SetAttribute change : found) {
+            String path = MessageText.excerpt(change.path().toString());
+            problems.add(change.location(), PlanProblem.DUPLICATE_ATTRIBUTE.with(path));
+        }
     }
 
     private void add(Factor factor) {
-        Map<AttributePath, ScenarioChange> first = new LinkedHashMap<>();
+        Map<AttributePath, ScenarioChange.SetAttribute> first = new LinkedHashMap<>();
         for (Factor.Level level : factor.levels()) {
             Set<AttributePath> inLevel = new HashSet<>();
             for (ScenarioChange change : level.edits()) {
                 if (change instanceof ScenarioChange.SetAttribute set) {
                     add(set, inLevel);
-                    first.putIfAbsent(set.path(), set);
+                    first.putIfAbsent(numbered(set), set);
                 }
             }
         }
         first.forEach((path, change) -> {
             if (factor.kind() == FactorKind.SET && constant.contains(path)) {
-                report(path, change);
+                found.add(change);
             } else {
                 add(change, varied);
             }
@@ -50,12 +66,12 @@ final class AttributeConflicts {
     }
 
     private void add(ScenarioChange change, Set<AttributePath> paths) {
-        if (change instanceof ScenarioChange.SetAttribute set && !paths.add(set.path())) {
-            report(set.path(), set);
+        if (change instanceof ScenarioChange.SetAttribute set && !paths.add(numbered(set))) {
+            found.add(set);
         }
     }
 
-    private void report(AttributePath path, ScenarioChange change) {
-        problems.add(change.location(), PlanProblem.DUPLICATE_ATTRIBUTE.with(MessageText.excerpt(path.toString())));
+    private AttributePath numbered(ScenarioChange.SetAttribute change) {
+        return numbered.computeIfAbsent(change.path(), path -> ScenarioTree.numbered(world, path));
     }
 }

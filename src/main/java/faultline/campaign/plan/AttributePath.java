@@ -91,6 +91,13 @@ record AttributePath(List<PathStep> steps, String attribute) {
                 .orElse("");
     }
 
+    /** Returns whether its values are names or other texts, of which two may differ although they are equal numbers. */
+    boolean isText() {
+        boolean setting =
+                !steps.isEmpty() && steps.get(steps.size() - 1).element.equals("setting");
+        return setting || List.of("id", "name", "sensor", "obstacle").contains(attribute);
+    }
+
     /** Returns the name of its column, such as {@code front_cone_deg}. */
     String columnName() {
         String name = snake(attribute) + unitSuffix(unit());

@@ -44,7 +44,8 @@ final class FactorReader {
         AttributeReader fields = new AttributeReader(node, problems);
         Optional<AttributePath> path = readPath(fields);
         String name = columnName(fields, path.map(AttributePath::columnName).orElse("unnamed"));
-        Optional<List<AttributeValue>> values = readValues(fields, name);
+        boolean isText = path.map(AttributePath::isText).orElse(true);
+        Optional<List<AttributeValue>> values = readValues(fields, name, isText);
         fields.reportUnknownAndMissing();
         if (path.isEmpty() || values.isEmpty()) {
             return Optional.empty();
@@ -71,9 +72,9 @@ final class FactorReader {
         return path;
     }
 
-    private static Optional<List<AttributeValue>> readValues(AttributeReader fields, String stream) {
+    private static Optional<List<AttributeValue>> readValues(AttributeReader fields, String stream, boolean isText) {
         String text = fields.requiredText("value", ValueSyntax.RULE).orElse("");
-        Optional<List<AttributeValue>> values = ValueSyntax.parse(text, stream);
+        Optional<List<AttributeValue>> values = ValueSyntax.parse(text, stream, isText);
         if (values.isEmpty() && fields.isPresent("value")) {
             fields.report("value", text, ValueSyntax.RULE);
         }

@@ -113,7 +113,7 @@ final class FaultsReader {
         if (key.equals(LABEL)) {
             return List.of(new AttributeValue.FixedValue(text));
         }
-        Optional<List<AttributeValue>> values = ValueSyntax.parse(text, factor + "_" + key);
+        Optional<List<AttributeValue>> values = ValueSyntax.parse(text, factor + "_" + key, key.equals("sensor"));
         if (values.isEmpty()) {
             fields.report(key, text, ValueSyntax.RULE);
         }

@@ -63,7 +63,7 @@ final class PlanReader {
         Seeds seeds = root.firstChild("seeds").map(this::readSeeds).orElse(Seeds.DEFAULT);
         root.children().forEach(this::readFactor);
         checkColumns(root);
-        AttributeConflicts.report(constants, factors, problems);
+        AttributeConflicts.report(worlds, constants, factors, problems);
         checkSize(root, worlds, seeds);
         return problems.isEmpty()
                 ? Optional.of(new CampaignPlan(

@@ -63,6 +63,23 @@ final class ScenarioTree {
         return new XmlElement(node.name(), node.location(), node.attributes(), children, node.text());
     }
 
+    /** Returns a path in which the elements that a tree has are given by their numbers. */
+    static AttributePath numbered(XmlElement root, AttributePath path) {
+        List<AttributePath.PathStep> steps = new ArrayList<>();
+        Optional<XmlElement> node = Optional.of(root);
+        for (AttributePath.PathStep step : path.steps()) {
+            Optional<XmlElement> child = node.flatMap(parent -> find(parent, step));
+            if (child.isEmpty()) {
+                steps.add(step);
+            } else {
+                int index = node.get().childrenNamed(step.element()).toList().indexOf(child.get());
+                steps.add(new AttributePath.PathStep(step.element(), String.valueOf(index + 1)));
+            }
+            node = child;
+        }
+        return new AttributePath(steps, path.attribute());
+    }
+
     private static Optional<XmlElement> find(XmlElement node, AttributePath.PathStep step) {
         List<XmlElement> named = node.childrenNamed(step.element()).toList();
         Optional<XmlElement> withId = named.stream()

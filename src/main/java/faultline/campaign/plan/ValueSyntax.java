@@ -4,8 +4,9 @@ import faultline.io.DecimalText;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.regex.Matcher;
@@ -36,7 +37,7 @@ public final class ValueSyntax {
      * @param text the text
      */
     public static OptionalInt count(String text) {
-        return parse(text, "").stream().mapToInt(List::size).findFirst();
+        return parse(text, "", false).stream().mapToInt(List::size).findFirst();
     }
 
     /**
@@ -45,13 +46,14 @@ public final class ValueSyntax {
      *
      * @param text the text in the plan
      * @param stream the name of the random numbers, if values are drawn
+     * @param isText whether equal numbers that are written differently, such as 0.2 and 0.20, are different values
      */
-    static Optional<List<AttributeValue>> parse(String text, String stream) {
+    static Optional<List<AttributeValue>> parse(String text, String stream, boolean isText) {
         String trimmed = text.strip();
         Matcher choice = CHOICE.matcher(trimmed);
         if (choice.matches()) {
-            return Optional.of(
-                    List.of(new AttributeValue.DrawnValue(stream, new DrawRange.Words(words(choice.group(1))))));
+            return Optional.of(List.of(
+                    new AttributeValue.DrawnValue(stream, new DrawRange.Words(words(choice.group(1), isText)))));
         }
         Matcher interval = INTERVAL.matcher(trimmed);
         if (interval.matches()) {
@@ -60,7 +62,7 @@ public final class ValueSyntax {
         if (trimmed.isEmpty() || trimmed.contains("..")) {
             return Optional.empty();
         }
-        return Optional.of(fixed(words(trimmed)));
+        return Optional.of(fixed(words(trimmed, isText)));
     }
 
     private static List<AttributeValue> fixed(List<String> texts) {
@@ -69,8 +71,13 @@ public final class ValueSyntax {
                 .toList();
     }
 
-    private static List<String> words(String text) {
-        return Arrays.stream(text.strip().split("\\s+")).distinct().toList();
+    private static List<String> words(String text, boolean isText) {
+        Map<Object, String> different = new LinkedHashMap<>();
+        for (String word : text.strip().split("\\s+")) {
+            Optional<BigDecimal> number = isText ? Optional.empty() : DecimalText.parse(word);
+            different.putIfAbsent(number.isPresent() ? number.get().stripTrailingZeros() : word, word);
+        }
+        return List.copyOf(different.values());
     }
 
     private static Optional<List<AttributeValue>> parseInterval(Matcher interval, String stream) {

@@ -78,6 +78,25 @@ class PlanReaderTest {
     }
 
     @Test
+    void anAttributeIsFoundTwiceByTheIdAndTheNumberOfItsElement() {
+        String twice = "; expected one element that sets it";
+        assertEquals(
+                List.of("plan.xml:4:64: the attribute \"world/circle/@x\" is set twice" + twice),
+                SamplePlan.problems(
+                        """
+                        <set attribute="world/circle[pole]/@x" value="2 2.2"/>
+                        <set attribute="world/circle/@x" value="2.1 2.3" name="other"/>
+                        """));
+        assertEquals(
+                List.of(),
+                SamplePlan.problems(
+                        """
+                        <set attribute="world/circle[pole]/@x" value="2 2.2"/>
+                        <set attribute="world/circle[1]/@y" value="0.5 0.6" name="other"/>
+                        """));
+    }
+
+    @Test
     void otherRoomsAndVariantsThatReplaceAValueAreGood() throws Exception {
         SamplePlan.read(
                 SamplePlan.text(
@@ -128,8 +147,7 @@ class PlanReaderTest {
     void theSchemaHasTheBoundsOfTheProgram() throws Exception {
         Document schema =
                 DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(new File("docs/campaign-1.xsd"));
-        assertEquals(
-                bounds(RoomRules.MIN_CORNER, RoomRules.MAX_CORNER), bounds(schema, "xs:attribute", "minCorner"));
+        assertEquals(bounds(RoomRules.MIN_CORNER, RoomRules.MAX_CORNER), bounds(schema, "xs:attribute", "minCorner"));
         assertEquals(bounds(0, RoomRules.MAX_VISITORS), bounds(schema, "xs:attribute", "visitors"));
         assertEquals(bounds(0, CampaignPlan.MAX_SEED), bounds(schema, "xs:simpleType", "room"));
         assertEquals(bounds(-CampaignPlan.MAX_SEED, CampaignPlan.MAX_SEED), bounds(schema, "xs:simpleType", "seed"));

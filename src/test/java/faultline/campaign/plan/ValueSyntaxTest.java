@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ValueSyntaxTest {
 
     private static List<String> texts(String syntax, double uniform) {
-        return ValueSyntax.parse(syntax, "stream").orElseThrow().stream()
+        return ValueSyntax.parse(syntax, "stream", false).orElseThrow().stream()
                 .map(value -> value.text((stream, block) -> uniform, 0))
                 .toList();
     }
@@ -21,6 +21,13 @@ class ValueSyntaxTest {
     void aListHasOneLevelForEachValue() {
         assertEquals(List.of("5", "10", "20"), texts(" 5 10  20 ", 0));
         assertEquals(List.of("left", "right"), texts("left right", 0));
+    }
+
+    @Test
+    void aValueThatIsThereTwiceIsOneLevel() {
+        assertEquals(List.of("0.2", "0.3"), texts("0.2 0.20 0.3 2e-1 0.3", 0));
+        assertEquals(List.of("off", "1"), texts("off 1 off 1.0", 0));
+        assertEquals(2, ValueSyntax.parse("1 01", "stream", true).orElseThrow().size(), "ids of two sensors");
     }
 
     @Test
@@ -53,6 +60,6 @@ class ValueSyntaxTest {
     @ParameterizedTest
     @ValueSource(strings = {"", "  ", "4..1", "1..1", "a..b", "1..2/1", "1..", "..2", "1..2 3"})
     void anythingElseIsRefused(String syntax) {
-        assertEquals(Optional.empty(), ValueSyntax.parse(syntax, "stream"));
+        assertEquals(Optional.empty(), ValueSyntax.parse(syntax, "stream", false));
     }
 }
