@@ -12,7 +12,8 @@ final class ControllerColumns implements ColumnGroup {
             new TraceColumn("left_volts", "V", "output of the controller to the left motors"),
             new TraceColumn("right_volts", "V", "output of the controller to the right motors"),
             new TraceColumn("wanted_m", "m", "distance that the controller maintains"),
-            new TraceColumn("measured_m", "m", "distance that the controller uses"),
+            new TraceColumn(
+                    "measured_m", "m", "reading that it is measured by, or with a local map, the distance in the map"),
             new TraceColumn("p_rad_s", "rad/s", "P term of the distance control"),
             new TraceColumn("d_rad_s", "rad/s", "D term of the distance control"),
             new TraceColumn("t_f3_s", "s", "time of frame F3 since the last spin began"),
