@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
+import java.util.OptionalLong;
 import java.util.function.Predicate;
 
 /** The arguments of one command: files, and options that each take a value, as {@code --seed 7} or {@code --seed=7}. */
@@ -127,16 +127,22 @@ final class Arguments {
         return Optional.ofNullable(options.get(option));
     }
 
-    /** Returns the value of an option as a whole number from 1 to a greatest one, or empty if it is not given. */
-    OptionalInt positive(String option, int max) throws UsageException {
+    /** Returns the value of an option as a whole number between two others, or empty if it is not given. */
+    OptionalLong whole(String option, long min, long max) throws UsageException {
         Optional<String> text = value(option);
         if (text.isEmpty()) {
-            return OptionalInt.empty();
+            return OptionalLong.empty();
         }
-        if (!text.get().matches("\\d{1,9}") || Integer.parseInt(text.get()) < 1 || Integer.parseInt(text.get()) > max) {
-            throw UsageException.ofValue(option, text.get(), "a whole number from 1 to " + max);
+        OptionalLong number = DecimalText.parseWhole(text.get());
+        if (number.isEmpty() || number.getAsLong() < min || number.getAsLong() > max) {
+            throw UsageException.ofValue(option, text.get(), "a whole number from " + min + " to " + max);
         }
-        return OptionalInt.of(Integer.parseInt(text.get()));
+        return number;
+    }
+
+    /** Returns the value of an option as a whole number from 1 to a greatest one, or another if it is not given. */
+    int positive(String option, int max, int defaultValue) throws UsageException {
+        return (int) whole(option, 1, max).orElse(defaultValue);
     }
 
     /** Returns the value of an option as a number, or empty if it is not given. */

@@ -33,8 +33,8 @@ final class CampaignCommand {
         boolean resume = sorted.has("--resume");
         Path file = sorted.singleFile("campaign", "plan");
         Path folder = folder(sorted);
-        int jobs = sorted.positive("--jobs", CampaignRunner.MAX_JOBS)
-                .orElse(Runtime.getRuntime().availableProcessors());
+        int jobs = sorted.positive(
+                "--jobs", CampaignRunner.MAX_JOBS, Runtime.getRuntime().availableProcessors());
         Shard shard = shard(sorted);
         CampaignPlan plan = PlanFiles.read(file);
         CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(folder), shard, jobs);

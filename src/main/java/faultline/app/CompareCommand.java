@@ -89,7 +89,7 @@ final class CompareCommand {
         if (open) {
             WindowCommand.requireDisplay("--open");
         }
-        int seeds = arguments.positive("--seeds", MAX_SEEDS).orElse(1);
+        int seeds = arguments.positive("--seeds", MAX_SEEDS, 1);
         Scenario loaded = Scenario.load(file);
         Scenario scenario = loaded.withSetup(RunOptions.duration(arguments).apply(loaded.setup()));
         int code = compare(scenario, choices, seeds, options, files, windowCommands(file, choices, options));

@@ -22,6 +22,7 @@ final class ImportCommand {
 
     private static final List<String> OPTION_NAMES =
             List.of("--out", "--resolution", "--unknown", "--min-cells", "--smooth", "--start");
+    private static final int MAX_CELLS = 999_999_999;
     private static final BigDecimal MAX_COORDINATE = new BigDecimal(ScenarioLimits.MAX_COORDINATE);
 
     private final CommandOutput output;
@@ -74,17 +75,14 @@ final class ImportCommand {
         if (!List.of("free", "wall").contains(unknown)) {
             throw UsageException.ofValue("--unknown", unknown, "free or wall");
         }
-        String cells = parsed.value("--min-cells").orElse("1");
-        if (!cells.matches("\\d{1,9}")) {
-            throw UsageException.ofValue("--min-cells", cells, "a whole number from 0 to 999999999");
-        }
+        int cells = (int) parsed.whole("--min-cells", 0, MAX_CELLS).orElse(1);
         String smoothing = parsed.value("--smooth").orElse("0");
         String allowed = "a number of cells from 0 to " + MAX_COORDINATE;
         BigDecimal bound = number("--smooth", smoothing, allowed);
         if (bound.signum() < 0) {
             throw UsageException.ofValue("--smooth", smoothing, allowed);
         }
-        return new FloorPlan.Options(unknown.equals("wall"), Integer.parseInt(cells), bound.doubleValue());
+        return new FloorPlan.Options(unknown.equals("wall"), cells, bound.doubleValue());
     }
 
     private static Pose start(String text) throws UsageException {

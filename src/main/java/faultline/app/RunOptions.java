@@ -16,6 +16,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import java.util.function.UnaryOperator;
 
 /**
@@ -101,18 +102,8 @@ record RunOptions(
     }
 
     private static UnaryOperator<SimulationSetup> seed(Arguments arguments) throws UsageException {
-        Optional<String> text = arguments.value("--seed");
-        if (text.isEmpty()) {
-            return UnaryOperator.identity();
-        }
-        // The JDK also reads the digits of other scripts; a scenario file does not.
-        try {
-            long seed = Long.parseLong(text.get().matches("\\p{ASCII}*") ? text.get() : "");
-            return setup -> setup.withSeed(seed);
-        } catch (NumberFormatException e) {
-            throw UsageException.ofValue(
-                    "--seed", text.get(), "a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE);
-        }
+        OptionalLong seed = arguments.whole("--seed", Long.MIN_VALUE, Long.MAX_VALUE);
+        return setup -> seed.isPresent() ? setup.withSeed(seed.getAsLong()) : setup;
     }
 
     private static ControllerMode mode(String text) throws UsageException {

@@ -4,6 +4,7 @@ import faultline.geometry.Degrees;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.regex.Pattern;
 
 /**
@@ -42,6 +43,24 @@ public final class DecimalText {
             return Optional.empty();
         }
         return Optional.of(new BigDecimal(trimmed));
+    }
+
+    /**
+     * {@return the value of a whole number of 64 bits, in the digits 0 to 9 with an optional sign; empty if the text is
+     * no such number} Surrounding blanks are ignored.
+     *
+     * @param text the text
+     */
+    public static OptionalLong parseWhole(String text) {
+        String trimmed = XmlText.strip(text);
+        try {
+            // The JDK also reads the digits of other scripts.
+            return trimmed.chars().allMatch(c -> c < 128)
+                    ? OptionalLong.of(Long.parseLong(trimmed))
+                    : OptionalLong.empty();
+        } catch (NumberFormatException e) {
+            return OptionalLong.empty();
+        }
     }
 
     /**

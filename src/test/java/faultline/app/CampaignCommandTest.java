@@ -91,6 +91,7 @@ class CampaignCommandTest {
             campaign @/plan.xml                        ~ --out DIR is missing, the folder that the tables go to
             campaign @/plan.xml --out @/o --jobs 0     ~ --jobs is "0"; expected a whole number from 1 to 1024
             campaign @/plan.xml --out @/o --jobs two   ~ --jobs is "two"; expected a whole number from 1 to 1024
+            campaign @/plan.xml --out @/o --jobs +3 --shard 0/4 ~ --shard is "0/4"; expected I/N with I from 1 to N, such as 2/4
             campaign @/plan.xml --out @/o --shard 5/4  ~ --shard is "5/4"; expected I/N with I from 1 to N, such as 2/4
             merge --out @/o                            ~ merge takes the folders of one or more parts, not none
             report --out @/o.html                      ~ report takes the folder of one campaign, not none

@@ -226,6 +226,9 @@ class CommandLineTest {
             run a.xml --jar .               | --jar is ".", which is not a jar
             run a.xml --seed                | --seed needs a value
             run a.xml --film --until 5      | --film needs a value, and "--until" is an option
+            run a.xml --seed +3 --pace 0    | --pace is "0"; expected a multiple of real time from 0.001 to 1000000
+            import a.png --out b --min-cells +3 | an image needs --resolution M, the side of a pixel in metres
+            compare a.xml --controller none --controller x --out b --seeds +10001 | --seeds is "+10001"; expected a whole number from 1 to 10000
             run a.xml --seed 1 --seed 2     | --seed is given twice
             run a.xml --seed 1.5            | --seed is "1.5"; expected a whole number from -9223372036854775808 to 9223372036854775807
             run a.xml --seed ９             | --seed is "９"; expected a whole number from -9223372036854775808 to 9223372036854775807

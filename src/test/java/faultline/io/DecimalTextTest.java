@@ -3,6 +3,7 @@ package faultline.io;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -82,6 +83,16 @@ class DecimalTextTest {
     @CsvSource({"5., 5", ".5, 0.5", "+5, 5", "' 5 ', 5", "1e3, 1000", "1E-2, 0.01"})
     void everyWayToWriteADecimalNumberIsRead(String text, double value) {
         assertEquals(value, DecimalText.parse(text).orElseThrow().doubleValue());
+    }
+
+    @Test
+    void wholeNumbersHaveASignOrNone() {
+        assertEquals(3, DecimalText.parseWhole(" +3 ").orElseThrow());
+        assertEquals(
+                Long.MIN_VALUE, DecimalText.parseWhole("-9223372036854775808").orElseThrow());
+        for (String text : List.of("", "3.0", "1e3", "0x10", "1_000", "３", "9223372036854775808", "1 2", "+-1")) {
+            assertTrue(DecimalText.parseWhole(text).isEmpty(), text);
+        }
     }
 
     @Test

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -181,15 +182,9 @@ public final class AttributeReader {
     }
 
     private long integer(String name, String text, long least, long most) {
-        try {
-            String digits = XmlText.strip(text);
-            long value = Long.parseLong(digits);
-            // The digits of other scripts are numbers to Java, but not to XML.
-            if (value >= least && value <= most && digits.chars().allMatch(c -> c < 128)) {
-                return value;
-            }
-        } catch (NumberFormatException e) {
-            // Reported below, like a number out of range.
+        OptionalLong value = DecimalText.parseWhole(text);
+        if (value.isPresent() && value.getAsLong() >= least && value.getAsLong() <= most) {
+            return value.getAsLong();
         }
         report(name, text, Allowed.WHOLE_NUMBER.with(Allowed.CLOSED.with(least, most)));
         return least;
