@@ -1,5 +1,6 @@
 package faultline.app;
 
+import faultline.control.ControllerSpec;
 import faultline.external.BuiltInChild;
 import faultline.external.SimulationServer;
 import faultline.scenario.Scenario;
@@ -34,6 +35,10 @@ final class ProtocolCommands {
         Path file = sorted.singleFile("controller");
         ControllerOptions.addJar(sorted);
         Scenario scenario = Scenario.load(file);
+        if (scenario.setup().controller() instanceof ControllerSpec.Extern) {
+            throw new UsageException("the scenario is driven by a controller from outside;"
+                    + " expected one whose controller is in the program or in --jar");
+        }
         new BuiltInChild(System.in, output.out()).run(scenario.setup().controller());
         return ExitCode.SUCCESS;
     }

@@ -82,8 +82,8 @@ final class MessageReader {
                 && Math.abs(number) < FIRST_ROUNDED) {
             return number.longValue();
         }
-        boolean tooLarge = members.get(name) instanceof Number number
-                && number.doubleValue() == Math.rint(number.doubleValue());
+        boolean tooLarge =
+                members.get(name) instanceof Number number && number.doubleValue() == Math.rint(number.doubleValue());
         throw wrong(name, tooLarge ? WHOLE_NUMBERS : "a whole number");
     }
 
@@ -154,7 +154,9 @@ final class MessageReader {
     }
 
     private ProtocolException wrong(String name, String allowed) {
-        String given = members.containsKey(name) ? MessageText.quoted(textOf(members.get(name))) : "missing";
+        Object value = members.get(name);
+        String type = value instanceof String ? "the string " : "";
+        String given = value == null ? "missing" : type + MessageText.quoted(textOf(value));
         return new ProtocolException(
                 "wrote a message", " whose " + MessageText.quoted(name) + " is " + given + "; expected " + allowed);
     }

@@ -269,6 +269,19 @@ class CommandLineTest {
     }
 
     @Test
+    void aScenarioForAControllerFromOutsideHasNoneToActAs() throws Exception {
+        Path file = folder.resolve("extern.xml");
+        Files.writeString(
+                file,
+                Files.readString(Path.of(COLLIDING_SCENARIO))
+                        .replaceFirst("<controller[^>]*>", "<controller type=\"extern\"/>"));
+        CommandResult result = command("controller", file.toString());
+        assertEquals(2, result.code);
+        assertTrue(
+                result.err.startsWith("faultline: the scenario is driven by a controller from outside;"), result.err);
+    }
+
+    @Test
     void aHostileArgumentIsCutAndKeptOnOneLine() {
         CommandResult outcome = command("--" + "x\n".repeat(10_000));
         assertEquals(2, outcome.code);

@@ -99,7 +99,7 @@ class ExternalControllerTest {
             read l; printf '\\357\\273\\277{}\\n'                             | wrote no JSON before the first tick: "\uFEFF{}" (there is a byte order mark at character 1); write messages for people to standard error
             read l; echo R; read l; echo '{"type":"drive","tick":5,"left_v":1,"right_v":1}' | answered tick 5 at tick 0; expected the tick of the observation
             read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1}' | wrote a message at tick 0 whose "right_v" is missing; expected a finite number
-            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":"1","right_v":1}' | wrote a message at tick 0 whose "left_v" is "1"; expected a finite number
+            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":"1","right_v":1}' | wrote a message at tick 0 whose "left_v" is the string "1"; expected a finite number
             read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1e999,"right_v":1}' | wrote a message at tick 0 whose "left_v" is "1e999"; expected a finite number
             read l; echo R; read l; echo '{"type":"drive","tick":0}'       | wrote a drive message at tick 0 with neither voltages nor velocities; expected either left_v and right_v or v_m_s and omega_rad_s
             read l; echo R; read l; exit 7                                 | ended with exit code 7 at tick 0

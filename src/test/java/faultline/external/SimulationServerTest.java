@@ -232,6 +232,7 @@ class SimulationServerTest {
             {"type":"jump"}                                    | the client wrote a message at tick 0 of type "jump"; expected reset, drive or close
             {"type":"drive","left_v":1,"right_v":1,"ticks":0}  | the client wrote a drive message at tick 0 for 0 ticks; expected 1 to 1000000000
             {"type":"drive","left_v":1}                        | the client wrote a message at tick 0 whose "right_v" is missing; expected a finite number
+            {"type":"reset","seed":"7"}                        | the client wrote a message at tick 0 whose "seed" is the string "7"; expected a whole number
             {"type":"reset","seed":1.5}                        | the client wrote a message at tick 0 whose "seed" is "1.5"; expected a whole number
             {"type":"reset","seed":9223372036854775808}        | the client wrote a message at tick 0 whose "seed" is "9223372036854775808"; expected a whole number from -9223372036854775808 to 9223372036854775807, without an exponent
             {"type":"reset","seed":1e16}                       | the client wrote a message at tick 0 whose "seed" is "1E+16"; expected a whole number from -9223372036854775808 to 9223372036854775807, without an exponent
