@@ -164,8 +164,10 @@ public final class CampaignFolder {
         if (earlier.isPresent() && !CampaignManifest.sameCampaign(earlier.get(), text)) {
             throw new IOException(folder + ": the campaign there has another plan or was made by another program");
         }
-        if (earlier.isPresent() && !CampaignManifest.shard(earlier.get()).equals(Optional.of(shard))) {
-            throw new IOException(folder + ": the campaign there is another part, not " + shard);
+        Optional<Shard> earlierShard = earlier.flatMap(CampaignManifest::shard);
+        if (earlier.isPresent() && !earlierShard.equals(Optional.of(shard))) {
+            String part = earlierShard.map(other -> ", " + other).orElse("");
+            throw new IOException(folder + ": the campaign there is another part" + part + "; expected " + shard);
         }
         if (earlier.isEmpty() && Files.exists(runs())) {
             throw new IOException(folder + ": there is a runs.csv without its campaign.json");

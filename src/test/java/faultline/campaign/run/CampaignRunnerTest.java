@@ -215,7 +215,7 @@ class CampaignRunnerTest {
     void aFolderIsUsedForOneCampaignOnly() throws Exception {
         runs(folder, Shard.ALL, 2, false);
         refused("there is a campaign already", SamplePlan.read(PLAN), Shard.ALL, false);
-        refused("is another part", SamplePlan.read(PLAN), new Shard(1, 2), true);
+        refused("is another part, 1/1; expected 1/2", SamplePlan.read(PLAN), new Shard(1, 2), true);
         refused("has another plan", SamplePlan.read(PLAN.replace("30", "31")), Shard.ALL, true);
     }
 
