@@ -1,16 +1,16 @@
 package faultline.gui.document;
 
 import java.awt.EventQueue;
+import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 
 /** Runs slow work on background threads and passes the outcome to the event dispatch thread. */
 public final class BackgroundTasks {
 
-    /** The threads that keep the program from exiting. */
-    private static final Set<Thread> BEFORE_EXIT = ConcurrentHashMap.newKeySet();
+    /** The threads that keep the program from exiting; used on the event dispatch thread only. */
+    private static final Set<Thread> BEFORE_EXIT = new HashSet<>();
 
     private BackgroundTasks() {}
 
@@ -65,31 +65,32 @@ public final class BackgroundTasks {
 
     /**
      * Runs a task on the event dispatch thread when all work that keeps the program from exiting has ended and its
-     * results have been passed on.
+     * results have been passed on. Work that is started with these results is waited for as well.
      */
     public static void runAfterAll(Runnable task) {
-        Thread waiting = new Thread(
-                () -> {
-                    try {
-                        for (Thread thread : BEFORE_EXIT) {
-                            thread.join();
-                        }
-                        EventQueue.invokeLater(() -> runUnlessBusy(task));
-                    } catch (InterruptedException e) {
-                        Thread.currentThread().interrupt();
-                    }
-                },
-                "faultline-exit");
+        assert EventQueue.isDispatchThread();
+        Set<Thread> started = Set.copyOf(BEFORE_EXIT);
+        Thread waiting = new Thread(() -> awaitEnd(started, task), "faultline-exit");
         waiting.start();
     }
 
-    /** Runs a task, or waits again if the results that have been passed on have started more work. */
-    private static void runUnlessBusy(Runnable task) {
-        if (BEFORE_EXIT.stream().anyMatch(Thread::isAlive)) {
-            runAfterAll(task);
-        } else {
-            task.run();
+    private static void awaitEnd(Set<Thread> started, Runnable task) {
+        try {
+            for (Thread thread : started) {
+                thread.join();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return;
         }
+        // This comes after the results, because each thread has passed its own to the queue before it ended.
+        EventQueue.invokeLater(() -> {
+            if (started.containsAll(BEFORE_EXIT)) {
+                task.run();
+            } else {
+                runAfterAll(task);
+            }
+        });
     }
 
     private static <T> void perform(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {

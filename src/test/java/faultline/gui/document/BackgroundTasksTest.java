@@ -13,9 +13,12 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class BackgroundTasksTest {
@@ -24,18 +27,22 @@ class BackgroundTasksTest {
     private final CompletableFuture<Thread> worker = new CompletableFuture<>();
     private final CompletableFuture<Void> released = new CompletableFuture<>();
 
-    static Stream<Callable<String>> works() {
+    static Stream<Arguments> works() {
         return Stream.of(
-                () -> "written",
-                () -> {
+                work("written", () -> "written"),
+                work("full", () -> {
                     throw new IOException("full");
-                },
-                () -> {
+                }),
+                work("cancelled", () -> {
                     throw new CancellationException("cancelled");
-                },
-                () -> {
+                }),
+                work("broken", () -> {
                     throw new AssertionError("broken");
-                });
+                }));
+    }
+
+    private static Arguments work(String outcome, Callable<String> work) {
+        return Arguments.of(outcome, work);
     }
 
     private String perform(Callable<String> work) throws Exception {
@@ -51,7 +58,7 @@ class BackgroundTasksTest {
 
     @ParameterizedTest
     @MethodSource("works")
-    void theProgramExitsOnlyAfterTheTaskHasEndedEvenIfItFails(Callable<String> work) throws Exception {
+    void theProgramExitsOnlyAfterTheTaskHasEndedEvenIfItFails(String outcome, Callable<String> work) throws Exception {
         runOnEdt(() -> BackgroundTasks.runBeforeExit(
                 () -> perform(work), this::addOutcome, failure -> addOutcome(failure.getMessage())));
         assertFalse(worker.get().isDaemon(), "a daemon thread would not keep the program from exiting");
@@ -59,7 +66,38 @@ class BackgroundTasksTest {
         released.complete(null);
         worker.get().join();
         Await.until("the outcome", () -> outcomes.size() == 1);
-        assertTrue(List.of("written", "full", "cancelled", "broken").containsAll(outcomes));
+        assertEquals(List.of(outcome), outcomes);
+    }
+
+    @Test
+    void theProgramExitsOnlyAfterWorkThatIsStartedWithTheResultOfOtherWork() throws Exception {
+        CompletableFuture<Void> exit = new CompletableFuture<>();
+        runOnEdt(() -> {
+            BackgroundTasks.runBeforeExit(
+                    () -> perform(() -> "checked"),
+                    checked -> {
+                        addOutcome(checked);
+                        BackgroundTasks.runBeforeExit(() -> write(exit), this::addOutcome, failure -> {});
+                    },
+                    failure -> {});
+            BackgroundTasks.runAfterAll(() -> {
+                addOutcome("exit");
+                exit.complete(null);
+            });
+        });
+        released.complete(null);
+        exit.get();
+        runOnEdt(() -> assertEquals(List.of("checked", "written", "exit"), outcomes));
+    }
+
+    /** Writes for some time, unless the program exits meanwhile. */
+    private static String write(CompletableFuture<Void> exit) throws Exception {
+        try {
+            exit.get(300, TimeUnit.MILLISECONDS);
+            return "cut short";
+        } catch (TimeoutException ended) {
+            return "written";
+        }
     }
 
     @Test
