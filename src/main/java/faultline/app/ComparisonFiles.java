@@ -1,12 +1,13 @@
 package faultline.app;
 
 import faultline.io.AtomicFile;
+import faultline.io.AtomicFileGroup;
 import faultline.io.MessageText;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -19,8 +20,9 @@ final class ComparisonFiles implements AutoCloseable {
     private final Path page;
     private final Path table;
     private final List<Path> replays = new ArrayList<>();
-    private final Map<Path, AtomicFile> files = new LinkedHashMap<>();
-    private final Map<Path, AtomicFile> written = new LinkedHashMap<>();
+    private final AtomicFileGroup group = new AtomicFileGroup();
+    private final Map<Path, AtomicFile> opened = new HashMap<>();
+    private final List<AtomicFile> written = new ArrayList<>();
 
     /**
      * Names the files.
@@ -53,36 +55,39 @@ final class ComparisonFiles implements AutoCloseable {
         return replays.get(index);
     }
 
-    /** Throws an exception if a file would replace an input or another file. */
-    void requireDistinct(List<Path> inputs) throws UsageException {
+    private List<Path> all() {
         List<Path> all = new ArrayList<>(List.of(page, table));
         all.addAll(replays);
-        Arguments.requireDistinct(inputs, all);
+        return all;
+    }
+
+    /** Throws an exception if a file would replace an input or another file. */
+    void requireDistinct(List<Path> inputs) throws UsageException {
+        Arguments.requireDistinct(inputs, all());
     }
 
     /** Opens all files. */
     void open() throws IOException {
-        List<Path> all = new ArrayList<>(List.of(page, table));
-        all.addAll(replays);
-        for (Path file : all) {
-            files.put(file, AtomicFile.create(file));
+        for (Path file : all()) {
+            opened.put(file, group.create(file));
         }
     }
 
     /** Writes one of the opened files. */
     void write(Path file, byte[] content) throws IOException {
-        files.get(file).stream().write(content);
-        written.put(file, files.get(file));
+        AtomicFile target = opened.get(file);
+        target.stream().write(content);
+        written.add(target);
     }
 
     /**
-     * Moves the written files into place. A replay that an earlier comparison wrote to one of the other files is
-     * deleted, because it would seem to be of this one.
+     * Moves the written files into place. A controller whose runs all broke has no replay; one that an earlier
+     * comparison wrote for it is deleted, because it would seem to be of this one.
      */
     void commit() throws IOException {
-        AtomicFile.commitAll(written.values());
+        AtomicFile.commitAll(written);
         for (Path replay : replays) {
-            if (!written.containsKey(replay) && Files.isRegularFile(replay)) {
+            if (!written.contains(opened.get(replay)) && Files.isRegularFile(replay)) {
                 Files.delete(replay);
             }
         }
@@ -90,8 +95,6 @@ final class ComparisonFiles implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
-        for (AtomicFile file : files.values()) {
-            file.close();
-        }
+        group.close();
     }
 }

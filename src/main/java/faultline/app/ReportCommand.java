@@ -2,13 +2,12 @@ package faultline.app;
 
 import faultline.campaign.report.CampaignReport;
 import faultline.campaign.run.CampaignFolder;
-import faultline.io.AtomicFile;
+import faultline.io.AtomicFileGroup;
 import faultline.io.LinkResolver;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -36,32 +35,24 @@ final class ReportCommand {
             throw new UsageException("--out and --table are the same file; expected two files");
         }
         CampaignReport report = new CampaignReport(folder);
-        if (LinkResolver.findConflict(new CampaignFolder(folder).files(), targets)
-                .isPresent()) {
-            throw new UsageException("--out or --table is a file of the campaign itself; expected another file");
+        requireOtherFiles(folder, targets);
+        try (AtomicFileGroup files = new AtomicFileGroup()) {
+            files.write(target, report.html().getBytes(StandardCharsets.UTF_8));
+            if (table.isPresent()) {
+                files.write(table.get(), report.cellsCsv().getBytes(StandardCharsets.UTF_8));
+            }
+            files.commit();
         }
-        write(report, targets);
         output.println("report: " + target);
         table.ifPresent(file -> output.println("table: " + file));
         output.println("runs: " + report.runCount());
         return ExitCode.SUCCESS;
     }
 
-    /** Writes the page to the first target and, if there is a second, the table to it. */
-    private static void write(CampaignReport report, List<Path> targets) throws IOException {
-        List<AtomicFile> files = new ArrayList<>();
-        try {
-            for (Path target : targets) {
-                String text = files.isEmpty() ? report.html() : report.cellsCsv();
-                AtomicFile file = AtomicFile.create(target);
-                files.add(file);
-                file.stream().write(text.getBytes(StandardCharsets.UTF_8));
-            }
-            AtomicFile.commitAll(files);
-        } finally {
-            for (AtomicFile file : files) {
-                file.close();
-            }
+    private static void requireOtherFiles(Path campaign, List<Path> targets) throws UsageException, IOException {
+        if (LinkResolver.findConflict(new CampaignFolder(campaign).files(), targets)
+                .isPresent()) {
+            throw new UsageException("--out or --table is a file of the campaign itself; expected another file");
         }
     }
 }

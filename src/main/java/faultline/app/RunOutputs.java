@@ -6,7 +6,7 @@ import faultline.engine.Journal;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.engine.metrics.TraceWriter;
-import faultline.io.AtomicFile;
+import faultline.io.AtomicFileGroup;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.PngImage;
 import faultline.paint.export.RenderRequest;
@@ -45,32 +45,33 @@ final class RunOutputs implements AutoCloseable {
         }
     }
 
-    private final Map<Output, AtomicFile> files = new EnumMap<>(Output.class);
+    private final RunOptions options;
+    private final String scenarioHash;
+    private final AtomicFileGroup files = new AtomicFileGroup();
+    private final Map<Output, OutputStream> streams = new EnumMap<>(Output.class);
     /** Null unless there is a trace. */
     private TraceWriter traceWriter;
     /** Null unless the trace is compressed. */
     private GZIPOutputStream traceEnd;
-
-    private final String scenarioHash;
-    private final RunOptions options;
-    private final double pace;
-    private Simulation simulation;
+    /** Null unless there is a film. */
     private FilmRecorder film;
+
+    // Set during the run, if an output needs them.
+    private Simulation simulation;
     private Frame lastFrame;
     private Journal journal;
 
     RunOutputs(RunOptions options) throws IOException {
         this.options = options;
-        pace = options.pace();
         scenarioHash = options.outputs().containsKey(Output.TRACE_HEADER)
                 ? TraceHeader.sha256(Files.readAllBytes(options.file()))
                 : "";
         try {
             for (Map.Entry<Output, Path> output : options.outputs().entrySet()) {
-                files.put(output.getKey(), AtomicFile.create(output.getValue()));
+                streams.put(output.getKey(), files.create(output.getValue()).stream());
             }
         } catch (IOException e) {
-            close();
+            files.close();
             throw e;
         }
     }
@@ -78,34 +79,34 @@ final class RunOutputs implements AutoCloseable {
     /** Returns the observers that must be called after every tick. */
     List<TickObserver> observers() throws IOException {
         List<TickObserver> observers = new ArrayList<>();
-        if (files.containsKey(Output.TRACE)) {
-            traceWriter = Double.isFinite(pace)
+        if (streams.containsKey(Output.TRACE)) {
+            traceWriter = Double.isFinite(options.pace())
                     ? new TraceWriter(traceStream(), options.traceFormat(), MAX_PACED_ROWS)
                     : new TraceWriter(traceStream(), options.traceFormat());
             observers.add(traceWriter);
         }
-        if (files.containsKey(Output.TRACE_HEADER)) {
+        if (streams.containsKey(Output.TRACE_HEADER)) {
             observers.add(traced -> simulation = traced);
         }
-        if (files.containsKey(Output.FILM)) {
-            film = new FilmRecorder(files.get(Output.FILM).stream());
+        if (streams.containsKey(Output.FILM)) {
+            film = new FilmRecorder(streams.get(Output.FILM));
             observers.add(film);
         }
-        if (!files.containsKey(Output.FILM) && !files.containsKey(Output.IMAGE)) {
+        if (!streams.containsKey(Output.FILM) && !streams.containsKey(Output.IMAGE)) {
             observers.add(Simulation::stopRecordingPath);
         }
-        if (files.containsKey(Output.IMAGE) || files.containsKey(Output.JOURNAL)) {
+        if (streams.containsKey(Output.IMAGE) || streams.containsKey(Output.JOURNAL)) {
             observers.add(this::recordEnd);
         }
-        if (Double.isFinite(pace)) {
-            observers.add(new PaceKeeper(pace));
+        if (Double.isFinite(options.pace())) {
+            observers.add(new PaceKeeper(options.pace()));
         }
         return observers;
     }
 
     /** Returns where the trace goes, compressed if its file is named so. */
     private OutputStream traceStream() throws IOException {
-        OutputStream out = files.get(Output.TRACE).stream();
+        OutputStream out = streams.get(Output.TRACE);
         if (options.outputs().get(Output.TRACE).toString().endsWith(".gz")) {
             traceEnd = new FastGzip(out);
             return traceEnd;
@@ -128,21 +129,21 @@ final class RunOutputs implements AutoCloseable {
         if (traceEnd != null) {
             traceEnd.finish();
         }
-        if (files.containsKey(Output.TRACE_HEADER)) {
+        if (streams.containsKey(Output.TRACE_HEADER)) {
             String header = TraceHeader.text(scenario.name(), options, scenarioHash, simulation);
-            files.get(Output.TRACE_HEADER).stream().write(header.getBytes(StandardCharsets.UTF_8));
+            streams.get(Output.TRACE_HEADER).write(header.getBytes(StandardCharsets.UTF_8));
         }
-        if (files.containsKey(Output.IMAGE)) {
-            writeImage(files.get(Output.IMAGE).stream());
+        if (streams.containsKey(Output.IMAGE)) {
+            writeImage(streams.get(Output.IMAGE));
         }
-        if (files.containsKey(Output.JOURNAL)) {
+        if (streams.containsKey(Output.JOURNAL)) {
             Scenario replay = JournalScenario.create(scenario, journal);
-            files.get(Output.JOURNAL).stream().write(replay.toBytes());
+            streams.get(Output.JOURNAL).write(replay.toBytes());
         }
         if (film != null) {
             film.close();
         }
-        AtomicFile.commitAll(files.values());
+        files.commit();
     }
 
     /** Writes the last frame, as a drawing if its file is named so. */
@@ -161,16 +162,6 @@ final class RunOutputs implements AutoCloseable {
         if (traceWriter != null) {
             traceWriter.close();
         }
-        IOException failure = null;
-        for (AtomicFile file : files.values()) {
-            try {
-                file.close();
-            } catch (IOException e) {
-                failure = e;
-            }
-        }
-        if (failure != null) {
-            throw failure;
-        }
+        files.close();
     }
 }

@@ -1,6 +1,6 @@
 package faultline.studies.figure;
 
-import faultline.io.AtomicFile;
+import faultline.io.AtomicFileGroup;
 import faultline.io.LinkResolver;
 import faultline.paint.chart.Chart;
 import faultline.paint.export.PngImage;
@@ -13,8 +13,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
  * A folder for figures, and the appearance of the pictures. The files take their places together when all are written;
@@ -24,7 +22,7 @@ public final class FigureFolder implements AutoCloseable {
 
     private final Path path;
     private final SvgTheme appearance;
-    private final List<AtomicFile> files = new CopyOnWriteArrayList<>();
+    private final AtomicFileGroup files = new AtomicFileGroup();
 
     private FigureFolder(Path path, SvgTheme appearance) {
         this.path = path;
@@ -67,29 +65,21 @@ public final class FigureFolder implements AutoCloseable {
 
     /** Writes a bitmap. Its letters depend on the fonts of the machine, so these files may differ between machines. */
     public void writePng(String name, BufferedImage image) throws IOException {
-        PngImage.write(image, open(name + ".png").stream());
+        PngImage.write(image, files.create(target(name + ".png")).stream());
     }
 
     private void write(String name, String text) throws IOException {
-        open(name).stream().write(text.getBytes(StandardCharsets.UTF_8));
-    }
-
-    private AtomicFile open(String name) throws IOException {
-        AtomicFile file = AtomicFile.create(target(name));
-        files.add(file);
-        return file;
+        files.write(target(name), text.getBytes(StandardCharsets.UTF_8));
     }
 
     /** Moves the written files into place. */
     public void commit() throws IOException {
-        AtomicFile.commitAll(files);
+        files.commit();
     }
 
     @Override
     public void close() throws IOException {
-        for (AtomicFile file : files) {
-            file.close();
-        }
+        files.close();
     }
 
     /** Returns the path of a file, which must not be a link to another file of the folder. */

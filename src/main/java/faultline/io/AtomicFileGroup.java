@@ -1,0 +1,72 @@
+package faultline.io;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+
+/**
+ * The files that one command writes, which take their places together. If the group is closed without a commit, nothing
+ * changes. Several threads may create files at the same time.
+ */
+public final class AtomicFileGroup implements AutoCloseable {
+
+    private final List<AtomicFile> files = new CopyOnWriteArrayList<>();
+
+    /**
+     * Opens a file of this group for writing.
+     *
+     * @param file the file to create or replace
+     * @return the open file, which this group commits and closes
+     * @throws IOException if the file cannot be written, in one sentence
+     */
+    public AtomicFile create(Path file) throws IOException {
+        AtomicFile created = AtomicFile.create(file);
+        files.add(created);
+        return created;
+    }
+
+    /**
+     * Writes a file of this group.
+     *
+     * @param file the file to create or replace
+     * @param bytes the content
+     * @throws IOException if the file cannot be written, in one sentence
+     */
+    public void write(Path file, byte[] bytes) throws IOException {
+        create(file).stream().write(bytes);
+    }
+
+    /**
+     * Moves all files of this group into place, as {@link AtomicFile#commitAll} does.
+     *
+     * @throws IOException if one cannot be moved
+     */
+    public void commit() throws IOException {
+        AtomicFile.commitAll(files);
+    }
+
+    /**
+     * Closes all files, even if one of them cannot be deleted.
+     *
+     * @throws IOException if a temporary file cannot be deleted
+     */
+    @Override
+    public void close() throws IOException {
+        IOException failure = null;
+        for (AtomicFile file : files) {
+            try {
+                file.close();
+            } catch (IOException e) {
+                if (failure == null) {
+                    failure = e;
+                } else {
+                    failure.addSuppressed(e);
+                }
+            }
+        }
+        if (failure != null) {
+            throw failure;
+        }
+    }
+}
