@@ -4,6 +4,7 @@ import faultline.engine.RunFailedException;
 import faultline.external.ControllerStartException;
 import faultline.io.DidYouMean;
 import faultline.io.MessageText;
+import faultline.io.ProgramVersion;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -131,7 +132,7 @@ final class CommandLine {
             case "serve" -> new ProtocolCommands(output).serve(arguments);
             case "controller" -> new ProtocolCommands(output).controller(arguments);
             case "import" -> new ImportCommand(output).run(arguments);
-            case "--version" -> println(HelpText.version());
+            case "--version" -> println(ProgramVersion.text());
             case "--window" -> new WindowCommand(output).runWithDialogs(arguments);
             case "--startup-time" -> new WindowCommand(output).measureStartup(arguments);
             default -> throw new IllegalArgumentException("no command: " + command);

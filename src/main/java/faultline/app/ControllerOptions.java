@@ -4,6 +4,7 @@ import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
 import faultline.io.MessageText;
+import faultline.io.ProgramVersion;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
@@ -81,6 +82,10 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
     /** Returns how children are treated in the runs of a scenario. */
     ProcessControllerSource.ChildSettings childSettings(String scenario, Consumer<String> errors) {
         return new ProcessControllerSource.ChildSettings(
-                HelpText.version(), scenario, ExternalController.Timeouts.DEFAULT.withAnswer(patience), truth, errors);
+                ProgramVersion.text(),
+                scenario,
+                ExternalController.Timeouts.DEFAULT.withAnswer(patience),
+                truth,
+                errors);
     }
 }

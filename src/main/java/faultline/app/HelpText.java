@@ -2,9 +2,8 @@ package faultline.app;
 
 import faultline.io.ProgramCommand;
 import java.util.Arrays;
-import java.util.Optional;
 
-/** The output of {@code --help} and {@code --version}. */
+/** The output of {@code --help}. */
 final class HelpText {
 
     private static final String HELP =
@@ -103,11 +102,5 @@ final class HelpText {
     private static String withMeaningOfName(String help) {
         String command = ProgramCommand.text();
         return help + (command.equals("faultline") ? "" : "\n\n\"faultline\" stands for: " + command);
-    }
-
-    static String version() {
-        return "faultline "
-                + Optional.ofNullable(HelpText.class.getPackage().getImplementationVersion())
-                        .orElse("(not from a jar)");
     }
 }

@@ -3,6 +3,7 @@ package faultline.app;
 import faultline.control.ControllerSpec;
 import faultline.external.BuiltInChild;
 import faultline.external.SimulationServer;
+import faultline.io.ProgramVersion;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -24,7 +25,7 @@ final class ProtocolCommands {
         Path file = sorted.singleFile("serve");
         ControllerOptions.addJar(sorted);
         Scenario scenario = Scenario.load(file);
-        new SimulationServer(HelpText.version(), scenario.name(), sorted.has("--truth"), System.in, output.out())
+        new SimulationServer(ProgramVersion.text(), scenario.name(), sorted.has("--truth"), System.in, output.out())
                 .run(scenario.setup());
         return ExitCode.SUCCESS;
     }

@@ -7,6 +7,7 @@ import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.engine.metrics.TraceWriter;
 import faultline.io.AtomicFileGroup;
+import faultline.io.Sha256;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.PngImage;
 import faultline.paint.export.RenderRequest;
@@ -64,7 +65,7 @@ final class RunOutputs implements AutoCloseable {
     RunOutputs(RunOptions options) throws IOException {
         this.options = options;
         scenarioHash = options.outputs().containsKey(Output.TRACE_HEADER)
-                ? TraceHeader.sha256(Files.readAllBytes(options.file()))
+                ? Sha256.hex(Files.readAllBytes(options.file()))
                 : "";
         try {
             for (Map.Entry<Output, Path> output : options.outputs().entrySet()) {

@@ -4,9 +4,7 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.TraceColumn;
 import faultline.io.JsonWriter;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
+import faultline.io.ProgramVersion;
 import java.util.Locale;
 
 /** The file beside a trace of format 2: which run it is of, and what its columns mean. */
@@ -19,7 +17,7 @@ final class TraceHeader {
         SimulationSetup setup = simulation.setup();
         JsonWriter json = new JsonWriter()
                 .member("format", "faultline-trace-2")
-                .member("program", HelpText.version())
+                .member("program", ProgramVersion.text())
                 .member("scenario", name)
                 .member("scenario_file", options.file().getFileName().toString())
                 .member("scenario_sha256", scenarioHash)
@@ -37,14 +35,5 @@ final class TraceHeader {
                     .endObject();
         }
         return json.endArray().finish() + "\n";
-    }
-
-    /** Returns the SHA-256 of some bytes, in hexadecimal digits. */
-    static String sha256(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every JDK has SHA-256", e);
-        }
     }
 }

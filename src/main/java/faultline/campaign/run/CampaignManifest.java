@@ -3,14 +3,13 @@ package faultline.campaign.run;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.Column;
 import faultline.io.JsonWriter;
+import faultline.io.ProgramVersion;
+import faultline.io.Sha256;
 import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -33,12 +32,13 @@ final class CampaignManifest {
     static String text(CampaignPlan plan, Shard shard) {
         List<String> lines = new ArrayList<>();
         lines.add("  \"format\": \"faultline-campaign-1\"");
-        lines.add("  \"program\": " + JsonWriter.quoted("faultline " + version()));
+        lines.add("  \"program\": " + JsonWriter.quoted(ProgramVersion.text()));
         lines.add("  \"program_sha256\": " + JsonWriter.quoted(programHash()));
         lines.add(JAVA + JsonWriter.quoted(Runtime.version().toString()));
         lines.add("  \"name\": " + JsonWriter.quoted(plan.header().name()));
         lines.add("  \"description\": " + JsonWriter.quoted(plan.header().description()));
-        lines.add("  \"plan_sha256\": " + JsonWriter.quoted(sha256(plan.files().plan())));
+        lines.add("  \"plan_sha256\": "
+                + JsonWriter.quoted(Sha256.hex(plan.files().plan())));
         lines.add("  \"scenarios\": " + scenarios(plan.files().scenarios()));
         lines.add("  \"worlds\": " + plan.worldCount());
         lines.add("  \"seeds\": " + plan.seedCount());
@@ -70,7 +70,7 @@ final class CampaignManifest {
     private static String scenarios(Map<String, byte[]> scenarios) {
         List<String> objects = new ArrayList<>();
         scenarios.forEach((name, bytes) -> objects.add("    {\"file\": " + JsonWriter.quoted(name) + ", \"sha256\": "
-                + JsonWriter.quoted(sha256(bytes)) + "}"));
+                + JsonWriter.quoted(Sha256.hex(bytes)) + "}"));
         return array(objects);
     }
 
@@ -86,11 +86,6 @@ final class CampaignManifest {
         return objects.isEmpty() ? "[]" : "[\n" + String.join(",\n", objects) + "\n  ]";
     }
 
-    private static String version() {
-        return Optional.ofNullable(CampaignManifest.class.getPackage().getImplementationVersion())
-                .orElse("(not from a jar)");
-    }
-
     /** Returns the hash of the program's jar, empty if it does not run from one. */
     private static String programHash() {
         try {
@@ -99,17 +94,9 @@ final class CampaignManifest {
                     .getCodeSource()
                     .getLocation()
                     .toURI());
-            return Files.isRegularFile(program) ? sha256(Files.readAllBytes(program)) : "";
+            return Files.isRegularFile(program) ? Sha256.hex(Files.readAllBytes(program)) : "";
         } catch (URISyntaxException | IOException e) {
             return "";
-        }
-    }
-
-    private static String sha256(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every JDK has SHA-256", e);
         }
     }
 }

@@ -7,6 +7,7 @@ import faultline.gui.document.TaskKind;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
+import faultline.io.ProgramVersion;
 import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.Font;
@@ -134,8 +135,7 @@ public final class Dialogs {
     }
 
     private void showAbout() {
-        String version = Optional.ofNullable(Dialogs.class.getPackage().getImplementationVersion())
-                .orElse("–");
+        String version = ProgramVersion.find().orElse("–");
         Icon robot = new ImageIcon(AppIcon.images().get(AppIcon.images().size() - 1));
         JLabel name = new JLabel(Messages.get("about.name", version));
         name.setFont(name.getFont().deriveFont(Font.BOLD));
