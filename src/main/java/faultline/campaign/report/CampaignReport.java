@@ -15,7 +15,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 
 /** Makes the report of a campaign: one self-contained HTML page. */
 public final class CampaignReport {
@@ -80,7 +79,7 @@ public final class CampaignReport {
         for (Outcome outcome : Outcome.values()) {
             addOutcome(outcome.word(), rows);
         }
-        addOutcome("broken", rows);
+        addOutcome(Outcome.BROKEN, rows);
         String size = data.rows().size() + " of " + Html.count(plan.runCount(), "run") + ": "
                 + Html.count(plan.worldCount(), "world") + ", " + Html.count(plan.seedCount(), "seed") + " each, "
                 + Html.count(plan.cellCount(), "combination") + " in each. ";
@@ -125,7 +124,7 @@ public final class CampaignReport {
     /** Returns the runs that have a separate scenario file; none in an unfinished campaign. */
     private String worstRuns() {
         List<RunRow> worst = data.rows().stream()
-                .filter(row -> !row.text("outcome").equals("broken"))
+                .filter(row -> Outcome.ofWord(row.text("outcome")).isPresent())
                 .sorted(Comparator.comparing(CampaignReport::rank)
                         .thenComparing(row -> row.number("wall_share").orElse(0)))
                 .limit(WORST)
@@ -142,7 +141,7 @@ public final class CampaignReport {
     }
 
     private static int rank(RunRow row) {
-        return Outcome.valueOf(row.text("outcome").toUpperCase(Locale.ROOT)).ordinal();
+        return Outcome.ofWord(row.text("outcome")).orElseThrow().ordinal();
     }
 
     private List<String> worstRow(RunRow row) {

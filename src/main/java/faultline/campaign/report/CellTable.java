@@ -52,7 +52,7 @@ final class CellTable {
                 .filter(outcome -> outcome != Outcome.CARRIED_ON)
                 .forEach(outcome -> header.add(outcome.word()));
         header.addAll(List.of(
-                "broken",
+                Outcome.BROKEN,
                 "detected",
                 "delay_median_s",
                 "delay_90_s",
@@ -151,7 +151,7 @@ final class CellTable {
                 cells.add(count(rows, outcome.word()));
             }
         }
-        cells.add(count(rows, "broken"));
+        cells.add(count(rows, Outcome.BROKEN));
         cells.add(Integer.toString(RunData.values(rows, FaultSections.DELAY).length));
         cells.add(quantile(rows, FaultSections.DELAY, 0.5));
         cells.add(quantile(rows, FaultSections.DELAY, 0.9));

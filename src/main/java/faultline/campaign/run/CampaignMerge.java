@@ -153,7 +153,7 @@ public final class CampaignMerge {
         }
 
         private static boolean isBroken(List<String> cells, int outcome) {
-            return outcome < cells.size() && cells.get(outcome).equals("broken");
+            return outcome < cells.size() && cells.get(outcome).equals(Outcome.BROKEN);
         }
 
         private void write(String line) throws IOException {

@@ -2,7 +2,9 @@ package faultline.campaign.run;
 
 import faultline.engine.metrics.CarryOnMetrics;
 import faultline.engine.metrics.RunResult;
+import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 
 /** The outcomes of a run, from the worst to the best. */
 public enum Outcome {
@@ -16,6 +18,9 @@ public enum Outcome {
     UNDECIDED,
     /** The robot touched nothing and passed enough of its wall in time. */
     CARRIED_ON;
+
+    /** The word in {@code runs.csv} for a run that failed, which has no outcome. */
+    public static final String BROKEN = "broken";
 
     /** The speed below which wheels are at rest, metres per second. */
     private static final double REST_SPEED = 1e-3;
@@ -38,5 +43,16 @@ public enum Outcome {
     /** {@return the word in {@code runs.csv}} */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * {@return the outcome of a word in {@code runs.csv}; empty for {@link #BROKEN} and for any other text}
+     *
+     * @param word the text of a cell
+     */
+    public static Optional<Outcome> ofWord(String word) {
+        return Arrays.stream(values())
+                .filter(outcome -> outcome.word().equals(word))
+                .findFirst();
     }
 }

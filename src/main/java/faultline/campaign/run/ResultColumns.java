@@ -167,7 +167,7 @@ public final class ResultColumns {
     /** Returns the row of a failed run. */
     static String brokenRow(PlannedRun run, String failure) {
         List<String> cells = leadingCells(run);
-        cells.add("broken");
+        cells.add(Outcome.BROKEN);
         RESULTS.stream().skip(2).forEach(column -> cells.add(""));
         cells.add(failure.substring(0, Math.min(failure.length(), FAILURE_LENGTH)));
         return Csv.row(cells);

@@ -1,7 +1,6 @@
 package faultline.campaign.run;
 
 import faultline.io.MessageText;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -10,7 +9,6 @@ import java.util.function.UnaryOperator;
 /** Checks a row of {@code runs.csv}, which people and other programs may have changed. */
 public final class RowCheck {
 
-    private static final String BROKEN = "broken";
     private static final Set<String> FLAGS = Set.of("", "0", "1");
 
     private RowCheck() {}
@@ -25,9 +23,8 @@ public final class RowCheck {
         if (!cell.apply("run").matches("\\d{1,18}")) {
             return problem("run", cell, "a whole number");
         }
-        if (!outcome.equals(BROKEN)
-                && Arrays.stream(Outcome.values())
-                        .noneMatch(known -> known.word().equals(outcome))) {
+        boolean broken = outcome.equals(Outcome.BROKEN);
+        if (!broken && Outcome.ofWord(outcome).isEmpty()) {
             return problem("outcome", cell, "an outcome");
         }
         for (String column : List.of("carried_on", "collided")) {
@@ -39,7 +36,7 @@ public final class RowCheck {
         if (!isNumber(cell.apply("wall_share")) && !cell.apply("wall_share").isEmpty()) {
             return problem("wall_share", cell, "a number or nothing");
         }
-        if (!isNumber(cell.apply("simulated_s")) && !outcome.equals(BROKEN)) {
+        if (!isNumber(cell.apply("simulated_s")) && !broken) {
             return problem("simulated_s", cell, "a number");
         }
         return Optional.empty();

@@ -70,7 +70,7 @@ final class RunTable implements Closeable {
                         || RowCheck.findProblem(names, cells).isPresent()) {
                     return length;
                 }
-                broken += cells.get(outcome).equals("broken") ? 1 : 0;
+                broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
                 length += in.length();
                 next++;
             }

@@ -84,10 +84,8 @@ public final class WorstRuns {
             for (String line = in.readLine(); line != null; line = in.readLine()) {
                 List<String> cells = Csv.cells(line);
                 requireGood(header, cells);
-                String outcome = cells.get(header.indexOf("outcome"));
-                if (!outcome.equals("broken")) {
-                    worst.add(candidate(cells, header, outcome));
-                }
+                Outcome.ofWord(cells.get(header.indexOf("outcome")))
+                        .ifPresent(outcome -> worst.add(candidate(cells, header, outcome)));
                 if (worst.size() > COUNT) {
                     worst.poll();
                 }
@@ -105,11 +103,11 @@ public final class WorstRuns {
         }
     }
 
-    private static Candidate candidate(List<String> cells, List<String> header, String outcome) {
+    private static Candidate candidate(List<String> cells, List<String> header, Outcome outcome) {
         String share = cells.get(header.indexOf("wall_share"));
         return new Candidate(
                 Long.parseLong(cells.get(0)),
-                Outcome.valueOf(outcome.toUpperCase(Locale.ROOT)),
+                outcome,
                 share.isEmpty() ? 0 : Double.parseDouble(share),
                 Double.parseDouble(cells.get(header.indexOf("simulated_s"))));
     }
