@@ -3,13 +3,13 @@ package faultline.campaign.report;
 import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.Column;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Function;
 
 /** Compares the levels of one factor on the same worlds, seeds, draws and levels of all other factors. */
 final class Comparison {
@@ -25,6 +25,19 @@ final class Comparison {
 
     /** A difference with its interval and the number of pairs behind it. */
     record Difference(double value, Interval interval, int pairs) {}
+
+    /** Two runs that differ in the compared factor only. */
+    private record Pair(RunRow first, RunRow second) {
+
+        boolean hasVerdicts() {
+            return first.carriedOn().isPresent() && second.carriedOn().isPresent();
+        }
+
+        /** Returns 1 if the robot carries on in the second run only, -1 if in the first only, otherwise 0. */
+        double gain() {
+            return second.carriedOn().getAsInt() - first.carriedOn().getAsInt();
+        }
+    }
 
     Comparison(RunData data, FactorSummary factor) {
         this.data = data;
@@ -52,29 +65,28 @@ final class Comparison {
         return key.toString();
     }
 
-    private List<RunRow[]> pairs(List<RunRow> first, List<RunRow> second) {
+    private List<Pair> pairs(List<RunRow> first, List<RunRow> second) {
         Map<String, RunRow> partners = new HashMap<>();
         first.forEach(row -> partners.put(pairKey(row), row));
-        List<RunRow[]> pairs = new ArrayList<>();
+        List<Pair> pairs = new ArrayList<>();
         for (RunRow row : second) {
-            Optional.ofNullable(partners.get(pairKey(row)))
-                    .ifPresent(partner -> pairs.add(new RunRow[] {partner, row}));
+            Optional.ofNullable(partners.get(pairKey(row))).ifPresent(partner -> pairs.add(new Pair(partner, row)));
         }
         return pairs;
     }
 
     /** Returns the difference between the shares of the second and the first runs in which the robot carries on. */
     Optional<Difference> survival(List<RunRow> first, List<RunRow> second) {
-        List<RunRow[]> pairs = pairs(first, second).stream()
-                .filter(pair ->
-                        pair[0].carriedOn().isPresent() && pair[1].carriedOn().isPresent())
-                .toList();
+        List<Pair> pairs =
+                pairs(first, second).stream().filter(Pair::hasVerdicts).toList();
         if (pairs.isEmpty()) {
             return Optional.empty();
         }
         double[] counts = new double[4];
-        for (RunRow[] pair : pairs) {
-            counts[2 * pair[1].carriedOn().getAsInt() + pair[0].carriedOn().getAsInt()]++;
+        for (Pair pair : pairs) {
+            counts[
+                    2 * pair.second.carriedOn().getAsInt()
+                            + pair.first.carriedOn().getAsInt()]++;
         }
         double worth = 1 / designEffect(pairs);
         Interval interval =
@@ -82,32 +94,27 @@ final class Comparison {
         return Optional.of(new Difference((counts[2] - counts[1]) / pairs.size(), interval, pairs.size()));
     }
 
-    private static double designEffect(List<RunRow[]> pairs) {
-        double mean = pairs.stream().mapToDouble(Comparison::gain).average().orElse(0);
+    private static double designEffect(List<Pair> pairs) {
+        double mean = pairs.stream().mapToDouble(Pair::gain).average().orElse(0);
         double squares = 0;
         Map<String, Double> sums = new LinkedHashMap<>();
-        for (RunRow[] pair : pairs) {
-            double deviation = gain(pair) - mean;
+        for (Pair pair : pairs) {
+            double deviation = pair.gain() - mean;
             squares += deviation * deviation;
-            sums.merge(pair[0].cluster(), deviation, Double::sum);
+            sums.merge(pair.first.cluster(), deviation, Double::sum);
         }
         return Survival.designEffect(pairs.size(), sums, squares);
     }
 
-    private static double gain(RunRow[] pair) {
-        return pair[1].carriedOn().getAsInt() - pair[0].carriedOn().getAsInt();
-    }
-
     /** Returns the mean difference of a number, by Student's t over the means of the worlds. */
     Optional<Difference> number(List<RunRow> first, List<RunRow> second, String metric) {
-        Function<RunRow, OptionalDouble> value = row -> row.number(metric);
         Map<String, List<Double>> clusters = new LinkedHashMap<>();
         int pairs = 0;
-        for (RunRow[] pair : pairs(first, second)) {
-            OptionalDouble a = value.apply(pair[0]);
-            OptionalDouble b = value.apply(pair[1]);
+        for (Pair pair : pairs(first, second)) {
+            OptionalDouble a = pair.first.number(metric);
+            OptionalDouble b = pair.second.number(metric);
             if (a.isPresent() && b.isPresent()) {
-                clusters.computeIfAbsent(pair[0].cluster(), key -> new ArrayList<>())
+                clusters.computeIfAbsent(pair.first.cluster(), key -> new ArrayList<>())
                         .add(b.getAsDouble() - a.getAsDouble());
                 pairs++;
             }
@@ -119,9 +126,8 @@ final class Comparison {
                 .mapToDouble(list ->
                         list.stream().mapToDouble(Double::doubleValue).average().orElse(0))
                 .toArray();
-        double mean = java.util.Arrays.stream(means).average().orElse(0);
-        double squares =
-                java.util.Arrays.stream(means).map(x -> (x - mean) * (x - mean)).sum();
+        double mean = Arrays.stream(means).average().orElse(0);
+        double squares = Arrays.stream(means).map(x -> (x - mean) * (x - mean)).sum();
         double deviation = means.length < 2 ? 0 : Math.sqrt(squares / (means.length - 1));
         return Optional.of(new Difference(mean, Interval.mean(mean, deviation, means.length), pairs));
     }

@@ -70,7 +70,7 @@ enum Metric {
         return Interval.mean(mean, Math.sqrt(squares / Math.max(1, values.length - 1)), values.length);
     }
 
-    /** Returns the mean of some values with its interval, if there are at least two, and their range. */
+    /** Returns the mean of some values, with its interval if there are at least two; "none" if there are none. */
     String summary(double[] values) {
         if (values.length == 0) {
             return "none";
