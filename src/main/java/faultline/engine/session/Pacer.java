@@ -1,6 +1,7 @@
 package faultline.engine.session;
 
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongSupplier;
 
 /**
  * Determines how long to wait after a tick, and measures the speed of the run. It is the only class that reads a clock
@@ -19,6 +20,7 @@ public final class Pacer {
     /** The window of {@link #achievedSpeed()}, nanoseconds. */
     private static final long WINDOW = 500_000_000;
 
+    private final LongSupplier clock;
     private double speed = 1;
     private double dueNanos;
     private long start;
@@ -28,12 +30,18 @@ public final class Pacer {
 
     /** Creates a pacer at real time, which starts measuring now. */
     public Pacer() {
+        this(System::nanoTime);
+    }
+
+    /** Creates a pacer with a clock, which returns nanoseconds from any moment on. */
+    Pacer(LongSupplier clock) {
+        this.clock = clock;
         restart();
     }
 
     /** Starts measuring from now. */
     void restart() {
-        start = System.nanoTime();
+        start = clock.getAsLong();
         dueNanos = 0;
         windowStart = start;
         windowSeconds = 0;
@@ -64,7 +72,7 @@ public final class Pacer {
     public void tickCompleted(double dt) {
         dueNanos += dt / speed * NANOS_PER_SECOND;
         windowSeconds += dt;
-        long now = System.nanoTime();
+        long now = clock.getAsLong();
         if (now - windowStart >= WINDOW) {
             achievedSpeed = windowSeconds / ((now - windowStart) / NANOS_PER_SECOND);
             windowStart = now;
@@ -79,10 +87,10 @@ public final class Pacer {
 
     /** {@return the time until the next tick is due, nanoseconds; not positive if it is due} */
     public long nanosToWait() {
-        long passed = System.nanoTime() - start;
+        long passed = clock.getAsLong() - start;
         long wait = (long) dueNanos - passed;
         if (wait < -MAX_DEBT) {
-            start = System.nanoTime();
+            start = clock.getAsLong();
             dueNanos = 0;
         }
         return wait;
