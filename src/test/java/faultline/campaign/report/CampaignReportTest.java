@@ -19,6 +19,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -140,6 +141,16 @@ class CampaignReportTest {
                 List.of("0.00187", "-0.0000971", "0.751", "12.3", "0", "&ndash;"),
                 DoubleStream.of(0.001871, -0.00009714, 0.7513, 12.34, 0, Double.NaN)
                         .mapToObj(Html::number)
+                        .toList());
+    }
+
+    /** Otherwise 199 of 200 would look like all. */
+    @Test
+    void aShareBetweenNinetyAndAHundredPerCentHasADecimal() {
+        assertEquals(
+                List.of("0", "13", "90", "90.1", "99.9", "100"),
+                DoubleStream.of(0, 0.125, 0.9, 0.901, 0.999, 1)
+                        .mapToObj(share -> Html.percent(share).replace("&thinsp;%", ""))
                         .toList());
     }
 
@@ -272,7 +283,7 @@ class CampaignReportTest {
     }
 
     private static List<String> headings(String html) {
-        return java.util.regex.Pattern.compile("<h2>(.*?)</h2>")
+        return Pattern.compile("<h2>(.*?)</h2>")
                 .matcher(html)
                 .results()
                 .map(found -> found.group(1))

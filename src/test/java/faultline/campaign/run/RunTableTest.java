@@ -59,6 +59,16 @@ class RunTableTest {
     }
 
     @Test
+    void ofARunThatIsInTheTableOfTimesTwiceOnlyTheFirstRowIsKept() throws IOException {
+        Files.writeString(folder.resolve("runs.csv"), HEADER + "0,lost,,1\n1,lost,,1\n");
+        Path timing = folder.resolve("timing.csv");
+        String good = "run,wall_s,ticks,ticks_per_s\n0,0.5,100,200\n";
+        Files.writeString(timing, good + "0,0.5,100,200\n1,0.5,100,200\n");
+        new RunTable(new CampaignFolder(folder), HEADER, 0, 2).close();
+        assertEquals(good, Files.readString(timing));
+    }
+
+    @Test
     void rowsThatWereFlushedAreThereWithoutAClose() throws IOException {
         try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 1)) {
             table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));

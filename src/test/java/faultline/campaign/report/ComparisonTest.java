@@ -1,0 +1,167 @@
+package faultline.campaign.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.SamplePlan;
+import faultline.scenario.xml.ScenarioException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class ComparisonTest {
+
+    private static final String PLAN =
+            """
+            <worlds><scenario file="a.xml"/><scenario file="b.xml"/><scenario file="c.xml"/></worlds>
+            <seeds count="2"/>
+            <set attribute="robot/@speed" value="0.2 0.3" name="speed"/>
+            <faults><fault kind="off" sensor="front" at="1"/></faults>
+            """;
+
+    private static final String SLOW = "0.2";
+    private static final String FAST = "0.3";
+
+    private CampaignPlan plan;
+    private final List<List<String>> lines = new ArrayList<>();
+
+    @BeforeEach
+    void readThePlan() throws ScenarioException {
+        plan = SamplePlan.read(SamplePlan.text("", PLAN));
+        List<String> header = new ArrayList<>(List.of("run", "block", "world", "carried_on", "coverage"));
+        plan.factorColumns().forEach(column -> header.add(column.name()));
+        lines.add(header);
+    }
+
+    private void addRun(int block, String world, String speed, String sensor, String carriedOn, double coverage) {
+        List<String> cells = new ArrayList<>(Collections.nCopies(lines.get(0).size(), ""));
+        set(cells, "run", Integer.toString(lines.size() - 1));
+        set(cells, "block", Integer.toString(block));
+        set(cells, "world", world);
+        set(cells, "speed", speed);
+        set(cells, "fault_kind", "off");
+        set(cells, "fault_sensor", sensor);
+        set(cells, "carried_on", carriedOn);
+        set(cells, "coverage", Double.toString(coverage));
+        lines.add(cells);
+    }
+
+    private void set(List<String> cells, String column, String text) {
+        cells.set(lines.get(0).indexOf(column), text);
+    }
+
+    /** Adds a run at either speed, with the coverage of each. */
+    private void addPair(int block, String world, double slow, double fast) {
+        addRun(block, world, SLOW, "front", "0", slow);
+        addRun(block, world, FAST, "front", "1", fast);
+    }
+
+    private Comparison comparison() {
+        return new Comparison(new RunData(plan, lines), plan.factors().get(0));
+    }
+
+    private Optional<Comparison.Difference> numberDifference() {
+        Comparison speeds = comparison();
+        List<RunRow> all = speeds.faultGroups().get("all runs");
+        return speeds.number(
+                speeds.levels(all).getOrDefault(SLOW, List.of()),
+                speeds.levels(all).getOrDefault(FAST, List.of()),
+                "coverage");
+    }
+
+    private Optional<Comparison.Difference> survivalDifference() {
+        Comparison speeds = comparison();
+        List<RunRow> all = speeds.faultGroups().get("all runs");
+        return speeds.survival(speeds.levels(all).get(SLOW), speeds.levels(all).get(FAST));
+    }
+
+    /** The means of the worlds are 0.2, 0.3 and 0.4, and the 0.975 quantile of Student's t for them is 4.302653. */
+    @Test
+    void theIntervalOfADifferenceComesFromTheMeansOfTheWorlds() {
+        addPair(0, "a", 0.5, 0.6);
+        addPair(1, "a", 0.5, 0.8);
+        addPair(2, "b", 0.4, 0.7);
+        addPair(3, "b", 0.3, 0.6);
+        addPair(4, "c", 0.1, 0.5);
+        addPair(5, "c", 0.2, 0.6);
+        Comparison.Difference difference = numberDifference().orElseThrow();
+        assertEquals(0.3, difference.value(), 1e-12);
+        assertEquals(6, difference.pairs());
+        double half = 4.302653 * 0.1 / Math.sqrt(3);
+        assertEquals(0.3 - half, difference.interval().low(), 1e-6);
+        assertEquals(0.3 + half, difference.interval().high(), 1e-6);
+    }
+
+    @Test
+    void aRunWithoutAPartnerDoesNotCount() {
+        addPair(0, "a", 0.5, 0.6);
+        addRun(1, "a", FAST, "front", "1", 0.9);
+        addRun(0, "a", FAST, "left", "1", 0.9);
+        assertEquals(1, numberDifference().orElseThrow().pairs());
+    }
+
+    @Test
+    void withoutPairsThereIsNoDifference() {
+        addRun(0, "a", FAST, "front", "1", 0.9);
+        assertEquals(Optional.empty(), numberDifference());
+    }
+
+    @Test
+    void theDifferenceOfSharesIsThatOfTheSecondFromTheFirst() {
+        addPair(0, "a", 0, 0);
+        addPair(1, "a", 0, 0);
+        addPair(2, "b", 0, 0);
+        addRun(3, "b", SLOW, "front", "1", 0);
+        addRun(3, "b", FAST, "front", "0", 0);
+        assertEquals(0.5, survivalDifference().orElseThrow().value());
+        assertEquals(4, survivalDifference().orElseThrow().pairs());
+    }
+
+    @Test
+    void aPairWithAnUndecidedRunIsInNoShare() {
+        addPair(0, "a", 0, 0);
+        addRun(1, "a", SLOW, "front", "1", 0);
+        addRun(1, "a", FAST, "front", "", 0);
+        assertEquals(1, survivalDifference().orElseThrow().pairs());
+    }
+
+    /** Adds two pairs of runs in each of three worlds; the second runs carry on, and so do some of the first ones. */
+    private double intervalWidth(String... firstRuns) {
+        lines.subList(1, lines.size()).clear();
+        for (int block = 0; block < firstRuns.length; block++) {
+            String world = "abc".substring(block / 2, block / 2 + 1);
+            addRun(block, world, SLOW, "front", firstRuns[block], 0);
+            addRun(block, world, FAST, "front", "1", 0);
+        }
+        Interval interval = survivalDifference().orElseThrow().interval();
+        return interval.high() - interval.low();
+    }
+
+    @Test
+    void runsOfAWorldThatAreAlikeMakeTheIntervalWider() {
+        assertTrue(intervalWidth("0", "0", "1", "1", "1", "1") > 1.1 * intervalWidth("0", "1", "0", "1", "1", "1"));
+    }
+
+    private List<String> groups(int sensors) {
+        IntStream.range(0, sensors).forEach(sensor -> addRun(sensor, "a", SLOW, "s" + sensor, "1", 0));
+        return List.copyOf(comparison().faultGroups().keySet());
+    }
+
+    @Test
+    void upToFortyFaultsAreGroupsOfTheirOwn() {
+        Stream<String> faults = IntStream.range(0, 40).mapToObj(sensor -> "s" + sensor + " off");
+        assertEquals(Stream.concat(Stream.of("all runs"), faults).toList(), groups(40));
+    }
+
+    @Test
+    void moreThanFortyFaultsAreGroupedByFaultAndBySensor() {
+        Stream<String> sensors = IntStream.range(0, 41).mapToObj(sensor -> "s" + sensor);
+        assertEquals(Stream.concat(Stream.of("all runs", "off"), sensors).toList(), groups(41));
+    }
+}

@@ -1,0 +1,67 @@
+package faultline.campaign.report;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.SamplePlan;
+import faultline.scenario.xml.ScenarioException;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** The sets of sensors with which the robot carries on. */
+class SensorSetsTest {
+
+    private CampaignPlan plan;
+    private final List<List<String>> lines = new ArrayList<>();
+
+    @BeforeEach
+    void readThePlan() throws ScenarioException {
+        plan = SamplePlan.read(SamplePlan.text(
+                "", "<worlds><scenario file=\"a.xml\"/></worlds><seeds count=\"20\"/><masks sensors=\"front left\"/>"));
+        lines.add(List.of("run", "block", "world", plan.factorColumns().get(0).name(), "carried_on"));
+    }
+
+    /** Adds runs with a set, in some of which the robot carries on. */
+    private void addRuns(String set, int successes, int runs) {
+        for (int i = 0; i < runs; i++) {
+            lines.add(List.of(
+                    Integer.toString(lines.size() - 1), Integer.toString(i), "a", set, i < successes ? "1" : "0"));
+        }
+    }
+
+    private String section() {
+        return new FaultSections(new RunData(plan, lines)).sensorSets();
+    }
+
+    private static String row(String set) {
+        return "<th scope=\"row\">" + set + "</th>";
+    }
+
+    @Test
+    void aSufficientSetIsMinimalIfNoSmallerOneInsideItIs() {
+        addRuns("none", 0, 20);
+        addRuns("front", 20, 20);
+        addRuns("left", 0, 20);
+        addRuns("front left", 20, 20);
+        assertTrue(section().contains(row("front")), section());
+        assertFalse(section().contains(row("front left")), section());
+        assertTrue(section().contains(" 2 of 4 sets are sufficient."), section());
+    }
+
+    @Test
+    void aSetIsSufficientFromEightyFivePerCentOn() {
+        addRuns("front", 17, 20);
+        addRuns("left", 16, 20);
+        assertTrue(section().contains(row("front")), section());
+        assertFalse(section().contains(row("left")), section());
+    }
+
+    @Test
+    void withoutASufficientSetTheReportSaysSo() {
+        addRuns("none", 0, 20);
+        assertTrue(section().contains("No set is sufficient."), section());
+    }
+}
