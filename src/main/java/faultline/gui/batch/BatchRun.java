@@ -43,7 +43,8 @@ final class BatchRun {
     private volatile CampaignPlan plan;
     private volatile List<CampaignCell> cells = List.of();
     private volatile Completion completion = new Completion(0, 0, 0);
-    private long nextCells;
+    /** The time at which the cells are computed next, on the clock of {@link System#nanoTime}. */
+    private long nextCells = System.nanoTime();
 
     /**
      * The number of runs in the table, the total number, 0 while it is unknown, and the seconds since the first run
@@ -147,7 +148,7 @@ final class BatchRun {
         public void update(long made, long runs) {
             long now = System.nanoTime();
             completion = new Completion(made, runs, (now - start) / 1e9);
-            if (now >= nextCells) {
+            if (now - nextCells >= 0) {
                 cells = computeCells();
                 long end = System.nanoTime();
                 nextCells = end + Math.max(CELL_INTERVAL, CELL_COST_FACTOR * (end - now));

@@ -77,6 +77,35 @@ class BatchRunTest {
     }
 
     @Test
+    void theTimeLeftIsThatOfTheRunsThatAreMissing() {
+        assertEquals(16, new BatchRun.Completion(2, 10, 4).secondsLeft());
+        assertEquals(0, new BatchRun.Completion(10, 10, 4).secondsLeft());
+        assertTrue(Double.isNaN(new BatchRun.Completion(0, 10, 4).secondsLeft()));
+    }
+
+    private static List<List<String>> labels(List<BatchPlan.FaultValues> faults, List<String> sensors)
+            throws Exception {
+        BatchRun run = new BatchRun(
+                new BatchPlan(editedYard(), 31, 1, 1, false, DiagnosisChoice.OFF, false, faults, "0.5", sensors), 1);
+        run.make();
+        run.delete();
+        return run.cells().stream().map(CampaignCell::labels).toList();
+    }
+
+    @Test
+    void aSumIsListedOnlyIfItIsOverSeveralFaultsOrSensors() throws Exception {
+        BatchPlan.FaultValues off = new BatchPlan.FaultValues("off", "");
+        BatchPlan.FaultValues stuck = new BatchPlan.FaultValues("stuck", "0.3");
+        assertEquals(List.of(List.of("off", "front")), labels(List.of(off), List.of("front")));
+        assertEquals(
+                List.of(List.of("off", "front"), List.of("stuck", "front"), List.of("all", "front")),
+                labels(List.of(off, stuck), List.of("front")));
+        assertEquals(
+                List.of(List.of("off", "front"), List.of("off", "left"), List.of("off", "all")),
+                labels(List.of(off), List.of("front", "left")));
+    }
+
+    @Test
     void aSecondPlanReplacesNoOtherScenario() throws Exception {
         BatchPlan plan = plan(DiagnosisChoice.SCENARIO, 5);
         Path other = Files.writeString(folder.resolve("study-scenario.xml"), "mine");
