@@ -3,6 +3,7 @@ package faultline.external;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.Telemetry;
+import faultline.robot.RobotSpec;
 import org.junit.jupiter.api.Test;
 
 /** The states of an external controller, as they are shown. */
@@ -17,6 +18,15 @@ class DriveTelemetryTest {
         assertEquals("A", last.state().name());
         assertEquals(2, last.sinceTick());
         assertEquals(1, last.transitions());
+    }
+
+    @Test
+    void aLongStateOrReasonIsCutAfter200Characters() throws ProtocolException {
+        MessageReader message = MessageReader.of("{\"left_v\":1,\"right_v\":2,\"state\":\"" + "s".repeat(201)
+                + "\",\"why\":\"" + "w".repeat(200) + "\"}");
+        assertEquals(
+                new DriveMessage(1, 2, "s".repeat(200), "w".repeat(200)),
+                DriveMessage.read(message, RobotSpec.DEFAULT));
     }
 
     private static Telemetry decide(DriveTelemetry states, String state, long tick) {

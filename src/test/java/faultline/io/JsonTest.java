@@ -89,6 +89,16 @@ class JsonTest {
     }
 
     @Test
+    void valuesAreNestedUpTo64Deep() throws JsonException {
+        assertEquals(1, ((List<?>) JsonParser.parse("[".repeat(64) + "]".repeat(64))).size());
+        assertEquals(
+                "values are nested more than 64 deep at character 66",
+                assertThrows(JsonException.class, () -> JsonParser.parse("[".repeat(65) + "]".repeat(65)))
+                        .getMessage());
+        assertEquals(2, ((List<?>) JsonParser.parse("[{\"a\":[" + "[],{},".repeat(65) + "[]]},0]")).size());
+    }
+
+    @Test
     void deepNestingIsRefusedAndNotOverflowing() {
         String deep = "[".repeat(100_000);
         assertThrows(JsonException.class, () -> JsonParser.parse(deep));

@@ -2,6 +2,7 @@ package faultline.gui.timeline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.sensor.Fault;
@@ -71,6 +72,44 @@ class LaneLayoutTest {
             assertEquals(expected[i], lanes.laneAt(TOP + (i - 0.5) * ROW));
         }
         assertEquals(new LaneLayout.ItemHit(1, LaneLayout.ItemPart.BODY), lanes.hit(80 + 150, TOP + 2.5 * ROW));
+    }
+
+    private static LaneLayout.ItemPart partAt(double x, LaneLayout lanes) {
+        LaneLayout.ItemHit hit = lanes.hit(x, TOP + 1.5 * ROW);
+        return hit == null ? null : hit.part();
+    }
+
+    @Test
+    void anIntervalIsTakenAtItsEndsWithinFivePixels() {
+        // The bar is at 180 to 280.
+        LaneLayout lanes = layout(item("left", 10, 20));
+        assertNull(partAt(174, lanes));
+        assertEquals(LaneLayout.ItemPart.START, partAt(175, lanes));
+        assertEquals(LaneLayout.ItemPart.START, partAt(185, lanes));
+        assertEquals(LaneLayout.ItemPart.BODY, partAt(186, lanes));
+        assertEquals(LaneLayout.ItemPart.BODY, partAt(274, lanes));
+        assertEquals(LaneLayout.ItemPart.END, partAt(275, lanes));
+        assertEquals(LaneLayout.ItemPart.END, partAt(285, lanes));
+        assertNull(partAt(286, lanes));
+    }
+
+    @Test
+    void theMiddleThirdOfAShortIntervalIsItsBody() {
+        // The bar is at 180 to 189.
+        LaneLayout lanes = layout(item("left", 10, 10.9));
+        assertEquals(LaneLayout.ItemPart.START, partAt(182, lanes));
+        assertEquals(LaneLayout.ItemPart.BODY, partAt(184.5, lanes));
+        assertEquals(LaneLayout.ItemPart.END, partAt(187, lanes));
+    }
+
+    @Test
+    void anItemThatFindsAllRowsTakenLiesInTheOneThatIsFreeNext() {
+        double[] ends = {40, 40, 40, 20, 40, 30, 40, 40};
+        TimelineItem[] items = IntStream.rangeClosed(0, ends.length)
+                .mapToObj(i -> item("front", i, i < ends.length ? ends[i] : 40))
+                .toArray(TimelineItem[]::new);
+        LaneLayout lanes = layout(items);
+        assertEquals(lanes.bounds(3).getY(), lanes.bounds(8).getY());
     }
 
     @Test
