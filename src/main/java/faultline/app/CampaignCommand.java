@@ -47,7 +47,8 @@ final class CampaignCommand {
         Thread hook = new Thread(() -> cancel(cancelled, ended));
         Runtime.getRuntime().addShutdownHook(hook);
         TerminalProgress progress = TerminalProgress.on(output.err());
-        try {
+        ExitGuard guard = ExitGuard.start(output);
+        try (guard) {
             CampaignRunner.RunCounts result = runner.run(resume, progress::update, cancelled::get);
             progress.end();
             return report(result, folder);

@@ -177,8 +177,11 @@ final class CompareCommand {
 
     private RunResult runOnce(
             String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver end) {
-        try (ProcessControllerSource source =
-                new ProcessControllerSource(choice, options.childSettings(scenario, output::printError)).keepOpen()) {
+        ExitGuard guard = ExitGuard.start(output);
+        try (guard;
+                ProcessControllerSource source = new ProcessControllerSource(
+                                choice, options.childSettings(scenario, output::printError))
+                        .keepOpen()) {
             SimulationSetup chosen = ControllerChoice.apply(choice, setup, source);
             if (!ControllerChoice.isCommand(choice)) {
                 return HeadlessRun.run(chosen, ControllerMode.DIRECT, List.of(end));

@@ -62,9 +62,12 @@ final class RunCommand {
     }
 
     private RunResult runOnce(Scenario scenario, RunOptions options, RunOutputs outputs) throws IOException {
-        return options.controller().isPresent()
-                ? runChosen(options.controller().get(), scenario, options, outputs)
-                : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+        ExitGuard guard = ExitGuard.start(output);
+        try (guard) {
+            return options.controller().isPresent()
+                    ? runChosen(options.controller().get(), scenario, options, outputs)
+                    : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+        }
     }
 
     /** Throws an exception if a scenario wants a controller from outside, and none is chosen. */

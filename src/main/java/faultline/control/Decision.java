@@ -4,6 +4,7 @@ import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
+import java.util.Objects;
 
 /**
  * The voltages that a controller applies until its next decision, with its telemetry.
@@ -21,8 +22,10 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
      * @param rightVolts the voltage on the right motors; the supply limits it
      * @param telemetry the values that the controller shows
      * @throws IllegalArgumentException if a voltage is not finite
+     * @throws NullPointerException if there is no telemetry
      */
     public Decision {
+        Objects.requireNonNull(telemetry, "a decision needs telemetry");
         if (!(Double.isFinite(leftVolts) && Double.isFinite(rightVolts))) {
             throw new IllegalArgumentException("voltages must be finite: " + leftVolts + ", " + rightVolts);
         }

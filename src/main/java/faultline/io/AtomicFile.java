@@ -78,6 +78,11 @@ public final class AtomicFile implements AutoCloseable {
         TemporaryFile.deleteAll(folder);
     }
 
+    /** Deletes the temporary files of this process, which is about to be halted and writes no others. */
+    public static void deleteUnfinished() {
+        TemporaryFile.deleteUnfinished();
+    }
+
     private static WriteProblem reason(Path file) {
         if (TemporaryFile.isProgramEnding()) {
             return WriteProblem.PROGRAM_ENDS;

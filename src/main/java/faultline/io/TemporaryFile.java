@@ -122,6 +122,11 @@ final class TemporaryFile {
         return UnfinishedFiles.create(target);
     }
 
+    /** Deletes what this process has not finished; no other file is created after this. */
+    static void deleteUnfinished() {
+        UnfinishedFiles.deleteAll();
+    }
+
     /** Returns whether the process is ending, so that all temporary files are deleted and no other is created. */
     static boolean isProgramEnding() {
         return UnfinishedFiles.ended;

@@ -1,0 +1,131 @@
+package faultline.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.JavaProcess;
+import faultline.control.Controller;
+import faultline.control.ControllerProvider;
+import faultline.control.Decision;
+import faultline.robot.Velocity;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Controllers in Java that end the process. */
+@Timeout(120)
+class ExitGuardTest {
+
+    private static final String MESSAGE =
+            "faultline: the run broke: the controller has ended the program by System.exit\n";
+
+    @TempDir
+    private Path folder;
+
+    /** Makes controllers that end the process at tick 7. */
+    public static final class Quitters implements ControllerProvider {
+
+        @Override
+        public String name() {
+            return "quitter";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            return observation -> {
+                if (observation.tick() == 7) {
+                    System.exit(0);
+                }
+                return Decision.ofVelocity(observation.robot(), new Velocity(0, 0), "WAIT", "");
+            };
+        }
+    }
+
+    private Process start(String mainClass, String... arguments) throws IOException {
+        Path services = Files.createDirectories(folder.resolve("classes/META-INF/services"));
+        Files.writeString(services.resolve(ControllerProvider.class.getName()), Quitters.class.getName());
+        ProcessBuilder builder = JavaProcess.builder(mainClass, List.of(arguments));
+        List<String> command = new ArrayList<>(builder.command());
+        int classPath = command.indexOf("-cp") + 1;
+        command.set(classPath, folder.resolve("classes") + File.pathSeparator + command.get(classPath));
+        return builder.command(command).redirectErrorStream(true).start();
+    }
+
+    @Test
+    void aRunWhoseControllerEndsTheProcessBreaksAndLeavesNoFiles() throws Exception {
+        Path out = Files.createDirectory(folder.resolve("out"));
+        Process process = start(
+                "faultline.app.Main",
+                "run",
+                "scenarios/yard.xml",
+                "--controller",
+                "quitter",
+                "--trace",
+                out.resolve("trace.csv").toString());
+        assertEquals(MESSAGE, JavaProcess.output(process));
+        assertEquals(ExitCode.RUN_FAILED, process.waitFor());
+        try (Stream<Path> files = Files.list(out)) {
+            assertEquals(List.of(), files.toList());
+        }
+    }
+
+    @Test
+    void aComparisonWhoseControllerEndsTheProcessBreaks() throws Exception {
+        Process process = start(
+                "faultline.app.Main",
+                "compare",
+                "scenarios/yard.xml",
+                "--controller",
+                "none",
+                "--controller",
+                "quitter",
+                "--until",
+                "1",
+                "--out",
+                folder.resolve("page.html").toString());
+        assertEquals(MESSAGE, JavaProcess.output(process));
+        assertEquals(ExitCode.RUN_FAILED, process.waitFor());
+    }
+
+    /** Ends the process by itself, after or without a guard. */
+    static final class GuardedProgram {
+
+        private GuardedProgram() {}
+
+        public static void main(String[] arguments) throws InterruptedException {
+            ExitGuard guard = ExitGuard.start(new CommandOutput(System.out, System.err));
+            if (arguments[0].equals("closed")) {
+                guard.close();
+                System.exit(5);
+            }
+            System.out.println("ready");
+            Thread.currentThread().join();
+        }
+    }
+
+    @Test
+    void afterItsEndTheGuardChangesNoExitCode() throws Exception {
+        Process process = start(GuardedProgram.class.getName(), "closed");
+        assertEquals("", JavaProcess.output(process));
+        assertEquals(5, process.waitFor());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-INT", "-TERM"})
+    void aSignalIsNoEndByTheController(String signal) throws Exception {
+        Process process = start(GuardedProgram.class.getName(), "guarded");
+        assertEquals('r', process.getInputStream().read());
+        JavaProcess.signal(signal, process.toHandle());
+        assertEquals("eady\n", JavaProcess.output(process));
+        assertEquals(signal.equals("-INT") ? 130 : 143, process.waitFor());
+    }
+}
