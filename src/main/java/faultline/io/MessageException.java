@@ -35,10 +35,7 @@ public class MessageException extends IOException {
      * @return an exception with the name of the file and the reason
      */
     public static MessageException ofWriting(Path file, IOException cause) {
-        String text = String.valueOf(cause.getMessage());
-        WriteProblem reason = text.contains("No space left") || text.contains("quota") || text.contains("disk")
-                ? WriteProblem.DISK_FULL
-                : text.contains("Broken pipe") ? WriteProblem.BROKEN_PIPE : WriteProblem.INTERRUPTED;
+        WriteProblem reason = WriteProblem.of(file, String.valueOf(cause.getMessage()));
         return new MessageException(MessageText.oneLine(file.toString()), reason.with(), cause);
     }
 

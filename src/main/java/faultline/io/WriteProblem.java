@@ -1,5 +1,11 @@
 package faultline.io;
 
+import java.io.IOException;
+import java.nio.file.FileStore;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.OptionalLong;
+
 /** Why a file cannot be written. */
 public enum WriteProblem implements Message.Template {
     /** The path is a folder. */
@@ -21,10 +27,40 @@ public enum WriteProblem implements Message.Template {
     /** Writing ended before the file was complete. */
     INTERRUPTED("the file cannot be written completely");
 
+    /** Less room than this is none: it is the size of the pieces in which a file is written, bytes. */
+    private static final long MIN_ROOM = 1 << 16;
+
     private final String english;
 
     WriteProblem(String english) {
         this.english = english;
+    }
+
+    /** Returns why writing a file has failed, given the message of the operating system. */
+    static WriteProblem of(Path file, String system) {
+        return of(system, room(file).orElse(Long.MAX_VALUE));
+    }
+
+    /**
+     * Returns the problem that the operating system reports by a message in the language of the user. A full disk is
+     * recognised in any language by the room that is left, bytes, the maximum value if it is unknown.
+     */
+    static WriteProblem of(String system, long room) {
+        if (system.contains("Broken pipe")) {
+            return BROKEN_PIPE;
+        }
+        boolean full = system.contains("No space left") || system.contains("quota") || system.contains("disk");
+        return full || room < MIN_ROOM ? DISK_FULL : INTERRUPTED;
+    }
+
+    /** Returns the room that is left on the disk of a file, bytes; empty if it is on no disk. */
+    static OptionalLong room(Path file) {
+        try {
+            FileStore disk = Files.getFileStore(LinkResolver.resolve(file).getParent());
+            return disk.getTotalSpace() > 0 ? OptionalLong.of(disk.getUsableSpace()) : OptionalLong.empty();
+        } catch (IOException e) {
+            return OptionalLong.empty();
+        }
     }
 
     @Override
