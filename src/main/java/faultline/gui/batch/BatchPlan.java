@@ -4,6 +4,7 @@ import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.plan.ValueSyntax;
 import faultline.io.AtomicFile;
+import faultline.io.AtomicFileGroup;
 import faultline.io.DecimalText;
 import faultline.io.XmlText;
 import faultline.scenario.Scenario;
@@ -116,8 +117,11 @@ record BatchPlan(
     void save(Path file) throws IOException {
         byte[] bytes = scenario.toBytes();
         Path beside = scenarioFile(file, bytes);
-        AtomicFile.write(beside, bytes);
-        AtomicFile.write(file, text(beside.getFileName().toString()).getBytes(StandardCharsets.UTF_8));
+        try (AtomicFileGroup files = new AtomicFileGroup()) {
+            files.write(beside, bytes);
+            files.write(file, text(beside.getFileName().toString()).getBytes(StandardCharsets.UTF_8));
+            files.commit();
+        }
     }
 
     private static Path scenarioFile(Path plan, byte[] bytes) throws IOException {

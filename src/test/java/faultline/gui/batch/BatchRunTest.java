@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
@@ -18,6 +19,7 @@ import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -118,6 +120,16 @@ class BatchRunTest {
                     files.map(file -> file.getFileName().toString()).sorted().toList());
         }
         assertEquals(18, PlanFiles.read(folder.resolve("study.xml")).runCount());
+    }
+
+    @Test
+    void aPlanThatCannotBeWrittenLeavesNoScenarioBesideIt() throws Exception {
+        BatchPlan plan = plan(DiagnosisChoice.SCENARIO, 5);
+        Path taken = Files.createDirectory(folder.resolve("study.xml"));
+        assertThrows(IOException.class, () -> plan.save(taken));
+        try (var files = Files.list(folder)) {
+            assertEquals(List.of(taken), files.toList());
+        }
     }
 
     @Test
