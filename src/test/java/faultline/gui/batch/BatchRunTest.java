@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
@@ -25,6 +24,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -51,8 +51,12 @@ class BatchRunTest {
     }
 
     private static BatchPlan plan(DiagnosisChoice diagnosis, double duration) throws ScenarioException {
+        return plan(diagnosis, duration, 2);
+    }
+
+    private static BatchPlan plan(DiagnosisChoice diagnosis, double duration, int seeds) throws ScenarioException {
         return new BatchPlan(
-                editedYard(), 31, 2, duration, false, diagnosis, true, FAULTS, "1..3", List.of("front", "left"));
+                editedYard(), 31, seeds, duration, false, diagnosis, true, FAULTS, "1..3", List.of("front", "left"));
     }
 
     private static byte[] runsOf(CampaignPlan plan, Path out) throws Exception {
@@ -173,7 +177,8 @@ class BatchRunTest {
 
     @Test
     void aCancelledBatchKeepsWholeRowsAndCanGoOn() throws Exception {
-        BatchPlan plan = plan(DiagnosisChoice.SCENARIO, 2);
+        // So many runs that it is cancelled before the last one, however late.
+        BatchPlan plan = plan(DiagnosisChoice.SCENARIO, 2, 100_000);
         BatchRun run = new BatchRun(plan, 1);
         Thread canceller = new Thread(() -> {
             while (run.completion().made() < 3) {
@@ -193,7 +198,10 @@ class BatchRunTest {
         assertEquals(result.made() + 1, table.lines().count());
         assertTrue(table.endsWith("\n"));
         CampaignRunner rest = new CampaignRunner(run.planOrNull(), new CampaignFolder(saved), Shard.ALL, 2);
-        assertTrue(rest.run(true, (made, runs) -> {}, () -> false).isComplete());
+        AtomicLong seen = new AtomicLong();
+        CampaignRunner.RunCounts continued =
+                rest.run(true, (made, runs) -> seen.set(made), () -> seen.get() > result.made());
+        assertEquals(result.made() + 1, continued.made());
         run.delete();
     }
 
