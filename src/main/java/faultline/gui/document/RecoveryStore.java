@@ -24,8 +24,8 @@ import java.util.stream.Stream;
 
 /**
  * A folder in which each process saves its unsaved scenario. Its files are named by process id and start time, because
- * process ids are reused; a file of a process that no longer runs was left by a crash. Methods block and must not be
- * called on the event dispatch thread.
+ * process ids are reused; a file of a process that no longer runs was left by a crash. Safe on any thread; methods
+ * block and must not be called on the event dispatch thread.
  */
 public final class RecoveryStore {
 
@@ -42,6 +42,7 @@ public final class RecoveryStore {
     /** Whether a lock shows that this store is in use; those of other processes have other ids. */
     private final boolean locking;
 
+    /** Null while this process has no edits; used by one thread at a time. */
     private FileChannel lock;
 
     /**
@@ -87,7 +88,7 @@ public final class RecoveryStore {
     }
 
     /** Saves unsaved edits of a file, null for a scenario without a file. */
-    void save(Path origin, Scenario scenario) throws IOException {
+    synchronized void save(Path origin, Scenario scenario) throws IOException {
         createPrivateFolder();
         acquireLock();
         AtomicFile.write(
@@ -120,13 +121,13 @@ public final class RecoveryStore {
     }
 
     /** Saves the edits of another process as those of this one. */
-    void adopt(RecoveredFile recovered) throws IOException {
+    synchronized void adopt(RecoveredFile recovered) throws IOException {
         save(recovered.originFile(), recovered.scenario());
         delete(recovered.recoveryFile());
     }
 
     /** Deletes the edits of this process. */
-    void delete() throws IOException {
+    synchronized void delete() throws IOException {
         delete(ownFile());
         if (lock != null) {
             lock.close();
