@@ -8,8 +8,10 @@ import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Set;
+import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -35,20 +37,29 @@ class ShapesTest {
         Obstacle placed = shape.createAt("new", new Vector2(2, 1));
         assertEquals(new Pose(2, 1, 0), placed.pose());
         List<Vector2> handles = ShapeHandles.positions(placed);
+        assertEquals(2, middle(handles, Vector2::x), 1e-8);
+        assertEquals(1, middle(handles, Vector2::y), 1e-8);
+    }
+
+    private static double middle(List<Vector2> points, ToDoubleFunction<Vector2> coordinate) {
+        DoubleSummaryStatistics bounds = points.stream().mapToDouble(coordinate).summaryStatistics();
+        return (bounds.getMin() + bounds.getMax()) / 2;
+    }
+
+    @Test
+    void theHandlesOfAnEllipseAreTheEndsOfItsAxesAndChangeThemAlone() {
+        Obstacle pond = new Obstacle("pond", new ObstacleShape.EllipseShape(0.6, 0.2), new Pose(2, 1, 0));
         assertEquals(
-                2,
-                (max(handles.stream().mapToDouble(Vector2::x).toArray())
-                                + min(handles.stream().mapToDouble(Vector2::x).toArray()))
-                        / 2,
-                1e-8);
-    }
-
-    private static double max(double[] values) {
-        return java.util.Arrays.stream(values).max().orElseThrow();
-    }
-
-    private static double min(double[] values) {
-        return java.util.Arrays.stream(values).min().orElseThrow();
+                List.of(new Vector2(2.6, 1), new Vector2(1.4, 1), new Vector2(2, 1.2), new Vector2(2, 0.8)),
+                ShapeHandles.positions(pond));
+        assertEquals(
+                new ObstacleShape.EllipseShape(0.9, 0.2),
+                ShapeHandles.dragHandle(pond, 1, new Vector2(1.1, 1.7), SnapSettings.NONE)
+                        .shape());
+        assertEquals(
+                new ObstacleShape.EllipseShape(0.6, 0.3),
+                ShapeHandles.dragHandle(pond, 2, new Vector2(2.4, 1.3), SnapSettings.NONE)
+                        .shape());
     }
 
     @Test

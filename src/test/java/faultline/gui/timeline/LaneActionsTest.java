@@ -99,6 +99,17 @@ class LaneActionsTest {
     }
 
     @Test
+    void aDuplicateOfAFaultWithoutAnEndIsOneStepLater() {
+        runOnEdt(() -> {
+            TimelineItem open = TimelineItem.from(new Command.InjectFault("left", new Fault.Stuck(0.5)), 20);
+            editor.add(open, null);
+            view.select(open);
+            actions.duplicate();
+            assertEquals(20 + actions.step(), view.selectedItem().orElseThrow().start());
+        });
+    }
+
+    @Test
     void aDigitIsTypedIntoTheLanes() {
         assertTrue(callOnEdt(() -> Keystrokes.isTypedInto(view, Keystrokes.unmodified(KeyEvent.VK_3))));
     }

@@ -58,6 +58,29 @@ class CanvasMouseTest {
                 fitted.scale(), callOnEdt(() -> canvas.camera().scale()), "the world is still fitted into the canvas");
     }
 
+    private void drag(Vector2 from, double pixels, int button) {
+        mouse(MouseEvent.MOUSE_PRESSED, from, button);
+        mouse(MouseEvent.MOUSE_DRAGGED, from.plus(new Vector2(pixels, 0)), MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_RELEASED, from.plus(new Vector2(pixels, 0)), button);
+    }
+
+    @Test
+    void anObstacleMovesFromThreePixelsOn() {
+        drag(screen(new Vector2(4, 2)), 2, MouseEvent.BUTTON1);
+        assertEquals(List.of(), sent);
+        drag(screen(new Vector2(4, 2)), 3, MouseEvent.BUTTON1);
+        assertEquals(1, sent.size());
+    }
+
+    @Test
+    void theGroundClicksBelowThreePixelsAndPansFromThereOn() {
+        runOnEdt(() -> canvas.tools().select(List.of("box")));
+        drag(screen(new Vector2(2, 3)), 3, MouseEvent.BUTTON1);
+        assertEquals(1, callOnEdt(canvas.tools()::selected).size(), "no click");
+        drag(screen(new Vector2(2, 3)), 2, MouseEvent.BUTTON1);
+        assertEquals(List.of(), callOnEdt(canvas.tools()::selected));
+    }
+
     @Test
     void theWheelWithShiftPans() {
         Vector2 before = screen(new Vector2(2, 3));
