@@ -84,9 +84,7 @@ public final class ControllerChooser implements WorkspaceListener {
     /** Adds the actions that choose the controller of the run and that of a ghost. */
     public void addTo(ActionRegistry actions) {
         actions.add(UiAction.of(
-                "chooseController", () -> ask("chooseController", choice).ifPresent(chosen -> {
-                    tryOut(chosen);
-                })));
+                "chooseController", () -> ask("chooseController", choice).ifPresent(this::tryOut)));
         actions.add(UiAction.of(
                 "compareController", () -> ask("compareController", ghostChoice).ifPresent(chosen -> {
                     ghostChoice = chosen;
