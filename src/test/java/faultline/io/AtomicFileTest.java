@@ -248,7 +248,7 @@ class AtomicFileTest {
 
     @ParameterizedTest
     @CsvSource({"a.txt, b.txt", "new.txt, other.txt", "a.txt, sub/a.txt", "/dev/null, /dev/null"})
-    void otherPathsAreNot(String one, String other) throws IOException {
+    void pathsOfDifferentFilesAndOfADeviceAreNotInConflict(String one, String other) throws IOException {
         prepareLinks();
         assertEquals(
                 Optional.empty(),

@@ -29,7 +29,7 @@ class AttributePathTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"", "robot", "robot/speed", "robot//@speed", "robot/sensor[]/@on", "@", "robot/@speed/@x"})
-    void anythingElseIsRefused(String path) {
+    void aTextThatIsNoPathIsRefused(String path) {
         assertEquals(Optional.empty(), AttributePath.parse(path));
     }
 

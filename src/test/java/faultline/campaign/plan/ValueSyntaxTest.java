@@ -59,7 +59,7 @@ class ValueSyntaxTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"", "  ", "4..1", "1..1", "a..b", "1..2/1", "1..", "..2", "1..2 3"})
-    void anythingElseIsRefused(String syntax) {
+    void aTextThatIsNoValueIsRefused(String syntax) {
         assertEquals(Optional.empty(), ValueSyntax.parse(syntax, "stream", false));
     }
 }

@@ -86,7 +86,7 @@ class KeysOnlyRobotTest {
     }
 
     @Test
-    void aCircleFromTheMenuAndAWallPointByPoint() {
+    void aCircleIsAddedFromTheMenuAndAWallIsDrawnPointByPoint() {
         int before = obstacles().size();
         driver.type(KeyEvent.VK_ALT, KeyEvent.VK_O);
         press(KeyEvent.VK_C);
@@ -133,7 +133,7 @@ class KeysOnlyRobotTest {
     }
 
     @Test
-    void anObstacleIsSelectedAndMovedAndTheViewToo() {
+    void theViewAndASelectedObstacleAreMovedByArrows() {
         Camera before = callOnEdt(() -> driver.canvas().camera());
         press(KeyEvent.VK_RIGHT);
         driver.robot()
@@ -150,7 +150,7 @@ class KeysOnlyRobotTest {
     }
 
     @Test
-    void theTimeLineGoesBack() {
+    void theTimeLineMovesTheRunBack() {
         for (int i = 0; i < 20; i++) {
             press(KeyEvent.VK_PERIOD);
         }
@@ -165,7 +165,7 @@ class KeysOnlyRobotTest {
     }
 
     @Test
-    void theInstrumentsAndTheDividers() {
+    void anInstrumentIsChosenAndADividerIsMoved() {
         InstrumentDock dock = find(InstrumentDock.class);
         press(KeyEvent.VK_F6, KeyEvent.VK_F6, KeyEvent.VK_F6);
         driver.robot().waitFor("the instruments have the focus", () -> isIn(dock));
@@ -190,7 +190,7 @@ class KeysOnlyRobotTest {
     }
 
     @Test
-    void aGainAndAnObstacleInThePanel() {
+    void aGainAndThePlaceOfAnObstacleAreTyped() {
         JTabbedPane tabs = ComponentFinder.findAll(find(ControlPanel.class), JTabbedPane.class)
                 .findFirst()
                 .orElseThrow();

@@ -71,7 +71,7 @@ class ProgressDialogRobotTest {
     }
 
     @Test
-    void theButtonCancelsItToo() {
+    void theButtonCancelsALongSeek() {
         JDialog dialog = driver.dialog(DIALOG);
         driver.clickButton(DIALOG, "Cancel");
         assertRunIsUnchanged(dialog);
