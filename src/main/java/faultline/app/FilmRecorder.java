@@ -4,10 +4,9 @@ import faultline.engine.Frame;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.paint.export.AnimatedGifWriter;
-import faultline.paint.export.FilmClock;
+import faultline.paint.export.FilmRenderer;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.surface.Palette;
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -20,6 +19,7 @@ final class FilmRecorder implements TickObserver, AutoCloseable {
     private static final int DELAY = 10;
 
     private final AnimatedGifWriter gif;
+    private final FilmRenderer renderer = new FilmRenderer();
 
     /** Creates a recorder; the stream is not closed. */
     FilmRecorder(OutputStream out) throws IOException {
@@ -33,10 +33,8 @@ final class FilmRecorder implements TickObserver, AutoCloseable {
         }
         Frame frame = simulation.frame();
         try {
-            BufferedImage image =
-                    FrameRenderer.render(frame, Palette.LIGHT, WIDTH, FrameRenderer.heightFor(frame, WIDTH));
-            FilmClock.paint(image, frame.snapshot().time(), Palette.LIGHT);
-            gif.addFrame(image);
+            gif.addFrame(renderer.render(
+                    FrameRenderer.request(frame, Palette.LIGHT, WIDTH, FrameRenderer.heightFor(frame, WIDTH))));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

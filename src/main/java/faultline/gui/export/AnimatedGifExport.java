@@ -1,14 +1,12 @@
 package faultline.gui.export;
 
-import faultline.engine.Frame;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.gui.document.TaskProgress;
 import faultline.paint.export.AnimatedGifWriter;
-import faultline.paint.export.FilmClock;
+import faultline.paint.export.FilmRenderer;
 import faultline.paint.export.RenderRequest;
 import faultline.scenario.Scenario;
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.concurrent.CompletableFuture;
@@ -25,22 +23,16 @@ record AnimatedGifExport(RenderRequest renderRequest, CompletableFuture<Scenario
 
     @Override
     public void write(OutputStream out, TaskProgress progress) throws IOException {
+        FilmRenderer renderer = new FilmRenderer();
         try (AnimatedGifWriter gif = new AnimatedGifWriter(out, renderRequest.palette(), FRAME_DELAY)) {
-            HeadlessReplay.run(run, simulation -> addFrame(gif, simulation), progress);
+            HeadlessReplay.run(run, simulation -> addFrame(gif, renderer, simulation), progress);
         }
     }
 
-    private void addFrame(AnimatedGifWriter gif, Simulation simulation) throws IOException {
+    private void addFrame(AnimatedGifWriter gif, FilmRenderer renderer, Simulation simulation) throws IOException {
         if (isDue(simulation.ticks(), simulation.setup())) {
-            gif.addFrame(image(simulation.frame()));
+            gif.addFrame(renderer.render(renderRequest.withFrame(simulation.frame())));
         }
-    }
-
-    /** Returns the image of a frame with its time. */
-    BufferedImage image(Frame frame) {
-        BufferedImage image = renderRequest.withFrame(frame).toImage(1);
-        FilmClock.paint(image, frame.snapshot().time(), renderRequest.palette());
-        return image;
     }
 
     /** Returns whether a tick is shown. */

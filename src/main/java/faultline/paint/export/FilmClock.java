@@ -10,7 +10,7 @@ import java.awt.image.BufferedImage;
 import java.util.Locale;
 
 /** Shows the time of the run in the images of a film, at the middle of the lower edge, where no legend is. */
-public final class FilmClock {
+final class FilmClock {
 
     /** The size of the text, its distance from the edge of the image and the room around it, pixels. */
     private static final int TEXT_SIZE = 14;
@@ -23,7 +23,7 @@ public final class FilmClock {
     private FilmClock() {}
 
     /** Paints a time, seconds, into an image in the colours of a palette. */
-    public static void paint(BufferedImage image, double time, Palette palette) {
+    static void paint(BufferedImage image, double time, Palette palette) {
         TextStyle style = TextStyle.plain(TEXT_SIZE, palette.text());
         String text = String.format(Locale.ROOT, "%.1f s", time);
         double width = style.estimateWidth(text) + 2 * PADDING;

@@ -6,9 +6,7 @@ import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 
 /**
  * Paints a frame in three parts, one on top of the other: the background with the static obstacles, the path, and
@@ -22,16 +20,33 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
 
     /** Paints a frame, beside reference runs. */
     public void paint(DrawContext context, Frame frame, List<ReferenceOverlay> references) {
-        Snapshot world = frame.snapshot();
-        Map<Boolean, List<Obstacle>> byMotion =
-                world.obstacles().stream().collect(Collectors.partitioningBy(Obstacle::isMoving));
+        paintGround(context, frame.snapshot());
+        paintAboveGround(context, frame, references);
+    }
+
+    /** Paints what lies beneath everything that changes without an edit: the background and the static obstacles. */
+    public void paintGround(DrawContext context, Snapshot world) {
         paintBackground(context, world);
-        byMotion.get(false).forEach(obstacle -> obstaclePainter().paint(context, obstacle));
+        staticObstacles(world).forEach(obstacle -> obstaclePainter().paint(context, obstacle));
+    }
+
+    /** Paints everything above the ground, beside reference runs. */
+    public void paintAboveGround(DrawContext context, Frame frame, List<ReferenceOverlay> references) {
+        Snapshot world = frame.snapshot();
         references.forEach(reference -> paintReference(context, reference, world));
-        paintDynamic(context, frame, byMotion.get(true), 0);
+        List<Obstacle> moving =
+                world.obstacles().stream().filter(Obstacle::isMoving).toList();
+        paintDynamic(context, frame, moving, 0);
         paintOverlays(context, world);
         references.forEach(reference -> ReferenceOverlayPainter.paintAnnotations(
                 context, reference, world, ReferenceOverlayPainter.createCornerChoice(), List.of()));
+    }
+
+    /** Returns the obstacles that do not move, in drawing order. */
+    public static List<Obstacle> staticObstacles(Snapshot world) {
+        return world.obstacles().stream()
+                .filter(obstacle -> !obstacle.isMoving())
+                .toList();
     }
 
     private void paintReference(DrawContext context, ReferenceOverlay reference, Snapshot world) {

@@ -29,6 +29,8 @@ import faultline.gui.instrument.StripChart;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
+import faultline.paint.export.FilmRenderer;
+import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import java.awt.Color;
@@ -283,18 +285,18 @@ class ExportControllerTest {
 
     @Test
     void eachImageOfAnAnimatedGifShowsItsTime() {
-        AnimatedGifExport gif = gifExport(0);
-        BufferedImage start = gif.image(SampleFrames.fullFrame());
-        BufferedImage same = gif.image(SampleFrames.fullFrame());
+        RenderRequest request = gifExport(0).renderRequest();
+        FilmRenderer film = new FilmRenderer();
+        BufferedImage start = film.render(request.withFrame(SampleFrames.fullFrame()));
+        BufferedImage same = film.render(request.withFrame(SampleFrames.fullFrame()));
         int height = start.getHeight();
         assertArrayEquals(clock(start), clock(same));
         assertTrue(textPixels(clock(start)) > 10, "no digits");
-        BufferedImage plain =
-                gif.renderRequest().withFrame(SampleFrames.fullFrame()).toImage(1);
+        BufferedImage plain = request.withFrame(SampleFrames.fullFrame()).toImage(1);
         assertEquals(height, plain.getHeight());
         assertFalse(Arrays.equals(clock(start), clock(plain)), "the time is not shown");
         stepTo(200);
-        BufferedImage later = gif.image(callOnEdt(() -> canvas.frame().orElseThrow()));
+        BufferedImage later = film.render(request.withFrame(callOnEdt(() -> canvas.frame().orElseThrow())));
         assertFalse(Arrays.equals(clock(start), clock(later)), "the time does not change");
     }
 
