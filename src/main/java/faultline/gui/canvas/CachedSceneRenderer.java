@@ -19,6 +19,7 @@ import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.world.ObstacleShape;
 import faultline.world.Snapshot;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
@@ -29,9 +30,20 @@ import java.util.function.LongSupplier;
 
 /**
  * Paints frames, with the ground and the paths cached as images. A few selected obstacles are not part of the cached
- * ground, so that moving them is cheap; many selected ones stay in it.
+ * ground, so that moving them is cheap; many selected ones, and large ones such as floor plans, stay in it.
  */
 final class CachedSceneRenderer {
+
+    /** The greatest number of corners of the selected obstacles that are painted in every frame. */
+    private static final int MAX_SEPARATE_CORNERS = 2000;
+
+    private static final ObstacleShape.ShapeCases<Integer> CORNER_COUNT = new ObstacleShape.ShapeCases<>(
+            rectangle -> 4,
+            circle -> 0,
+            ellipse -> 0,
+            polygon -> polygon.points().size(),
+            wall -> wall.points().size(),
+            ObstacleShape.PlanShape::pointCount);
 
     private final CachedLayer<GroundLayer> ground = new CachedLayer<>();
     private final CachedLayer<PathLayer> path = new CachedLayer<>();
@@ -62,7 +74,7 @@ final class CachedSceneRenderer {
         LayerRenderSettings view =
                 new LayerRenderSettings(camera, palette, graphics.getTransform().getScaleX());
         ScenePainter painter = new ScenePainter(layers, LocalizedLabels.create());
-        Set<String> apart = separatelyPainted(scene.selection().get());
+        Set<String> apart = separatelyPainted(scene);
         division = division.of(frame.snapshot().obstacles(), apart);
         Set<String> marked = apart.isEmpty() ? scene.selection().get() : Set.of();
         PathLayer driven = new PathLayer(frame.path(), PathStyle.of(layers));
@@ -117,9 +129,15 @@ final class CachedSceneRenderer {
         }
     }
 
-    /** Returns the selected obstacles that are not part of the ground: all, or none if there are many. */
-    private static Set<String> separatelyPainted(Set<String> selection) {
-        return selection.size() <= DragGesture.MAX_SEPARATE_PREVIEWS ? selection : Set.of();
+    /** Returns the selected obstacles that are not part of the ground: all, or none if there is much to paint. */
+    private static Set<String> separatelyPainted(CanvasModel scene) {
+        Set<String> selection = scene.selection().get();
+        boolean few = selection.size() <= DragGesture.MAX_SEPARATE_PREVIEWS
+                && scene.selected().stream()
+                                .mapToInt(obstacle -> obstacle.shape().match(CORNER_COUNT))
+                                .sum()
+                        <= MAX_SEPARATE_CORNERS;
+        return few ? selection : Set.of();
     }
 
     private void paintSelection(DrawContext context, CanvasModel scene) {

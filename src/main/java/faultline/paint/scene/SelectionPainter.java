@@ -1,5 +1,6 @@
 package faultline.paint.scene;
 
+import faultline.geometry.Pose;
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
@@ -35,7 +36,7 @@ public final class SelectionPainter {
      * with it.
      */
     public static Vector2 handlePosition(Camera camera, Obstacle obstacle) {
-        return stalkEnd(camera, obstacle, STALK_LENGTH);
+        return stalkEnd(camera, obstacle.pose(), localBounds(obstacle), STALK_LENGTH);
     }
 
     /**
@@ -53,11 +54,14 @@ public final class SelectionPainter {
         return new Vector2(above.x(), above.y() - STALK_LENGTH);
     }
 
-    private static Vector2 stalkEnd(Camera camera, Obstacle obstacle, double beyond) {
-        Rectangle2D bounds = ObstacleOutlines.localShape(obstacle.shape()).getBounds2D();
+    private static Rectangle2D localBounds(Obstacle obstacle) {
+        return ObstacleOutlines.localShape(obstacle.shape()).getBounds2D();
+    }
+
+    private static Vector2 stalkEnd(Camera camera, Pose pose, Rectangle2D bounds, double beyond) {
         double up = bounds.getHeight() / 2 * camera.scale() + beyond;
-        Vector2 middle = camera.toScreen(ObstacleOutlines.centre(obstacle));
-        Vector2 direction = Vector2.direction(obstacle.pose().heading()).perpendicular();
+        Vector2 middle = camera.toScreen(pose.toParent(new Vector2(bounds.getCenterX(), bounds.getCenterY())));
+        Vector2 direction = Vector2.direction(pose.heading()).perpendicular();
         return new Vector2(middle.x() + up * direction.x(), middle.y() - up * direction.y());
     }
 
@@ -71,13 +75,24 @@ public final class SelectionPainter {
      * that change its size, metres.
      */
     public static void paintHandles(DrawContext context, Obstacle obstacle, List<Vector2> places) {
-        paintHandle(context, stalkEnd(context.camera(), obstacle, 0), handlePosition(context.camera(), obstacle));
+        // The bounds and the outline of a floor plan take long, so neither is computed twice or in vain.
+        Rectangle2D bounds = localBounds(obstacle);
+        paintHandle(
+                context,
+                stalkEnd(context.camera(), obstacle.pose(), bounds, 0),
+                stalkEnd(context.camera(), obstacle.pose(), bounds, STALK_LENGTH));
+        if (!obstacle.motion().waypoints().isEmpty()) {
+            paintWaypoints(context, obstacle);
+        }
+        places.stream().map(context.camera()::toScreen).forEach(place -> paintSquareHandle(context, place));
+    }
+
+    private static void paintWaypoints(DrawContext context, Obstacle obstacle) {
         Shape outline = screenOutline(context, obstacle);
         obstacle.motion().waypoints().stream()
                 .map(context.camera()::toScreen)
                 .filter(place -> !outline.contains(place.x(), place.y()))
                 .forEach(place -> paintKnob(context, Shapes.circle(place, WAYPOINT_RADIUS)));
-        places.stream().map(context.camera()::toScreen).forEach(place -> paintSquareHandle(context, place));
     }
 
     /** Paints the common handle of the selected obstacles, at least one. */

@@ -53,6 +53,9 @@ class FloorPlanPaintTimesRobotTest {
                 meter.drain();
                 watch(driver, 3);
                 check("running", meter);
+                driver.choose("selectNext");
+                watch(driver, 2);
+                check("running with the plan selected", meter);
                 for (int i = 0; i < 4; i++) {
                     driver.robot().drag(driver.canvas(), 20, 20, 320 - 40 * i, 220, InputEvent.BUTTON2_DOWN_MASK);
                 }
