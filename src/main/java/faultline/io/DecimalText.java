@@ -150,9 +150,22 @@ public final class DecimalText {
         if (value == 0) {
             return formatZero(value);
         }
-        BigDecimal shortest = new BigDecimal(Double.toString(value)).stripTrailingZeros();
+        String text = Double.toString(value);
+        if (text.indexOf('E') < 0) {
+            return withoutTrailingZeros(text);
+        }
+        BigDecimal shortest = new BigDecimal(text).stripTrailingZeros();
         int power = shortest.precision() - shortest.scale();
         return Math.abs(power) <= MAX_PLAIN_EXPONENT ? shortest.toPlainString() : shortest.toString();
+    }
+
+    /** Returns a number with a point as decimal arithmetic would write it, which takes several times as long. */
+    private static String withoutTrailingZeros(String text) {
+        int end = text.length();
+        while (text.charAt(end - 1) == '0') {
+            end--;
+        }
+        return text.substring(0, text.charAt(end - 1) == '.' ? end - 1 : end);
     }
 
     /**

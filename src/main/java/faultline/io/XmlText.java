@@ -76,10 +76,24 @@ public final class XmlText {
     }
 
     private static String replaceInvalid(String text, int other) {
+        if (isSurelyValid(text)) {
+            return text;
+        }
         return text.codePoints()
                 .map(c -> isXmlCharacter(c) ? c : other)
                 .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
                 .toString();
+    }
+
+    /** Returns whether a text needs no look at surrogates and is valid, as nearly every one is; this is fast. */
+    private static boolean isSurelyValid(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            if (Character.isSurrogate(c) || !isXmlCharacter(c)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Returns whether a character is one of production 2 of XML 1.0. */

@@ -10,7 +10,6 @@ import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 
 /** Writes the world and its obstacles. */
 final class WorldWriter {
@@ -53,12 +52,7 @@ final class WorldWriter {
                                 .attribute("ry", ellipse.ry()),
                         polygon -> begin.apply("polygon").attribute("points", formatPoints(polygon.points())),
                         wall -> begin.apply("wall").attribute("points", formatPoints(wall.points())),
-                        plan -> begin.apply("plan")
-                                .attribute(
-                                        "points",
-                                        plan.rings().stream()
-                                                .map(WorldWriter::formatPoints)
-                                                .collect(Collectors.joining(" | ")))));
+                        plan -> begin.apply("plan").attribute("points", formatRings(plan.rings()))));
     }
 
     static XmlWriter writePose(Pose pose, XmlWriter out) {
@@ -73,9 +67,29 @@ final class WorldWriter {
                 .endElement();
     }
 
+    private static String formatRings(List<List<Vector2>> rings) {
+        StringBuilder text = new StringBuilder();
+        for (List<Vector2> ring : rings) {
+            text.append(text.isEmpty() ? "" : " | ");
+            appendPoints(ring, text);
+        }
+        return text.toString();
+    }
+
     private static String formatPoints(List<Vector2> points) {
-        return points.stream()
-                .map(point -> DecimalText.format(point.x()) + "," + DecimalText.format(point.y()))
-                .collect(Collectors.joining(" "));
+        StringBuilder text = new StringBuilder();
+        appendPoints(points, text);
+        return text.toString();
+    }
+
+    private static void appendPoints(List<Vector2> points, StringBuilder text) {
+        String separator = "";
+        for (Vector2 point : points) {
+            text.append(separator)
+                    .append(DecimalText.format(point.x()))
+                    .append(',')
+                    .append(DecimalText.format(point.y()));
+            separator = " ";
+        }
     }
 }

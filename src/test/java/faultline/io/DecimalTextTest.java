@@ -3,6 +3,7 @@ package faultline.io;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -40,6 +41,21 @@ class DecimalTextTest {
             if (Double.isFinite(value)) {
                 String text = DecimalText.format(value);
                 assertEquals(value, DecimalText.toDouble(DecimalText.parse(text).orElseThrow(), text), text);
+            }
+        }
+    }
+
+    @Test
+    void numbersAreWrittenAsDecimalArithmeticWritesThem() {
+        Random random = new Random(2);
+        for (int i = 0; i < NUMBERS; i++) {
+            double size = Math.pow(10, random.nextInt(14) - 5);
+            double value = i % 2 == 0 ? size * random.nextGaussian() : Math.rint(size * random.nextInt(20)) / 20;
+            if (value != 0) {
+                String exact = new BigDecimal(Double.toString(value))
+                        .stripTrailingZeros()
+                        .toPlainString();
+                assertEquals(exact, DecimalText.format(value));
             }
         }
     }

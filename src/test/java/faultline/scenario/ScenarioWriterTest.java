@@ -3,14 +3,23 @@ package faultline.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
 import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlComments;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape.PlanShape;
 import faultline.world.WorldSpec;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -29,6 +38,25 @@ class ScenarioWriterTest {
             assertEquals(
                     scenario, SampleScenario.read(ScenarioWriter.toText(scenario, XmlComments.NONE)), "seed " + seed);
         }
+    }
+
+    /** A campaign writes up to twenty files with the same floor plan. */
+    @Test
+    void aPlanOfManyPointsIsWrittenWithoutManyObjects() {
+        List<Vector2> ring = List.of(new Vector2(0.05, 0.1), new Vector2(1.25, 0), new Vector2(7, 12.35));
+        PlanShape plan = new PlanShape(Collections.nCopies(5000, ring));
+        Obstacle obstacle = new Obstacle("plan", plan, new Pose(0, 0, 0));
+        Scenario scenario = new Scenario(
+                "Plan",
+                "",
+                false,
+                SimulationSetup.of(new WorldSpec(20, 20, true, 0, List.of(obstacle)), new Pose(15, 15, 0)),
+                Expectation.NONE);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getThreadAllocatedBytes(Thread.currentThread().getId());
+        String text = ScenarioWriter.toText(scenario, XmlComments.NONE);
+        long bytes = threads.getThreadAllocatedBytes(Thread.currentThread().getId()) - before;
+        assertTrue(bytes < 40L * text.length(), bytes + " bytes for " + text.length() + " characters");
     }
 
     @Test
