@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.stream.DoubleStream;
 
 /**
  * The closed paths along the walls of a world at one distance: the places at that distance from a wall and not nearer
@@ -17,6 +18,11 @@ public final class WallCircuit {
     private final double tolerance;
     private final int[] paths;
     private final double[] lengths;
+    private final double maxLength;
+    /** The coordinates of the places, which are compared most. */
+    private final double[] xs;
+
+    private final double[] ys;
 
     /** The places of each cell: those of a bucket of a hash table are linked by {@link #next}. */
     private final int[] first;
@@ -54,6 +60,8 @@ public final class WallCircuit {
         int count = places.size();
         paths = new int[count];
         lengths = new double[count];
+        xs = places.stream().mapToDouble(place -> place.position().x()).toArray();
+        ys = places.stream().mapToDouble(place -> place.position().y()).toArray();
         next = new int[count];
         cells = new long[count];
         first = new int[Integer.highestOneBit(2 * count + 1) * 2];
@@ -67,10 +75,11 @@ public final class WallCircuit {
             paths[i] = root(i);
             lengths[paths[i]] += spacing;
         }
+        maxLength = DoubleStream.of(lengths).max().orElse(0);
     }
 
     private void joinWithEarlier(int i, double joinDistance) {
-        forEachNear(places.get(i).position(), joinDistance, other -> {
+        forEachNear(xs[i], ys[i], joinDistance, other -> {
             int a = root(i);
             int b = root(other);
             paths[Math.max(a, b)] = Math.min(a, b);
@@ -87,8 +96,7 @@ public final class WallCircuit {
     }
 
     private void addToCell(int i) {
-        Vector2 position = places.get(i).position();
-        cells[i] = cell(column(position.x()), column(position.y()));
+        cells[i] = cell(column(xs[i]), column(ys[i]));
         int bucket = bucket(cells[i]);
         next[i] = first[bucket];
         first[bucket] = i;
@@ -108,14 +116,18 @@ public final class WallCircuit {
     }
 
     /** Calls an action for every place within a radius of at most the tolerance around a point. */
-    void forEachNear(Vector2 point, double radius, IntConsumer action) {
-        long column = column(point.x());
-        long row = column(point.y());
-        for (long x = column - 1; x <= column + 1; x++) {
-            for (long y = row - 1; y <= row + 1; y++) {
+    private void forEachNear(double atX, double atY, double radius, IntConsumer action) {
+        // Other cells contain no place within the radius, not even after rounding.
+        double reach = radius + WallReference.ROUNDING;
+        long left = Math.max(column(atX - reach), column(atX) - 1);
+        long right = Math.min(column(atX + reach), column(atX) + 1);
+        long bottom = Math.max(column(atY - reach), column(atY) - 1);
+        long top = Math.min(column(atY + reach), column(atY) + 1);
+        for (long x = left; x <= right; x++) {
+            for (long y = bottom; y <= top; y++) {
                 long cell = cell(x, y);
                 for (int i = first[bucket(cell)]; i >= 0; i = next[i]) {
-                    if (cells[i] == cell && places.get(i).position().distanceTo(point) <= radius) {
+                    if (cells[i] == cell && distance(i, atX, atY) <= radius) {
                         action.accept(i);
                     }
                 }
@@ -123,9 +135,16 @@ public final class WallCircuit {
         }
     }
 
+    /** Returns the distance of a place from a point. */
+    private double distance(int place, double x, double y) {
+        double dx = x - xs[place];
+        double dy = y - ys[place];
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
     /** Calls back with every place that a robot passes at a point. */
     void forEachPassed(Vector2 point, IntConsumer action) {
-        forEachNear(point, tolerance, action);
+        forEachNear(point.x(), point.y(), tolerance, action);
     }
 
     /** Returns how many places there are on all paths together. */
@@ -150,11 +169,7 @@ public final class WallCircuit {
 
     /** Returns the length of the longest path, metres; 0 if there is none. */
     double maxLength() {
-        double most = 0;
-        for (double length : lengths) {
-            most = Math.max(most, length);
-        }
-        return most;
+        return maxLength;
     }
 
     /** Returns the place nearest to a point, -1 if there is none. */
@@ -162,7 +177,7 @@ public final class WallCircuit {
         int nearest = -1;
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < paths.length; i++) {
-            double distance = places.get(i).position().distanceTo(point);
+            double distance = distance(i, point.x(), point.y());
             if (distance < least) {
                 least = distance;
                 nearest = i;
