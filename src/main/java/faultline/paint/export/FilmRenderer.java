@@ -37,8 +37,7 @@ public final class FilmRenderer {
     }
 
     private void keepGround(RenderRequest request) {
-        List<Obstacle> obstacles =
-                ScenePainter.staticObstacles(request.frame().snapshot());
+        List<Obstacle> obstacles = ScenePainter.staticObstacles(request.frame().snapshot());
         Ground shown = new Ground(request.camera(), request.palette(), request.painter(), obstacles);
         if (shown.equals(ground)) {
             return;
@@ -48,8 +47,7 @@ public final class FilmRenderer {
         Graphics2D graphics = groundImage.createGraphics();
         try {
             request.painter()
-                    .paintGround(
-                            newContext(graphics, request), request.frame().snapshot());
+                    .paintGround(newContext(graphics, request), request.frame().snapshot());
         } finally {
             graphics.dispose();
         }

@@ -58,7 +58,8 @@ class WallCircuitTest {
             Vector2 point = near.plus(new Vector2(0.05 * random.nextInt(5), 0.05 * random.nextInt(5)));
             List<Integer> passed = new ArrayList<>();
             circuit.forEachPassed(point, passed::add);
-            assertEquals(within(places, point, TOLERANCE), passed.stream().sorted().toList());
+            assertEquals(
+                    within(places, point, TOLERANCE), passed.stream().sorted().toList());
             int nearest = circuit.nearestPlace(point);
             double least = places.get(nearest).position().distanceTo(point);
             assertEquals(within(places, point, least).get(0), nearest);

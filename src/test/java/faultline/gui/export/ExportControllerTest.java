@@ -296,7 +296,8 @@ class ExportControllerTest {
         assertEquals(height, plain.getHeight());
         assertFalse(Arrays.equals(clock(start), clock(plain)), "the time is not shown");
         stepTo(200);
-        BufferedImage later = film.render(request.withFrame(callOnEdt(() -> canvas.frame().orElseThrow())));
+        BufferedImage later =
+                film.render(request.withFrame(callOnEdt(() -> canvas.frame().orElseThrow())));
         assertFalse(Arrays.equals(clock(start), clock(later)), "the time does not change");
     }
 
