@@ -87,7 +87,11 @@ public final class World {
             body.driveMotors(leftVolts, rightVolts, decay);
         }
         motionStep.move(dt);
-        motionStep.pollContact().ifPresent(contact -> recordCollision(contact, tick + 1, tick * dt + contact.time()));
+        // A function that refers to this world would be an object for every tick.
+        Optional<MotionStep.Contact> contact = motionStep.pollContact();
+        if (contact.isPresent()) {
+            recordCollision(contact.get(), tick + 1, tick * dt + contact.get().time());
+        }
         tick++;
     }
 
