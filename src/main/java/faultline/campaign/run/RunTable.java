@@ -84,8 +84,7 @@ final class RunTable implements Closeable {
      */
     static void requireNoOther(String header, String given, Path file) throws IOException {
         if (given.endsWith("\n") && !given.equals(header)) {
-            throw new IOException(
-                    file + ":1: this is not the header of the campaign;" + " restore the table, or remove it");
+            throw new IOException(file + ":1: this is not the header of the campaign; restore the table, or remove it");
         }
     }
 
