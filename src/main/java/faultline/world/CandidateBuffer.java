@@ -76,8 +76,14 @@ public final class CandidateBuffer {
         size = kept;
     }
 
-    /** Removes the shapes that are farther than a radius, metres, from a point. */
-    void dropBeyond(double x, double y, double radius) {
+    /**
+     * Removes the shapes that are farther than a radius from a point.
+     *
+     * @param x metres
+     * @param y metres
+     * @param radius metres
+     */
+    public void dropBeyond(double x, double y, double radius) {
         int kept = 0;
         for (int i = 0; i < size; i++) {
             if (shapes[i].distanceTo(x, y) <= radius) {

@@ -35,6 +35,9 @@ final class WallFollowingMetrics implements TickObserver {
     private final double distance;
     private final WallReference walls;
     private final Coverage coverage;
+    /** Null until it is needed, because finding the walls takes a long time in large worlds. */
+    private NearestWall nearestWall;
+
     private final MeanSquare straightError = new MeanSquare();
     private final MeanSquare followError = new MeanSquare();
 
@@ -66,9 +69,22 @@ final class WallFollowingMetrics implements TickObserver {
             coverage.visit(centre);
         }
         if (follows) {
-            WallReference.WallError error = walls.wallError(centre, distance, STRAIGHT_MARGIN);
-            followError.add(error.metres());
-            straightError.add(error.straight() ? error.metres() : Double.NaN);
+            addError(centre);
+        }
+    }
+
+    /** Adds how much farther than wanted the nearest wall is, unless it is more than twice as far. */
+    private void addError(Vector2 centre) {
+        if (nearestWall == null) {
+            nearestWall = new NearestWall(walls.walls(), 2 * distance);
+        }
+        NearestWall.Wall nearest = nearestWall.of(centre, STRAIGHT_MARGIN);
+        if (nearest.distance() <= 2 * distance) {
+            double error = nearest.distance() - distance;
+            followError.add(error);
+            if (nearest.straight()) {
+                straightError.add(error);
+            }
         }
     }
 
@@ -99,16 +115,14 @@ final class WallFollowingMetrics implements TickObserver {
         return followError.root();
     }
 
-    /** The mean of squared errors; those that are not numbers are omitted. */
+    /** The mean of squared errors. */
     private static final class MeanSquare {
         private double sum;
         private long count;
 
         void add(double error) {
-            if (!Double.isNaN(error)) {
-                sum += error * error;
-                count++;
-            }
+            sum += error * error;
+            count++;
         }
 
         OptionalDouble root() {

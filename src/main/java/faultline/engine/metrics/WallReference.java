@@ -2,7 +2,6 @@ package faultline.engine.metrics;
 
 import faultline.engine.Simulation;
 import faultline.geometry.ConvexShape;
-import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.world.CandidateBuffer;
 import faultline.world.SpatialIndex;
@@ -11,15 +10,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The walls of a world at the start, as ground truth for wall followers: what can be followed at a distance, and how
- * far the nearest wall is. Moving obstacles do not count as walls. Confined to one thread.
+ * The walls of a world at the start, as ground truth for wall followers: what can be followed at a distance. Moving
+ * obstacles do not count as walls. Confined to one thread.
  */
 public final class WallReference {
 
     /** A bound of the error of a distance, metres. */
     static final double ROUNDING = 1e-9;
-
-    private static final double NONE = Double.POSITIVE_INFINITY;
 
     private final WorldSpec world;
     private final CandidateBuffer candidates = new CandidateBuffer();
@@ -49,41 +46,6 @@ public final class WallReference {
             index = SpatialIndex.ofStaticShapes(world);
         }
         return index;
-    }
-
-    /**
-     * The error of the distance from a point to the nearest wall.
-     *
-     * @param metres positive for too far; NaN if the wall is more than twice as far as wanted
-     * @param straight whether the nearest wall is straight there
-     */
-    record WallError(double metres, boolean straight) {}
-
-    /**
-     * Returns how much farther than wanted the nearest wall is from a point.
-     *
-     * @param centre the robot's centre
-     * @param wanted the wanted distance from the centre, metres
-     * @param margin the smallest distance of the foot from the ends of a straight wall, metres
-     */
-    WallError wallError(Vector2 centre, double wanted, double margin) {
-        findNear(centre, 2 * wanted);
-        double least = NONE;
-        boolean straight = false;
-        for (int i = 0; i < candidates.size(); i++) {
-            if (candidates.shape(i).distanceTo(centre.x(), centre.y()) > 1.000001 * least) {
-                continue;
-            }
-            Vector2 nearest = candidates.shape(i).nearestTo(centre);
-            double distance = nearest.distanceTo(centre);
-            if (distance < least) {
-                least = distance;
-                straight = candidates.shape(i) instanceof Segment segment
-                        && nearest.distanceTo(segment.a()) >= margin
-                        && nearest.distanceTo(segment.b()) >= margin;
-            }
-        }
-        return new WallError(least <= 2 * wanted ? least - wanted : Double.NaN, straight);
     }
 
     /** Returns the number of shapes that the walls consist of. */

@@ -130,7 +130,7 @@ class CoverageTest {
     }
 
     /** Shapes that touch, overlap, leave gaps about as wide as the robot's way, and repeat each other. */
-    private static WorldSpec clutter(Random random) {
+    static WorldSpec clutter(Random random) {
         List<Obstacle> obstacles = new ArrayList<>();
         for (int i = 0; i < 3 + random.nextInt(12); i++) {
             Pose pose = new Pose(8 * random.nextDouble(), 6 * random.nextDouble(), random.nextInt(8) * Math.PI / 4);
@@ -157,7 +157,7 @@ class CoverageTest {
     }
 
     /** Staircases of 5 cm, as in a floor plan, some of which return on themselves, and specks at their corners. */
-    private static WorldSpec staircases(Random random) {
+    static WorldSpec staircases(Random random) {
         List<Obstacle> obstacles = new ArrayList<>();
         for (int i = 0; i < 2 + random.nextInt(3); i++) {
             List<Vector2> points = new ArrayList<>(List.of(new Vector2(2 + random.nextInt(3), 1 + random.nextInt(3))));

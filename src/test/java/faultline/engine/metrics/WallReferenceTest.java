@@ -16,7 +16,6 @@ import org.junit.jupiter.api.Test;
 class WallReferenceTest {
 
     private static final double WANTED = 0.35;
-    private static final double MARGIN = 0.5;
 
     private static WallReference room(Obstacle... obstacles) {
         return new WallReference(new WorldSpec(4, 4, true, 3, List.of(obstacles)));
@@ -24,37 +23,6 @@ class WallReferenceTest {
 
     private static Obstacle inTheMiddle(ObstacleShape shape) {
         return new Obstacle("thing", shape, new Pose(2, 2, 0));
-    }
-
-    /** Returns how much farther than wanted a straight wall is; not a number if the wall is not straight there. */
-    private static double straightWallError(WallReference walls, Vector2 centre) {
-        WallReference.WallError error = walls.wallError(centre, WANTED, MARGIN);
-        return error.straight() ? error.metres() : Double.NaN;
-    }
-
-    @Test
-    void anErrorIsHowMuchTooFarTheWallIs() {
-        assertEquals(0.05, straightWallError(room(), new Vector2(1, 0.4)), 1e-12);
-        assertEquals(-0.05, straightWallError(room(), new Vector2(3.7, 2)), 1e-12);
-    }
-
-    @Test
-    void nearACornerThereIsNoError() {
-        assertTrue(Double.isNaN(straightWallError(room(), new Vector2(0.49, 0.3))));
-        assertEquals(-0.05, straightWallError(room(), new Vector2(0.51, 0.3)), 1e-12);
-    }
-
-    @Test
-    void inTheOpenThereIsNoError() {
-        assertEquals(0.35, straightWallError(room(), new Vector2(2, 0.7)), 1e-12);
-        assertTrue(
-                Double.isNaN(straightWallError(room(), new Vector2(2, 0.71))), "more than twice the wanted distance");
-    }
-
-    @Test
-    void besideACurvedObstacleThereIsNoError() {
-        assertTrue(Double.isNaN(
-                straightWallError(room(inTheMiddle(new ObstacleShape.CircleShape(0.5))), new Vector2(2, 1.2))));
     }
 
     @Test

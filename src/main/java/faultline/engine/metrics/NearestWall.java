@@ -1,0 +1,95 @@
+package faultline.engine.metrics;
+
+import faultline.geometry.ConvexShape;
+import faultline.geometry.Segment;
+import faultline.geometry.Vector2;
+import faultline.world.CandidateBuffer;
+import faultline.world.SpatialIndex;
+import java.util.Arrays;
+
+/**
+ * Finds the nearest wall of points along a path. The walls around a point are kept for the next points, with their
+ * distances; while the path is near that point, most of them are certainly farther away than the nearest one.
+ */
+final class NearestWall {
+
+    /** Walls are found anew when the path has left this distance from the point of the last search, metres. */
+    private static final double MAX_MOVED = 0.1;
+
+    private final SpatialIndex walls;
+    private final double range;
+    private final CandidateBuffer near = new CandidateBuffer();
+    /** The distances of the walls from the point of the last search, metres. */
+    private double[] distances = new double[0];
+
+    private Vector2 searched = new Vector2(Double.POSITIVE_INFINITY, 0);
+    /** The index of the last nearest wall, which often is the nearest again. */
+    private int last;
+
+    /** Creates a search that ignores walls beyond a distance, metres. */
+    NearestWall(SpatialIndex walls, double range) {
+        this.walls = walls;
+        this.range = range;
+    }
+
+    /**
+     * The nearest wall of a point.
+     *
+     * @param distance metres; positive infinity if there is no wall within the range
+     * @param straight whether it is straight there
+     */
+    record Wall(double distance, boolean straight) {}
+
+    /**
+     * Returns the nearest wall of a point; of several, the first in the world.
+     *
+     * @param margin the smallest distance of the foot from the ends of a straight wall, metres
+     */
+    Wall of(Vector2 point, double margin) {
+        double moved = point.distanceTo(searched);
+        if (!(moved <= MAX_MOVED)) {
+            search(point);
+            moved = 0;
+        }
+        double least = last < near.size() ? distance(last, point) : Double.POSITIVE_INFINITY;
+        int nearest = last;
+        for (int i = 0; i < near.size(); i++) {
+            if (distances[i] - moved <= least + WallReference.ROUNDING) {
+                double distance = distance(i, point);
+                if (distance < least || distance == least && near.number(i) < near.number(nearest)) {
+                    least = distance;
+                    nearest = i;
+                }
+            }
+        }
+        last = nearest;
+        return least <= range
+                ? new Wall(least, isStraight(near.shape(nearest), point, margin))
+                : new Wall(Double.POSITIVE_INFINITY, false);
+    }
+
+    private double distance(int wall, Vector2 point) {
+        return near.shape(wall).nearestTo(point).distanceTo(point);
+    }
+
+    private void search(Vector2 point) {
+        double radius = range + MAX_MOVED + WallReference.ROUNDING;
+        near.clear();
+        walls.findNear(point.x(), point.y(), radius, near);
+        near.dropBeyond(point.x(), point.y(), radius);
+        distances = near.size() <= distances.length ? distances : Arrays.copyOf(distances, 2 * near.size());
+        for (int i = 0; i < near.size(); i++) {
+            distances[i] = near.shape(i).distanceTo(point.x(), point.y());
+        }
+        searched = point;
+        last = 0;
+    }
+
+    private static boolean isStraight(ConvexShape wall, Vector2 point, double margin) {
+        if (!(wall instanceof Segment segment)) {
+            return false;
+        }
+        Vector2 foot = segment.nearestTo(point);
+        return foot.distanceTo(segment.a()) >= margin && foot.distanceTo(segment.b()) >= margin;
+    }
+}
