@@ -19,7 +19,6 @@ import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
-import faultline.world.ObstacleShape;
 import faultline.world.Snapshot;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
@@ -33,17 +32,6 @@ import java.util.function.LongSupplier;
  * ground, so that moving them is cheap; many selected ones, and large ones such as floor plans, stay in it.
  */
 final class CachedSceneRenderer {
-
-    /** The greatest number of corners of the selected obstacles that are painted in every frame. */
-    private static final int MAX_SEPARATE_CORNERS = 2000;
-
-    private static final ObstacleShape.ShapeCases<Integer> CORNER_COUNT = new ObstacleShape.ShapeCases<>(
-            rectangle -> 4,
-            circle -> 0,
-            ellipse -> 0,
-            polygon -> polygon.points().size(),
-            wall -> wall.points().size(),
-            ObstacleShape.PlanShape::pointCount);
 
     private final CachedLayer<GroundLayer> ground = new CachedLayer<>();
     private final CachedLayer<PathLayer> path = new CachedLayer<>();
@@ -132,12 +120,7 @@ final class CachedSceneRenderer {
     /** Returns the selected obstacles that are not part of the ground: all, or none if there is much to paint. */
     private static Set<String> separatelyPainted(CanvasModel scene) {
         Set<String> selection = scene.selection().get();
-        boolean few = selection.size() <= DragGesture.MAX_SEPARATE_PREVIEWS
-                && scene.selected().stream()
-                                .mapToInt(obstacle -> obstacle.shape().match(CORNER_COUNT))
-                                .sum()
-                        <= MAX_SEPARATE_CORNERS;
-        return few ? selection : Set.of();
+        return DragGesture.isPreviewedInFull(scene.selected()) ? selection : Set.of();
     }
 
     private void paintSelection(DrawContext context, CanvasModel scene) {

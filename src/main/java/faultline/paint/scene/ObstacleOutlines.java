@@ -28,16 +28,31 @@ public final class ObstacleOutlines {
             },
             wall -> polyline(wall.points()),
             plan -> {
-                Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
-                plan.rings().forEach(ring -> path.append(Shapes.polygon(ring), false));
+                // A floor plan may have tens of thousands of points, so the path has room for all from the start.
+                int segments = plan.pointCount() + plan.rings().size();
+                Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD, segments);
+                plan.rings().forEach(ring -> Shapes.appendPolygon(path, ring));
                 return path;
             });
+
+    private static final ObstacleShape.ShapeCases<Integer> CORNER_COUNT = new ObstacleShape.ShapeCases<>(
+            rectangle -> 4,
+            circle -> 0,
+            ellipse -> 0,
+            polygon -> polygon.points().size(),
+            wall -> wall.points().size(),
+            ObstacleShape.PlanShape::pointCount);
 
     private ObstacleOutlines() {}
 
     /** Returns the outline of a shape in its own frame; open for a wall, closed for all others. */
     public static Shape localShape(ObstacleShape shape) {
         return shape.match(OUTLINE);
+    }
+
+    /** Returns the number of corners of an outline. */
+    public static int cornerCount(ObstacleShape shape) {
+        return shape.match(CORNER_COUNT);
     }
 
     private static Shape centred(RectangularShape shape, double width, double height) {

@@ -13,11 +13,21 @@ public final class Shapes {
     /** Returns the open line through points, at least one. */
     public static Path2D polyline(List<Vector2> points) {
         Path2D path = new Path2D.Double(Path2D.WIND_NON_ZERO, points.size() + 1);
-        path.moveTo(points.get(0).x(), points.get(0).y());
-        for (Vector2 point : points.subList(1, points.size())) {
-            path.lineTo(point.x(), point.y());
-        }
+        appendPolyline(path, points);
         return path;
+    }
+
+    private static void appendPolyline(Path2D path, List<Vector2> points) {
+        path.moveTo(points.get(0).x(), points.get(0).y());
+        for (int i = 1; i < points.size(); i++) {
+            path.lineTo(points.get(i).x(), points.get(i).y());
+        }
+    }
+
+    /** Appends the closed line through points, at least one, to a path. */
+    public static void appendPolygon(Path2D path, List<Vector2> points) {
+        appendPolyline(path, points);
+        path.closePath();
     }
 
     /** Returns the closed line through points, at least one. */

@@ -2,6 +2,7 @@ package faultline.gui.canvas;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
@@ -85,6 +86,31 @@ class CachedSceneRendererTest {
         showFrame();
         paint(OBSTACLES);
         assertMatchesDirectRendering("a late clock");
+    }
+
+    @Test
+    void aMovedFloorPlanIsPaintedOverSeveralFramesWhileItsOldImageShows() {
+        deviceScale = 1;
+        runOnEdt(() -> canvas.setSize(600, 440));
+        Obstacle plan = new Obstacle("plan", new ObstacleShape.PlanShape(smallSquares(5000)), new Pose(0, 0, 0));
+        obstacles.add(plan);
+        showFrame();
+        BufferedImage before = paint(FRAMES);
+        obstacles.set(0, plan.withPose(new Pose(0.5, 0, 0)));
+        showFrame();
+        assertEquals(0, Pixels.countVisiblyDifferent(before, paint(1)));
+        assertMatchesDirectRendering("a moved plan");
+    }
+
+    private static List<List<Vector2>> smallSquares(int count) {
+        return IntStream.range(0, count)
+                .mapToObj(i -> new Vector2(i % 100 * 0.05, i / 100 * 0.07))
+                .map(corner -> List.of(
+                        corner,
+                        corner.plus(new Vector2(0.03, 0)),
+                        corner.plus(new Vector2(0.03, 0.03)),
+                        corner.plus(new Vector2(0, 0.03))))
+                .toList();
     }
 
     private void applyRandomChange(int kind) {

@@ -1,5 +1,6 @@
 package faultline.gui.canvas.cache;
 
+import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.scene.ObstaclePainter;
 import faultline.paint.scene.ScenePainter;
 import faultline.paint.scene.SelectionPainter;
@@ -35,6 +36,8 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
     private static final double LABEL_COST = 1;
     /** The number of filled pixels that cost as much as the fixed cost of an obstacle. */
     private static final double PIXELS_PER_OBSTACLE = 4000;
+    /** The number of corners that cost as much as the fixed cost of an obstacle. */
+    private static final double CORNERS_PER_OBSTACLE = 36;
     /** If more obstacles have changed, everything is repainted. */
     private static final int MAX_CHANGES = 16;
 
@@ -46,6 +49,19 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
     @Override
     public int pieceCount() {
         return 1 + obstacles.size();
+    }
+
+    /** Large obstacles, such as floor plans, are painted in parts, each of which takes about a frame. */
+    @Override
+    public int bandCount() {
+        return obstacles.stream().mapToInt(this::frameCount).max().orElse(1);
+    }
+
+    /** Returns the number of frames that it takes to paint the corners of an obstacle, at least one. */
+    private int frameCount(Obstacle obstacle) {
+        double marks = marked.contains(obstacle.id()) ? 2 : 1;
+        double obstaclesWorth = marks * ObstacleOutlines.cornerCount(obstacle.shape()) / CORNERS_PER_OBSTACLE;
+        return Math.max(1, (int) Math.ceil(obstaclesWorth / OBSTACLES_PER_FRAME));
     }
 
     @Override
@@ -69,7 +85,7 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
             Rectangle2D extent = obstaclePainter.bounds(context.camera(), obstacle);
             if (extent.intersects(clip)) {
                 paint(obstaclePainter, context, obstacle);
-                budget.spend(cost(extent) / OBSTACLES_PER_FRAME);
+                budget.spend(cost(obstacle, extent, clip) / OBSTACLES_PER_FRAME);
             }
         }
         return next;
@@ -82,11 +98,18 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
         }
     }
 
-    private double cost(Rectangle2D extent) {
-        double marks = marked.isEmpty() ? 1 : 2;
-        return marks
+    /** Returns the cost of what the clip shows of an obstacle, in obstacles. */
+    private double cost(Obstacle obstacle, Rectangle2D extent, Rectangle clip) {
+        double pixels = area(extent);
+        double shown = area(extent.createIntersection(clip));
+        double corners = ObstacleOutlines.cornerCount(obstacle.shape()) * shown / pixels;
+        return (marked.isEmpty() ? 1 : 2) * (1 + corners / CORNERS_PER_OBSTACLE)
                 + (painter.obstaclePainter().named() ? LABEL_COST : 0)
-                + extent.getWidth() * extent.getHeight() / PIXELS_PER_OBSTACLE;
+                + shown / PIXELS_PER_OBSTACLE;
+    }
+
+    private static double area(Rectangle2D rectangle) {
+        return rectangle.getWidth() * rectangle.getHeight();
     }
 
     @Override
@@ -115,7 +138,9 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
         obstacles.stream()
                 .filter(obstacle -> isRepaintNeeded(obstacle, before, earlier))
                 .forEach(changed::add);
-        boolean patchable = changed.size() <= 2 * MAX_CHANGES && isSameOrder(before, now, earlier);
+        boolean patchable = changed.size() <= 2 * MAX_CHANGES
+                && changed.stream().allMatch(obstacle -> frameCount(obstacle) == 1)
+                && isSameOrder(before, now, earlier);
         return patchable ? Optional.of(new Patch(extents(changed, camera), 0)) : Optional.empty();
     }
 

@@ -19,6 +19,11 @@ interface LayerContent<C extends LayerContent<C>> {
     /** Returns the number of pieces. */
     int pieceCount();
 
+    /** Returns the number of bands that a new image is painted in, because a piece may take longer than a frame has. */
+    default int bandCount() {
+        return 1;
+    }
+
     /**
      * Paints pieces from an index on until the budget is spent, and returns the index of the first that was not
      * painted. Pieces outside the clip, pixels, cost next to nothing.

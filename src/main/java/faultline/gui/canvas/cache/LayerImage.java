@@ -12,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 
@@ -51,7 +52,19 @@ record LayerImage<C extends LayerContent<C>>(
         int width = (int) Math.ceil(view.camera().width() * view.deviceScale());
         int height = (int) Math.ceil(view.camera().height() * view.deviceScale());
         int type = content.isOpaque() ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB_PRE;
-        return new LayerImage<>(content, view, new BufferedImage(width, height, type), List.of(view.bounds()), 0);
+        List<Rectangle> bands = bands(view.bounds(), content.bandCount());
+        return new LayerImage<>(content, view, new BufferedImage(width, height, type), bands, 0);
+    }
+
+    /** Divides an area into bands from top to bottom; some are empty if there are more bands than pixels. */
+    private static List<Rectangle> bands(Rectangle area, int count) {
+        return IntStream.range(0, count)
+                .mapToObj(band -> {
+                    int top = area.height * band / count;
+                    int bottom = area.height * (band + 1) / count;
+                    return new Rectangle(area.x, area.y + top, area.width, bottom - top);
+                })
+                .toList();
     }
 
     boolean isDone() {

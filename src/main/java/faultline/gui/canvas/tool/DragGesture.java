@@ -5,6 +5,7 @@ import faultline.gui.edit.SnapSettings;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
+import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.surface.DrawContext;
 import faultline.world.Obstacle;
 import java.util.List;
@@ -13,7 +14,10 @@ import java.util.List;
 public final class DragGesture implements Gesture {
 
     /** The largest number of obstacles that are painted apart from the cached ground while they are dragged. */
-    public static final int MAX_SEPARATE_PREVIEWS = 16;
+    private static final int MAX_SEPARATE_PREVIEWS = 16;
+
+    /** The largest number of their corners. */
+    private static final int MAX_SEPARATE_CORNERS = 2000;
 
     private final DragOperation operation;
     private final Vector2 pressed;
@@ -85,8 +89,20 @@ public final class DragGesture implements Gesture {
         }
     }
 
+    /**
+     * Returns whether obstacles are so few and small that each is painted in every frame while they are dragged; if
+     * not, their bounding box is the preview.
+     */
+    public static boolean isPreviewedInFull(List<Obstacle> obstacles) {
+        return obstacles.size() <= MAX_SEPARATE_PREVIEWS
+                && obstacles.stream()
+                                .mapToInt(obstacle -> ObstacleOutlines.cornerCount(obstacle.shape()))
+                                .sum()
+                        <= MAX_SEPARATE_CORNERS;
+    }
+
     private static void paint(DrawContext brush, List<Obstacle> there, List<Obstacle> blocked) {
-        if (there.size() <= MAX_SEPARATE_PREVIEWS) {
+        if (isPreviewedInFull(there)) {
             there.forEach(obstacle -> InteractionPainter.paintPreview(brush, obstacle, blocked.contains(obstacle)));
         } else {
             InteractionPainter.paintPreview(brush, there, !blocked.isEmpty());
