@@ -38,8 +38,13 @@ public final class Viewport {
         followRobot();
     }
 
+    /** Sets the size of the canvas, pixels. A layout that keeps the size keeps the view, too. */
     public void resize(int width, int height) {
-        camera.set(camera.get().resized(Math.max(1, width), Math.max(1, height)));
+        Camera resized = camera.get().resized(Math.max(1, width), Math.max(1, height));
+        if (resized.equals(camera.get())) {
+            return;
+        }
+        camera.set(resized);
         covered = Math.min(covered, camera.get().height() / 2);
         if (fitting) {
             fit();

@@ -10,6 +10,8 @@ import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.robot.MotorFaults;
 import faultline.robot.WheelSpeeds;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
 import faultline.world.Snapshot;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -34,6 +36,16 @@ class ViewportTest {
     void aFittedWorldStaysFittedWhenTheCanvasIsResized() {
         viewport.resize(440, 600);
         assertEquals(392 / 6.0, camera().scale());
+    }
+
+    @Test
+    void aLayoutThatKeepsTheSizeOfTheCanvasKeepsTheView() {
+        Obstacle outside = new Obstacle("outside", new ObstacleShape.CircleShape(1), new Pose(8, 2, 0));
+        viewport.setWorld(SampleFrames.frameOf(new Pose(1, 1, 0), outside).snapshot());
+        viewport.resize(800, 600);
+        assertEquals(752 / 6.0, camera().scale());
+        viewport.fit();
+        assertEquals(752 / 9.0, camera().scale());
     }
 
     @Test
