@@ -81,7 +81,7 @@ final class StripPainter {
         lines.paintReference(content);
         scale.signal().lines().forEach(lines::paint);
         paintEvents();
-        if (scale.isEmpty()) {
+        if (scale.isEmpty() && content.reference() == null) {
             surface.drawText(
                     Messages.get("strip.none"),
                     area.pointAt(0.5, 0.5).minus(new Vector2(0, 4)),

@@ -121,6 +121,14 @@ class StripContentTest {
     }
 
     @Test
+    void aChartWithOnlyTheCurvesOfAReferenceRunDoesNotSayThatThereIsNoData() {
+        ReferenceRun other = ReferenceRun.replay(new Journal(SampleRuns.ROOM_SETUP, List.of(), 100), tick -> true);
+        TimeSpan future = new TimeSpan(1000, 10);
+        assertTrue(content(future, List.of(), null).toSvg(Theme.LIGHT).contains("No data"));
+        assertFalse(content(future, List.of(), other).toSvg(Theme.LIGHT).contains("No data"));
+    }
+
+    @Test
     void theReferenceRunHasItsOwnCurves() {
         ReferenceRun other = ReferenceRun.replay(
                 new Journal(SampleRuns.ROOM_SETUP.withStart(new Pose(2, 1.3, 0.1)), List.of(), 2000), tick -> true);
