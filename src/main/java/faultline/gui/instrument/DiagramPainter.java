@@ -153,11 +153,12 @@ final class DiagramPainter {
         g.draw(Antialiasing.roundedRectangle(box.getX(), box.getY(), box.getWidth(), box.getHeight()));
         double middle = box.getCenterY();
         boolean visitsFit = box.getHeight() >= TWO_LINES;
+        String name = StateText.name(state);
         drawFitted(
-                StateText.name(state),
+                name,
                 new Vector2(box.getCenterX(), visitsFit ? middle - 2 : middle + 5),
                 box.getWidth() - 4,
-                active ? NAME_FONT.deriveFont(Font.BOLD) : NAME_FONT,
+                active ? boldIfFitting(name, NAME_FONT, box.getWidth() - 4, g::getFontMetrics) : NAME_FONT,
                 active ? colours.onAccent() : colours.text());
         if (visitsFit) {
             drawFitted(
@@ -180,6 +181,12 @@ final class DiagramPainter {
     private void drawFitted(String text, Vector2 foot, double room, Font font, Color colour) {
         Font fitted = fitted(text, font, room, g::getFontMetrics);
         drawCentred(ShortenedText.of(text, g.getFontMetrics(fitted), room), foot.x(), foot.y(), fitted, colour);
+    }
+
+    /** Returns the bold version of a font, or the font itself if a bold text is too wide even in the smallest size. */
+    static Font boldIfFitting(String text, Font font, double room, Function<Font, FontMetrics> metrics) {
+        Font bold = font.deriveFont(Font.BOLD);
+        return metrics.apply(fitted(text, bold, room, metrics)).stringWidth(text) <= room ? bold : font;
     }
 
     /** Returns the largest font up to a given one in which a text has the room, pixels, or else the smallest font. */

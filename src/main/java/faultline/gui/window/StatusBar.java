@@ -37,7 +37,7 @@ final class StatusBar extends JPanel {
             cell("status.runState", () -> Stream.of("running", "paused", "collided", "failed")
                     .map(state -> Messages.get("status." + state)));
     private final StatusCell time = cell("status.time", "t 00000.000 s");
-    private final StatusCell tick = cell("status.tick", "tick 00000000");
+    private final StatusCell tick = cell("status.tick", () -> Stream.of(tickText(10_000_000)));
     private final StatusCell pace = cell("status.pace", "00000.00× real time");
     private final StatusCell state =
             cell("status.state", () -> Stream.of(FollowerState.values()).map(StateText::name));
@@ -89,7 +89,7 @@ final class StatusBar extends JPanel {
                                 ? "status.collided"
                                 : status.running() ? "status.running" : "status.paused"));
         time.setStatusText(NumberText.format("t %.3f s", world.time()));
-        tick.setStatusText(NumberText.format("tick %d", world.tick()));
+        tick.setStatusText(tickText(world.tick()));
         boolean stalled = stalledRun.isStalled(world, status);
         pace.setStatusText(
                 status.achievedSpeed() > 0 && !stalled
@@ -109,6 +109,10 @@ final class StatusBar extends JPanel {
         } else {
             removeNote(sentence);
         }
+    }
+
+    private static String tickText(long tick) {
+        return Messages.get("status.tickCount", Long.toString(tick));
     }
 
     private static String poseText(Pose pose) {

@@ -142,6 +142,17 @@ class StateDiagramViewTest {
     }
 
     @Test
+    void theNameOfTheActiveStateIsBoldOnlyIfItFits() {
+        Font plain = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
+        String name = "Wyrównanie";
+        double room = view.getFontMetrics(plain.deriveFont(8f)).stringWidth(name);
+        assertFalse(DiagramPainter.boldIfFitting(name, plain, room, view::getFontMetrics)
+                .isBold());
+        assertTrue(DiagramPainter.boldIfFitting(name, plain, 2 * room, view::getFontMetrics)
+                .isBold());
+    }
+
+    @Test
     void anArrowUnderTheMouseExplainsItself() {
         picture(FRAME);
         Arrow first = StateDiagram.TRANSITIONS.get(0);

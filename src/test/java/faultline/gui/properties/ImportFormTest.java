@@ -67,12 +67,12 @@ class ImportFormTest {
     @Test
     void theImageIsReadWithEachChangeOfAField() {
         ImportForm form = callOnEdt(() -> new ImportForm(image));
-        awaitStatus(form, "60 × 40 cells, 4 outlines");
+        awaitStatus(form, "Cells: 60 × 40, outlines: 4");
         Scenario small = callOnEdt(() -> form.scenario().orElseThrow());
         assertEquals(3, small.setup().world().width(), 1e-9);
         runOnEdt(() -> ComponentFinder.find(form, JSpinner.class, "Smallest wall, cells")
                 .setValue(2.0));
-        awaitStatus(form, "60 × 40 cells, 3 outlines");
+        awaitStatus(form, "Cells: 60 × 40, outlines: 3");
         runOnEdt(() ->
                 ComponentFinder.find(form, JSpinner.class, "Side of a pixel, m").setValue(0.1));
         Await.until("the larger plan", () -> form.scenario()
@@ -90,7 +90,7 @@ class ImportFormTest {
                 "image: hall.pgm\nresolution: 0.08\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
                         + "free_thresh: 0.196\n");
         ImportForm form = callOnEdt(() -> new ImportForm(map));
-        awaitStatus(form, "60 × 40 cells");
+        awaitStatus(form, "Cells: 60 × 40");
         assertEquals(
                 4.8,
                 callOnEdt(() -> form.scenario().orElseThrow().setup().world().width()),
@@ -140,7 +140,7 @@ class ImportFormTest {
     @Test
     void theFormBecomesNarrowAgain() {
         ImportForm form = callOnEdt(() -> new ImportForm(image));
-        awaitStatus(form, "60 × 40 cells");
+        awaitStatus(form, "Cells: 60 × 40");
         int width = callOnEdt(() -> form.getPreferredSize().width);
         assertEquals(width, callOnEdt(() -> {
             form.setSize(width + 30, 600);
@@ -152,7 +152,7 @@ class ImportFormTest {
     @Test
     void aNumberThatIsBeingTypedIsUsedOrRefused() {
         ImportForm form = callOnEdt(() -> new ImportForm(image));
-        awaitStatus(form, "60 × 40 cells, 4 outlines");
+        awaitStatus(form, "Cells: 60 × 40, outlines: 4");
         JFormattedTextField smallest = callOnEdt(
                 () -> ((JSpinner.DefaultEditor) ComponentFinder.find(form, JSpinner.class, "Smallest wall, cells")
                                 .getEditor())
@@ -166,7 +166,7 @@ class ImportFormTest {
             smallest.setText("2");
             return form.commitNumbers().isEmpty() && form.scenario().isEmpty();
         }));
-        awaitStatus(form, "60 × 40 cells, 3 outlines");
+        awaitStatus(form, "Cells: 60 × 40, outlines: 3");
     }
 
     @Test

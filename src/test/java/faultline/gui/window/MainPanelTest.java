@@ -339,7 +339,13 @@ class MainPanelTest {
         Messages.setLanguage(language);
         actions = new ActionRegistry();
         build();
+        assertMenuItemsHaveUniqueMnemonics();
+        runOnEdt(() -> actions.get("run").rename("pause"));
         Messages.setLanguage(Language.ENGLISH);
+        assertMenuItemsHaveUniqueMnemonics();
+    }
+
+    private void assertMenuItemsHaveUniqueMnemonics() {
         List<JMenu> all =
                 callOnEdt(() -> ComponentFinder.findAll(menus, JMenu.class).toList());
         assertTrue(all.size() > 5);

@@ -13,6 +13,8 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
 import faultline.world.Refusal;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
@@ -30,6 +32,17 @@ class StatusBarTest {
         assertEquals(
                 List.of("Running", "t 0.010 s", "0.98× real time", "Follow", "x 1.500  y 2.000  θ -90.0°"),
                 texts().subList(0, 5));
+    }
+
+    @Test
+    void theTickIsInTheLanguageOfTheWindow() {
+        runOnEdt(() -> Messages.setLanguage(Language.POLISH));
+        try {
+            show(SampleFrames.frameOf(new Pose(1, 1, 0)), running(1));
+            assertTrue(texts().contains("krok 1"), texts().toString());
+        } finally {
+            runOnEdt(() -> Messages.setLanguage(Language.ENGLISH));
+        }
     }
 
     @Test
