@@ -18,7 +18,10 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
-/** Plots the left reading over the manoeuvre's time, with F3, F4, and t_p from F4 back to the middle of t_D. */
+/**
+ * Plots the reading on the side of the wall over the manoeuvre's time, with F3, F4, and t_p from F4 back to the middle
+ * of t_D.
+ */
 final class AlignmentChart {
 
     private static final double TEXT_SIZE = 11;
@@ -60,7 +63,7 @@ final class AlignmentChart {
         painter.paintTicks(
                 new TickStyle(TextStyle.plain(TEXT_SIZE, theme.palette().muted()), 0, 6, 22, " s"));
         surface.drawText(
-                Messages.get("spin.reading"),
+                Messages.get("spin.reading", trace.wallSide().fileName()),
                 new Vector2(plot.area().x(), plot.area().y() - 9),
                 textStyle);
         painter.paintLine(

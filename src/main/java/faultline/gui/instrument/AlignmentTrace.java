@@ -5,6 +5,7 @@ import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.control.TimingRule;
+import faultline.control.WallSide;
 import faultline.control.ladder.Rung;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
@@ -22,12 +23,12 @@ import java.util.Set;
  * The newest alignment manoeuvre of a run. Times are those of the manoeuvre's clock: the angle turned since TURN began,
  * divided by the constant turn rate.
  *
- * @param samples the left reading during the turn, up to frame F4
+ * @param samples the reading on the side of the wall during the turn, up to frame F4
  * @param start the heading at the beginning of TURN, radians
  * @param rate the turn rate, radians per second; negative for a turn to the right
  * @param headingNow the current heading, or the one at the end of the manoeuvre, radians
- * @param f3 when the left sensor met the wall, seconds; NaN if not yet known
- * @param f4 when the left sensor lost the wall, seconds; NaN if not yet known
+ * @param f3 when the sensor on the side of the wall met it, seconds; NaN if not yet known
+ * @param f4 when that sensor lost the wall, seconds; NaN if not yet known
  * @param tP the duration of the turn back, seconds; NaN if not yet known
  * @param origin the simulated time at which the manoeuvre's clock would be 0 at the constant turn rate, seconds
  * @param achievedHeading the heading at the end of ALIGN, radians; NaN if not yet known
@@ -87,6 +88,11 @@ record AlignmentTrace(
             }
             return Optional.empty();
         }
+    }
+
+    /** Returns the side of the wall, from which the robot turns away. */
+    WallSide wallSide() {
+        return rate < 0 ? WallSide.LEFT : WallSide.RIGHT;
     }
 
     /**

@@ -54,8 +54,10 @@ public final class AlignmentView extends AccessibleComponent {
     /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
-        sensor = SignalGroup.followedSensor(frame.snapshot().sensors());
         trace = AlignmentTrace.latest(frame).orElse(null);
+        if (trace != null) {
+            sensor = SignalGroup.sensorFacingWall(frame.snapshot().sensors(), trace.wallSide());
+        }
         TimingRule rule = trace == null ? AlignmentTrace.presentRule(frame) : trace.rule();
         if (rule != timingRule) {
             timingRule = rule;

@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.control.WallSide;
 import faultline.engine.recording.TraceChannels;
 import faultline.gui.text.Messages;
 import faultline.paint.surface.DashPattern;
@@ -9,9 +10,6 @@ import java.util.List;
 
 /** A choice of a strip chart: lines that are shown together, from back to front, and their unit. */
 record SignalGroup(String name, String unit, List<ChartLine> lines) {
-
-    /** The id of the sensor whose reading the controller follows, by convention of the controller's telemetry. */
-    private static final String FOLLOWED_SENSOR = "left";
 
     SignalGroup {
         lines = List.copyOf(lines);
@@ -45,14 +43,17 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
         return new SignalGroup(name, unit, all);
     }
 
-    /** Returns the index of the sensor that the controller follows, 2 as in the default robot if it has none. */
-    static int followedSensor(List<SensorSnapshot> sensors) {
+    /**
+     * Returns the index of the sensor that faces the wall, which is named after the side of the wall; that of the
+     * default robot if there is none of this name.
+     */
+    static int sensorFacingWall(List<SensorSnapshot> sensors, WallSide side) {
         for (int i = 0; i < sensors.size(); i++) {
-            if (sensors.get(i).spec().id().equals(FOLLOWED_SENSOR)) {
+            if (sensors.get(i).spec().id().equals(side.fileName())) {
                 return i;
             }
         }
-        return 2;
+        return side == WallSide.LEFT ? 2 : 6;
     }
 
     /** Returns the distance that the controller uses, which is a reading or that of its local map, and its target. */

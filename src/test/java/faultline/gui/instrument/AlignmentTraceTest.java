@@ -57,6 +57,7 @@ class AlignmentTraceTest {
         SimulationSetup setup = SampleRuns.setup(ControllerSpec.WallFollowing.DEFAULT.withSide(hand));
         SessionFrame frame = SampleRuns.frame(setup, 2000);
         AlignmentTrace spin = AlignmentTrace.latest(frame).orElseThrow();
+        assertEquals(hand, spin.wallSide());
         double handOver = SampleRuns.frame(setup, arrival(frame, FollowerState.ALIGN) + 1)
                 .snapshot()
                 .pose()

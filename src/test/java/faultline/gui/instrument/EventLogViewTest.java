@@ -60,7 +60,7 @@ class EventLogViewTest {
                 List.of(
                         "0.000 Command rear turned off",
                         "0.010 Health rear is not trusted: it gives no answer",
-                        "0.010 Rung All sensors → Left and front"),
+                        "0.010 Rung All sensors → Side and front"),
                 rows());
     }
 
