@@ -1,4 +1,5 @@
 import faultline.gui.dialog.AppIcon;
+import faultline.io.Sha256;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -6,7 +7,6 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
@@ -168,8 +168,7 @@ public final class Package {
                     .forEach(files::add);
         }
         for (Path file : files) {
-            byte[] hash = java.security.MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
-            lines.add(HexFormat.of().formatHex(hash) + "  " + file.getFileName());
+            lines.add(Sha256.hex(Files.readAllBytes(file)) + "  " + file.getFileName());
             Path copy = DIST.resolve(file.getFileName());
             if (!file.equals(copy)) {
                 Files.copy(file, copy, StandardCopyOption.REPLACE_EXISTING);

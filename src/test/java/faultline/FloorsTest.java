@@ -144,6 +144,20 @@ class FloorsTest {
         assertEquals(List.of(2, 6), SourceMetrics.longLines("1234\n12345\n\"\"\"\n12345\n\"\"\"\n12345", 4));
     }
 
+    @Test
+    void typesAreImported() throws IOException {
+        assertEquals(List.of(), SourceMetrics.qualifiedTypes(allSources()));
+    }
+
+    @Test
+    void aTypeThatIsNotImportedIsFound(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("Named.java");
+        Files.writeString(
+                file,
+                "package faultline.io;\nimport java.util.List;\nclass Named {\n    java.util.Map.Entry<?, ?> e;\n}\n");
+        assertEquals(List.of(file + ":4 java.util.Map"), SourceMetrics.qualifiedTypes(List.of(file)));
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

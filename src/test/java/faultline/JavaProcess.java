@@ -1,7 +1,9 @@
 package faultline;
 
+import faultline.world.World;
 import java.io.File;
 import java.io.IOException;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -36,14 +38,14 @@ public final class JavaProcess {
      * separately.
      */
     private static String classPath() {
-        return Stream.of(faultline.world.World.class, JavaProcess.class, Assertions.class)
+        return Stream.of(World.class, JavaProcess.class, Assertions.class)
                         .map(JavaProcess::location)
                         .collect(Collectors.joining(File.pathSeparator, "", File.pathSeparator))
                 + System.getProperty("java.class.path");
     }
 
     private static String location(Class<?> type) {
-        return Path.of(java.net.URI.create(
+        return Path.of(URI.create(
                         type.getProtectionDomain().getCodeSource().getLocation().toString()))
                 .toString();
     }

@@ -2,6 +2,7 @@ package faultline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.app.Main;
 import java.lang.reflect.Executable;
 import java.lang.reflect.Member;
 import java.nio.file.Files;
@@ -23,11 +24,8 @@ class OptionalUseTest {
             Set.of(Optional.class, OptionalDouble.class, OptionalInt.class, OptionalLong.class);
 
     private static Stream<Class<?>> classes() throws Exception {
-        Path root = Path.of(faultline.app.Main.class
-                .getProtectionDomain()
-                .getCodeSource()
-                .getLocation()
-                .toURI());
+        Path root = Path.of(
+                Main.class.getProtectionDomain().getCodeSource().getLocation().toURI());
         List<Class<?>> classes = new ArrayList<>();
         try (Stream<Path> files = Files.walk(root.resolve("faultline"))) {
             for (Path file :

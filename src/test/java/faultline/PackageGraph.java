@@ -1,5 +1,6 @@
 package faultline;
 
+import faultline.app.Main;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.net.URISyntaxException;
@@ -53,7 +54,7 @@ final class PackageGraph {
     /** Returns the folder from which the program's classes are loaded. */
     static Path compiledClasses() {
         try {
-            return Path.of(faultline.app.Main.class
+            return Path.of(Main.class
                     .getProtectionDomain()
                     .getCodeSource()
                     .getLocation()

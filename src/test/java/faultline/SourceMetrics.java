@@ -1,8 +1,11 @@
 package faultline;
 
 import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.ImportTree;
 import com.sun.source.tree.LineMap;
+import com.sun.source.tree.MemberSelectTree;
 import com.sun.source.tree.MethodTree;
+import com.sun.source.tree.PackageTree;
 import com.sun.source.util.JavacTask;
 import com.sun.source.util.SourcePositions;
 import com.sun.source.util.TreeScanner;
@@ -14,12 +17,16 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.BiFunction;
+import java.util.regex.Pattern;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
 /** Measures source files. */
 final class SourceMetrics {
+
+    private static final Pattern QUALIFIED_TYPE = Pattern.compile("(?:javax?|faultline)(?:\\.[a-z]\\w*)+\\.[A-Z]\\w*");
 
     private SourceMetrics() {}
 
@@ -32,6 +39,26 @@ final class SourceMetrics {
      */
     static List<String> longMethods(Collection<Path> files, int most) throws IOException {
         List<String> found = new ArrayList<>();
+        scan(files, (unit, positions) -> new MethodMeter(unit, positions, most, found));
+        return found;
+    }
+
+    /**
+     * Returns the types that source files name with their packages instead of importing them. Comments and literals are
+     * ignored.
+     *
+     * @param files source files
+     * @return "file:line name" for each
+     */
+    static List<String> qualifiedTypes(Collection<Path> files) throws IOException {
+        List<String> found = new ArrayList<>();
+        scan(files, (unit, positions) -> new QualifiedTypeFinder(unit, positions, found));
+        return found;
+    }
+
+    private static void scan(
+            Collection<Path> files, BiFunction<CompilationUnitTree, SourcePositions, TreeScanner<Void, Void>> scanner)
+            throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         try (StandardJavaFileManager manager =
                 compiler.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8)) {
@@ -39,10 +66,9 @@ final class SourceMetrics {
                     null, manager, null, List.of("-proc:none"), null, manager.getJavaFileObjectsFromPaths(files));
             SourcePositions positions = Trees.instance(task).getSourcePositions();
             for (CompilationUnitTree unit : task.parse()) {
-                unit.accept(new MethodMeter(unit, positions, most, found), null);
+                unit.accept(scanner.apply(unit, positions), null);
             }
         }
-        return found;
     }
 
     /**
@@ -94,6 +120,39 @@ final class SourceMetrics {
                 }
             }
             return super.visitMethod(method, none);
+        }
+    }
+
+    /** Adds a line for each type that is named with its package. */
+    private static final class QualifiedTypeFinder extends TreeScanner<Void, Void> {
+
+        private final CompilationUnitTree unit;
+        private final SourcePositions positions;
+        private final List<String> found;
+
+        QualifiedTypeFinder(CompilationUnitTree unit, SourcePositions positions, List<String> found) {
+            this.unit = unit;
+            this.positions = positions;
+            this.found = found;
+        }
+
+        @Override
+        public Void visitPackage(PackageTree declaration, Void none) {
+            return null;
+        }
+
+        @Override
+        public Void visitImport(ImportTree declaration, Void none) {
+            return null;
+        }
+
+        @Override
+        public Void visitMemberSelect(MemberSelectTree select, Void none) {
+            if (QUALIFIED_TYPE.matcher(select.toString()).matches()) {
+                long line = unit.getLineMap().getLineNumber(positions.getStartPosition(unit, select));
+                found.add(unit.getSourceFile().getName() + ":" + line + " " + select);
+            }
+            return super.visitMemberSelect(select, none);
         }
     }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
@@ -21,8 +22,7 @@ record DescendantMarker(String value) {
 
     static DescendantMarker create() {
         ProcessHandle own = ProcessHandle.current();
-        long start =
-                own.info().startInstant().map(java.time.Instant::toEpochMilli).orElse(0L);
+        long start = own.info().startInstant().map(Instant::toEpochMilli).orElse(0L);
         return new DescendantMarker(own.pid() + "-" + start + "-" + SEQUENCE.incrementAndGet());
     }
 

@@ -20,6 +20,7 @@ import faultline.studies.figure.SortedSample;
 import faultline.world.World;
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
@@ -70,7 +71,7 @@ final class MotorMismatch implements Figure {
                 .mapToObj(i -> headingError(variant, i, mismatch))
                 .flatMapToDouble(OptionalDouble::stream));
         table.addRow(
-                variant.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-'),
+                variant.name().toLowerCase(Locale.ROOT).replace('_', '-'),
                 quantity,
                 factor,
                 errors.size(),

@@ -12,6 +12,7 @@ import faultline.world.ObstacleShape;
 import faultline.world.World;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -231,8 +232,7 @@ class RandomRoomTest {
     void cornersOf45To60DegreesAreMadeWhereTheyAreAllowed() {
         long sharp = LongStream.range(730_001, 730_201)
                 .mapToObj(seed -> ring(RandomRoom.ofSeed(seed, SHARP_AND_VISITED)))
-                .filter(ring ->
-                        java.util.stream.IntStream.range(0, ring.size()).anyMatch(i -> innerAngle(ring, i) < 60))
+                .filter(ring -> IntStream.range(0, ring.size()).anyMatch(i -> innerAngle(ring, i) < 60))
                 .count();
         assertTrue(sharp >= 20, sharp + " of 200 rooms");
         LongStream.range(730_001, 730_201)

@@ -12,7 +12,9 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
+import java.net.URISyntaxException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -62,7 +64,7 @@ class ExternalControllerTest {
                     .getCodeSource()
                     .getLocation()
                     .toURI());
-        } catch (java.net.URISyntaxException e) {
+        } catch (URISyntaxException e) {
             throw new IllegalStateException(e);
         }
     }
@@ -273,7 +275,7 @@ class ExternalControllerTest {
     private static SimulationSetup office() {
         try {
             return Scenario.load(Path.of("scenarios/office.xml")).setup().withDuration(0.5);
-        } catch (faultline.scenario.xml.ScenarioException e) {
+        } catch (ScenarioException e) {
             throw new IllegalStateException(e);
         }
     }

@@ -5,6 +5,7 @@ import faultline.control.ControllerProvider;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.Telemetry;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 
@@ -33,7 +34,7 @@ public final class RightTurner implements ControllerProvider {
             if (observation.tick() == 7) {
                 deed.run();
             }
-            boolean near = java.util.Arrays.stream(observation.readings()).anyMatch(Double::isFinite);
+            boolean near = Arrays.stream(observation.readings()).anyMatch(Double::isFinite);
             Telemetry telemetry = Telemetry.ofState(ControllerState.of(near ? "NEAR" : "GO"));
             return new Decision(volts, near ? -volts : volts, telemetry);
         };

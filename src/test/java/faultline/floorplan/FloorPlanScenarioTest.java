@@ -17,6 +17,7 @@ import faultline.world.World;
 import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -62,8 +63,7 @@ class FloorPlanScenarioTest {
     @Test
     void coordinatesAreDecimalsOfTheResolution() throws IOException {
         String text = new String(
-                FloorPlanScenario.create("Room", plan(new Random(5), 40, 40, 0)).toBytes(),
-                java.nio.charset.StandardCharsets.UTF_8);
+                FloorPlanScenario.create("Room", plan(new Random(5), 40, 40, 0)).toBytes(), StandardCharsets.UTF_8);
         String points = text.replaceAll("(?s).*<plan[^>]*points=\"([^\"]*)\".*", "$1");
         for (String number : points.split("[ ,|]+")) {
             assertTrue(number.matches("\\d+(\\.\\d{1,2})?"), number);

@@ -14,6 +14,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -50,7 +51,7 @@ class JournalScenarioTest {
                 simulation.tick();
             }
             journal = simulation.journal();
-            hash = String.format(java.util.Locale.ROOT, "%016x", simulation.trajectoryHash());
+            hash = String.format(Locale.ROOT, "%016x", simulation.trajectoryHash());
         }
         Path file = folder.resolve("journal.xml");
         JournalScenario.create(scenario, journal).save(file);

@@ -18,6 +18,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -243,8 +245,7 @@ class ScenarioSchemaTest {
     /** Returns the plain file with each of its attributes in turn set to each of the values, omitted, and misspelt. */
     private static List<String> mutations(List<String> values) {
         List<String> all = new ArrayList<>();
-        java.util.regex.Matcher attribute =
-                java.util.regex.Pattern.compile(" (\\w+)=\"([^\"]*)\"").matcher(SampleScenario.PLAIN);
+        Matcher attribute = Pattern.compile(" (\\w+)=\"([^\"]*)\"").matcher(SampleScenario.PLAIN);
         while (attribute.find()) {
             if (!attribute.group(1).equals("xmlns")) {
                 String before = SampleScenario.PLAIN.substring(0, attribute.start());
@@ -257,7 +258,7 @@ class ScenarioSchemaTest {
         return all;
     }
 
-    private static java.util.stream.Stream<Element> elements(String name) throws Exception {
+    private static Stream<Element> elements(String name) throws Exception {
         Document document =
                 DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(SCHEMA.toFile());
         NodeList found = document.getElementsByTagName("xs:" + name);

@@ -3,6 +3,7 @@ package faultline.sensor;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.robot.RobotSpec;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -149,7 +150,7 @@ class FaultModelsTest {
 
     @Test
     void opticalFaultsChangeWhatIsSeen() {
-        SensorSpec spec = faultline.robot.RobotSpec.DEFAULT.sensors().get(2);
+        SensorSpec spec = RobotSpec.DEFAULT.sensors().get(2);
         assertEquals(Math.toRadians(4), new OpticalFault.Cone(4).optics(spec).cone(), 1e-12);
         assertEquals(
                 Math.toRadians(105),

@@ -2,6 +2,7 @@ package faultline.engine.metrics;
 
 import faultline.control.ControllerState;
 import faultline.io.DecimalText;
+import faultline.world.Collision;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -105,7 +106,7 @@ public record Expectation(List<Condition> conditions) {
                             result.collision().map(Collides::describe).orElse("there was none"));
         }
 
-        private static String describe(faultline.world.Collision collision) {
+        private static String describe(Collision collision) {
             return "the robot struck " + collision.obstacle() + " at "
                     + DecimalText.format(collision.point().x()) + ","
                     + DecimalText.format(collision.point().y()) + " after " + DecimalText.format(collision.time())

@@ -2,6 +2,7 @@ package faultline.paint.chart;
 
 import faultline.paint.surface.NiceSteps;
 import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -135,8 +136,7 @@ public record Axis(String label, double low, double high, boolean logarithmic, L
 
     /** Returns the label of a number: no more digits than necessary, with a true minus sign. */
     public static String formatTick(double tick) {
-        BigDecimal rounded =
-                new BigDecimal(tick).round(new java.math.MathContext(12)).stripTrailingZeros();
+        BigDecimal rounded = new BigDecimal(tick).round(new MathContext(12)).stripTrailingZeros();
         String text = rounded.abs().compareTo(new BigDecimal("1e-9")) < 0 ? "0" : rounded.toPlainString();
         return text.replace('-', '\u2212');
     }

@@ -8,6 +8,7 @@ import faultline.campaign.plan.Column;
 import faultline.campaign.plan.SamplePlan;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
@@ -29,7 +30,7 @@ class ResultColumnsTest {
                         + "<faults><fault sensor=\"front\" kind=\"off\" at=\"1\"/></faults><masks sensors=\"left\"/>"));
         List<Column> columns = ResultColumns.of(plan);
         for (Column column : columns) {
-            String suffix = column.unit().replace('/', '_').toLowerCase(java.util.Locale.ROOT);
+            String suffix = column.unit().replace('/', '_').toLowerCase(Locale.ROOT);
             assertTrue(column.name().matches("[a-z][a-z0-9_]*"), column.name());
             assertTrue(column.name().endsWith(suffix), column.name() + " is in " + column.unit());
             assertTrue(!column.meaning().isBlank(), column.name());

@@ -18,6 +18,7 @@ import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
@@ -97,7 +98,7 @@ class UndoControllerTest {
 
     /** Returns the world without its drawing order: a restored obstacle is drawn last. */
     private static List<Object> withoutOrder(Snapshot world) {
-        return List.of(java.util.Set.copyOf(world.obstacles()), world.robot(), world.sensors());
+        return List.of(Set.copyOf(world.obstacles()), world.robot(), world.sensors());
     }
 
     @Test

@@ -9,6 +9,7 @@ import faultline.geometry.Pose;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
+import java.awt.Color;
 import java.awt.Container;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -65,7 +66,7 @@ final class SampleRuns {
     }
 
     /** Counts the pixels of exactly one colour. */
-    static long count(BufferedImage image, java.awt.Color colour) {
+    static long count(BufferedImage image, Color colour) {
         long count = 0;
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {

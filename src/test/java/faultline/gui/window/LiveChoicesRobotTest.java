@@ -22,6 +22,7 @@ import java.util.stream.Stream;
 import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
@@ -29,6 +30,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
@@ -171,8 +173,8 @@ class LiveChoicesRobotTest {
             JTextField field = ComponentFinder.find(driver.window(), JTextField.class, "x, m");
             driver.click(field);
             driver.robot().waitFor("the field has the focus", field::isFocusOwner);
-            JScrollPane scroll = callOnEdt(() ->
-                    (JScrollPane) javax.swing.SwingUtilities.getAncestorOfClass(JScrollPane.class, field.getParent()));
+            JScrollPane scroll = callOnEdt(
+                    () -> (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, field.getParent()));
             int scrolled = callOnEdt(() -> {
                 scroll.getVerticalScrollBar().setValue(60);
                 return scroll.getVerticalScrollBar().getValue();
@@ -215,8 +217,7 @@ class LiveChoicesRobotTest {
             JDialog guide = driver.dialog("User guide");
             driver.chooseLater("preferences");
             JDialog preferences = driver.dialog("Preferences");
-            javax.swing.JComboBox<?> language =
-                    ComponentFinder.find(preferences, javax.swing.JComboBox.class, "Language");
+            JComboBox<?> language = ComponentFinder.find(preferences, JComboBox.class, "Language");
             driver.click(language);
             driver.robot().pressKeys(KeyEvent.VK_DOWN);
             driver.robot().pressKeys(KeyEvent.VK_ENTER);
@@ -229,8 +230,7 @@ class LiveChoicesRobotTest {
             waitUntilSettled(driver);
             Dimension before = callOnEdt(preferences::getSize);
             int width = before.width;
-            javax.swing.JComboBox<?> size =
-                    ComponentFinder.find(preferences, javax.swing.JComboBox.class, "Wielkość tekstu");
+            JComboBox<?> size = ComponentFinder.find(preferences, JComboBox.class, "Wielkość tekstu");
             runOnEdt(() -> size.setSelectedIndex(2));
             driver.robot().waitFor("the dialog has grown", () -> preferences.getWidth() > 1.2 * width);
             runOnEdt(() -> size.setSelectedIndex(0));

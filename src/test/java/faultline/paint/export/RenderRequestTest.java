@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.Pixels;
 import faultline.paint.scene.ReferenceOverlay;
@@ -13,14 +14,17 @@ import faultline.paint.scene.SampleReferenceOverlays;
 import faultline.paint.scene.SceneLabels;
 import faultline.paint.scene.ScenePainter;
 import faultline.paint.surface.Palette;
+import java.awt.Image;
 import java.awt.image.BufferedImage;
 import java.awt.print.PageFormat;
 import java.awt.print.Paper;
 import java.awt.print.Printable;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.w3c.dom.Document;
@@ -43,8 +47,7 @@ class RenderRequestTest {
         assertEquals(1200, fine.getWidth());
         assertEquals(800, fine.getHeight());
         BufferedImage halved = new BufferedImage(600, 400, BufferedImage.TYPE_INT_RGB);
-        halved.createGraphics()
-                .drawImage(fine.getScaledInstance(600, 400, java.awt.Image.SCALE_AREA_AVERAGING), 0, 0, null);
+        halved.createGraphics().drawImage(fine.getScaledInstance(600, 400, Image.SCALE_AREA_AVERAGING), 0, 0, null);
         int different = Pixels.countVisiblyDifferent(request(FRAME).toImage(1), halved);
         assertTrue(different < 600 * 400 / 50, different + " pixels differ");
     }
@@ -111,7 +114,7 @@ class RenderRequestTest {
                 .filter(path -> path.getAttribute("fill").equals("#877df7"))
                 .findFirst()
                 .orElseThrow();
-        double[] numbers = java.util.Arrays.stream(body.getAttribute("d").split("[^0-9.-]+"))
+        double[] numbers = Arrays.stream(body.getAttribute("d").split("[^0-9.-]+"))
                 .filter(word -> !word.isEmpty())
                 .mapToDouble(Double::parseDouble)
                 .toArray();
@@ -124,8 +127,7 @@ class RenderRequestTest {
                 .max()
                 .orElseThrow();
         assertEquals(0.25 * picture.camera().scale(), right - left, 0.05, "the body is 0.25 m long");
-        assertEquals(
-                picture.camera().toScreen(new faultline.geometry.Vector2(2, 1)).x(), (left + right) / 2, 0.05);
+        assertEquals(picture.camera().toScreen(new Vector2(2, 1)).x(), (left + right) / 2, 0.05);
     }
 
     @Test
@@ -149,7 +151,7 @@ class RenderRequestTest {
                 .parse(new ByteArrayInputStream(svg.getBytes(StandardCharsets.UTF_8)));
     }
 
-    private static java.util.stream.Stream<Element> elements(Document svg, String name) {
+    private static Stream<Element> elements(Document svg, String name) {
         NodeList found = svg.getElementsByTagName(name);
         return IntStream.range(0, found.getLength()).mapToObj(i -> (Element) found.item(i));
     }

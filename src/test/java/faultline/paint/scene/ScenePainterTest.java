@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
+import faultline.engine.RobotPath;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -127,8 +128,7 @@ class ScenePainterTest {
 
     @Test
     void thePathIsVisibleAndEndsAtTheRobot() {
-        faultline.engine.RobotPath path =
-                SampleFrames.pathThrough(new Vector2(1, 3), new Vector2(1, 2), new Vector2(4, 2));
+        RobotPath path = SampleFrames.pathThrough(new Vector2(1, 3), new Vector2(1, 2), new Vector2(4, 2));
         Pixels pixels = Pixels.render(SampleFrames.frameOf(new Pose(5, 2, 0), path, List.of()), LIGHT);
         for (Vector2 point : List.of(new Vector2(1, 2.5), new Vector2(2.5, 2), new Vector2(4.5, 2))) {
             assertTrue(pixels.hasNear(LIGHT.path(), point, 1), "at " + point);
@@ -203,7 +203,7 @@ class ScenePainterTest {
     void theFirstCollisionIsMarkedAndDescribedInABadge() {
         Vector2 point = new Vector2(4, 3);
         Collision collision = new Collision(point, 1.5, 150, "box", Map.of(), List.of());
-        faultline.engine.RobotPath path = SampleFrames.pathThrough(AT_2_1.position());
+        RobotPath path = SampleFrames.pathThrough(AT_2_1.position());
         Frame frame = SampleFrames.frame(AT_2_1, path, List.of(), List.of(), List.of(point), Optional.of(collision));
         Pixels.render(frame, LIGHT).assertColour(LIGHT.collision(), point);
         BufferedImage plain = FrameRenderer.render(SampleFrames.frameOf(AT_2_1), LIGHT, 900, 640)

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Vector2;
 import java.awt.Color;
+import java.io.StringReader;
 import java.util.List;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
@@ -64,7 +65,7 @@ class SvgThemeTest {
                 1,
                 DocumentBuilderFactory.newDefaultInstance()
                         .newDocumentBuilder()
-                        .parse(new InputSource(new java.io.StringReader(adaptive)))
+                        .parse(new InputSource(new StringReader(adaptive)))
                         .getElementsByTagName("style")
                         .getLength());
     }
