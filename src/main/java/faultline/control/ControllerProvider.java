@@ -13,6 +13,7 @@ public interface ControllerProvider {
 
     /**
      * {@return a new controller for one run} The same settings must give a controller that makes the same decisions.
+     * One that is {@link AutoCloseable} is closed at the end of the run.
      *
      * @param settings the settings in the scenario file, by name; empty if there are none
      */

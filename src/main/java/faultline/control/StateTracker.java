@@ -2,8 +2,12 @@ package faultline.control;
 
 import java.util.Objects;
 
-/** Counts the state transitions of a controller that reports only the names of its states. */
-public final class StateTracker implements Controller {
+/**
+ * Counts the state transitions of a controller that reports only the names of its states. It is closed with that
+ * controller.
+ */
+@SuppressWarnings("try") // The caller reports every exception, an interruption too.
+public final class StateTracker implements Controller, AutoCloseable {
 
     private final Controller delegate;
     private final String name;
@@ -45,5 +49,12 @@ public final class StateTracker implements Controller {
             return decision;
         }
         return new Decision(decision.leftVolts(), decision.rightVolts(), last);
+    }
+
+    @Override
+    public void close() throws Exception {
+        if (delegate instanceof AutoCloseable closeable) {
+            closeable.close();
+        }
     }
 }

@@ -351,11 +351,20 @@ public final class Simulation implements AutoCloseable {
         return new Journal(setup, journal, world.tick(), decisionLog.decisions());
     }
 
+    /**
+     * Ends the thread of the controller, and closes a controller that was made for this run.
+     *
+     * @throws RunFailedException if the controller throws an exception when it is closed
+     */
     @Override
     public void close() {
         controllerHost.close();
         if (foreignController instanceof PeriodicController closeable) {
-            closeable.close();
+            try {
+                closeable.close();
+            } catch (IllegalStateException e) {
+                throw new RunFailedException(e.getMessage(), e.getCause());
+            }
         }
     }
 }

@@ -29,7 +29,7 @@ final class ThreadedHost implements ControllerHost {
      */
     private static final int WAKES = 100;
 
-    /** The time in which a controller that has not answered must end after it was interrupted. */
+    /** The time in which a controller that was interrupted must return. */
     private static final long GRACE_MILLIS = 500;
 
     private final Controller controller;
@@ -38,9 +38,10 @@ final class ThreadedHost implements ControllerHost {
     private final double timeout;
     private long tick;
 
-    ThreadedHost(Controller controller, double patience) {
+    /** Creates the thread; the time-out is in seconds. */
+    ThreadedHost(Controller controller, double timeout) {
         this.controller = controller;
-        this.timeout = patience;
+        this.timeout = timeout;
         this.executor = Executors.newSingleThreadExecutor(task -> {
             Thread thread = new Thread(task, "faultline-controller");
             thread.setDaemon(true);
@@ -64,7 +65,9 @@ final class ThreadedHost implements ControllerHost {
         } catch (TimeoutException silent) {
             throw new RunFailedException(
                     "the controller has not answered for " + timeout + " s at tick " + tick
-                            + describeThreadAfterInterrupt(),
+                            + (endThread()
+                                    ? ""
+                                    : "; it ignores interruption, so its thread goes on until the program ends"),
                     silent);
         } catch (InterruptedException ended) {
             Thread.currentThread().interrupt();
@@ -88,23 +91,22 @@ final class ThreadedHost implements ControllerHost {
     }
 
     /**
-     * Interrupts the controller. Java cannot stop a thread that ignores this; it is a daemon thread, so the process can
-     * still exit.
+     * Interrupts the controller, and returns whether its thread has ended, as far as is known. Java cannot stop a
+     * thread that ignores this; it is a daemon thread, so the process can still exit.
      */
-    private String describeThreadAfterInterrupt() {
+    private boolean endThread() {
         executor.shutdownNow();
         try {
-            return executor.awaitTermination(GRACE_MILLIS, TimeUnit.MILLISECONDS)
-                    ? ""
-                    : "; it ignores interruption, so its thread goes on until the program ends";
+            return executor.awaitTermination(GRACE_MILLIS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException ended) {
             Thread.currentThread().interrupt();
-            return "";
+            return true;
         }
     }
 
+    /** Waits for the end of the thread, because the controller may be closed after this. */
     @Override
     public void close() {
-        executor.shutdownNow();
+        endThread();
     }
 }

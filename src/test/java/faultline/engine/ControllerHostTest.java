@@ -15,6 +15,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -100,6 +101,34 @@ class ControllerHostTest {
         }
         released.set(true);
         busy.get().join();
+    }
+
+    @Test
+    void aControllerIsNoLongerCalledWhenItsHostIsClosed() throws InterruptedException {
+        CountDownLatch begun = new CountDownLatch(1);
+        AtomicBoolean returned = new AtomicBoolean();
+        Controller slow = observation -> {
+            begun.countDown();
+            waitUntilInterrupted();
+            for (int i = 0; i < 1000; i++) {
+                LockSupport.parkNanos(100_000);
+            }
+            returned.set(true);
+            return ANSWER;
+        };
+        try (ControllerHost link = ControllerHost.create(slow, ControllerMode.OWN_THREAD)) {
+            submit(link);
+            begun.await();
+        }
+        assertTrue(returned.get());
+    }
+
+    private static void waitUntilInterrupted() {
+        try {
+            new CountDownLatch(1).await();
+        } catch (InterruptedException ended) {
+            // Expected; the thread goes on for a moment.
+        }
     }
 
     @Test

@@ -215,6 +215,23 @@ class ForeignControllerTest {
         assertTrue(!thread.isAlive(), thread::toString);
     }
 
+    @Test
+    void aControllerInJavaIsClosedAtTheEndOfItsRun() throws Exception {
+        for (ControllerMode mode : ControllerMode.values()) {
+            int before = RightTurner.CLOSED.get();
+            HeadlessRun.run(broken(""), mode, List.of());
+            assertEquals(before + 1, RightTurner.CLOSED.get(), mode.name());
+        }
+    }
+
+    @Test
+    void aControllerInJavaThatCannotBeClosedBreaksTheRun() throws Exception {
+        SimulationSetup setup = broken("close");
+        RunFailedException e =
+                assertThrows(RunFailedException.class, () -> HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()));
+        assertEquals("the controller cannot be closed: java.io.IOException: still in use", e.getMessage());
+    }
+
     private static SimulationSetup broken(String deed) throws ScenarioException {
         return yard().setup().withController(new ControllerSpec.Provided("right-turner", 0, Map.of("deed", deed)));
     }

@@ -4,10 +4,13 @@ import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
+import faultline.control.Observation;
 import faultline.control.Telemetry;
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /** A provider as a user writes one: turns right for as long as something is within range. */
 public final class RightTurner implements ControllerProvider {
@@ -21,6 +24,9 @@ public final class RightTurner implements ControllerProvider {
             "sleep",
             RightTurner::hang);
 
+    /** The number of controllers that have been closed. */
+    static final AtomicInteger CLOSED = new AtomicInteger();
+
     @Override
     public String name() {
         return "right-turner";
@@ -29,15 +35,27 @@ public final class RightTurner implements ControllerProvider {
     @Override
     public Controller create(Map<String, String> settings) {
         double volts = Double.parseDouble(settings.getOrDefault("volts", "3"));
-        Runnable deed = DEEDS.getOrDefault(settings.getOrDefault("deed", ""), () -> {});
-        return observation -> {
+        return new Turner(volts, settings.getOrDefault("deed", ""));
+    }
+
+    private record Turner(double volts, String deed) implements Controller, AutoCloseable {
+        @Override
+        public Decision decide(Observation observation) {
             if (observation.tick() == 7) {
-                deed.run();
+                DEEDS.getOrDefault(deed, () -> {}).run();
             }
             boolean near = Arrays.stream(observation.readings()).anyMatch(Double::isFinite);
             Telemetry telemetry = Telemetry.ofState(ControllerState.of(near ? "NEAR" : "GO"));
             return new Decision(volts, near ? -volts : volts, telemetry);
-        };
+        }
+
+        @Override
+        public void close() throws IOException {
+            CLOSED.incrementAndGet();
+            if (deed.equals("close")) {
+                throw new IOException("still in use");
+            }
+        }
     }
 
     /** Hangs until it is interrupted. */
