@@ -133,7 +133,7 @@ public final class Session implements SessionView, AutoCloseable {
         try {
             made.replayTo(tick, shouldContinue);
             afterReplay.accept(made);
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             made.simulation.close();
             throw e;
         }

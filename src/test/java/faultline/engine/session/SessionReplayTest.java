@@ -6,6 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
+import faultline.control.ControllerSource;
+import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.control.Decision;
+import faultline.control.Observation;
+import faultline.control.Telemetry;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.Recording;
@@ -20,6 +27,7 @@ import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -184,6 +192,43 @@ class SessionReplayTest {
         assertNotEquals(
                 ORIGINAL.hashTrace().hashAt(400),
                 ReferenceRun.replay(without, tick -> true).hashTrace().hashAt(400));
+    }
+
+    /** Stands still. */
+    private record Idle(AtomicInteger closed) implements Controller, AutoCloseable {
+        @Override
+        public Decision decide(Observation observation) {
+            return new Decision(0, 0, Telemetry.ofState(ControllerState.of("IDLE")));
+        }
+
+        @Override
+        public void close() {
+            closed.incrementAndGet();
+        }
+    }
+
+    @Test
+    void aReplayThatFailsClosesItsController() {
+        AtomicInteger closed = new AtomicInteger();
+        ControllerSource source = new ControllerSource() {
+            @Override
+            public Controller start(RunConditions run) {
+                return new Idle(closed);
+            }
+
+            @Override
+            public boolean limitsAnswerTime() {
+                return false;
+            }
+        };
+        Journal journal =
+                new Journal(ROOM.withController(new ControllerSpec.Chosen(ROOM.controller(), source)), List.of(), 10);
+        assertThrows(
+                OutOfMemoryError.class,
+                () -> Session.replay(journal, 10, tick -> {
+                    throw new OutOfMemoryError("in a test");
+                }));
+        assertEquals(1, closed.get());
     }
 
     @Test
