@@ -19,8 +19,6 @@ import java.util.List;
 /** Makes the report of a campaign: one self-contained HTML page. */
 public final class CampaignReport {
 
-    private static final int WORST = 20;
-
     private final RunData data;
     private final Path folder;
 
@@ -125,9 +123,8 @@ public final class CampaignReport {
     private String worstRuns() {
         List<RunRow> worst = data.rows().stream()
                 .filter(row -> Outcome.ofWord(row.text("outcome")).isPresent())
-                .sorted(Comparator.comparing(CampaignReport::rank)
-                        .thenComparing(row -> row.number("wall_share").orElse(0)))
-                .limit(WORST)
+                .sorted(Comparator.comparing(CampaignReport::rank))
+                .limit(WorstRuns.COUNT)
                 .filter(row -> Files.exists(folder.resolve(WorstRuns.replayName(Long.parseLong(row.text("run"))))))
                 .toList();
         if (worst.isEmpty()) {
@@ -140,8 +137,11 @@ public final class CampaignReport {
                         + Html.table("worst", List.of("run", "world", "what varies", "outcome", "command"), rows));
     }
 
-    private static int rank(RunRow row) {
-        return Outcome.ofWord(row.text("outcome")).orElseThrow().ordinal();
+    private static WorstRuns.Rank rank(RunRow row) {
+        return new WorstRuns.Rank(
+                Outcome.ofWord(row.text("outcome")).orElseThrow(),
+                row.number("wall_share").orElse(0),
+                Long.parseLong(row.text("run")));
     }
 
     private List<String> worstRow(RunRow row) {

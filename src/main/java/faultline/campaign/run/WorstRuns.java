@@ -3,7 +3,6 @@ package faultline.campaign.run;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,17 +23,34 @@ import java.util.stream.Stream;
 public final class WorstRuns {
 
     /** The number of runs that get a scenario file. */
-    private static final int COUNT = 20;
-
-    private static final Comparator<Candidate> WORST_FIRST = Comparator.comparing(Candidate::outcome)
-            .thenComparing(Candidate::share)
-            .thenComparing(Candidate::run);
+    public static final int COUNT = 20;
 
     private final CampaignPlan plan;
     private final CampaignFolder folder;
 
-    /** The values of a row that are compared; the duration in seconds. */
-    private record Candidate(long run, Outcome outcome, double share, double simulatedSeconds) {}
+    /**
+     * The place of a run among others, the worst one first.
+     *
+     * @param outcome the outcome of the run
+     * @param share the share of the wall that was passed, in [0, 1]; 0 if it is not known
+     * @param run the number of the run
+     */
+    public record Rank(Outcome outcome, double share, long run) implements Comparable<Rank> {
+
+        private static final Comparator<Rank> WORST_FIRST =
+                Comparator.comparing(Rank::outcome).thenComparing(Rank::share).thenComparing(Rank::run);
+
+        @Override
+        public int compareTo(Rank other) {
+            return WORST_FIRST.compare(this, other);
+        }
+    }
+
+    /** A run and its duration, seconds. */
+    private record Candidate(Rank rank, double simulatedSeconds) {
+
+        private static final Comparator<Candidate> WORST_FIRST = Comparator.comparing(Candidate::rank);
+    }
 
     WorstRuns(CampaignPlan plan, CampaignFolder folder) {
         this.plan = plan;
@@ -56,7 +72,7 @@ public final class WorstRuns {
         Files.createDirectories(folder.replays());
         Set<String> names = new HashSet<>();
         for (Candidate candidate : worst) {
-            Path file = folder.runs().resolveSibling(replayName(candidate.run));
+            Path file = folder.runs().resolveSibling(replayName(candidate.rank.run));
             names.add(file.getFileName().toString());
             replay(candidate).save(file);
         }
@@ -71,18 +87,19 @@ public final class WorstRuns {
 
     private Scenario replay(Candidate candidate) throws IOException {
         try {
-            return RunScenario.create(plan, candidate.run, candidate.outcome.word(), candidate.simulatedSeconds);
+            return RunScenario.create(
+                    plan, candidate.rank.run, candidate.rank.outcome.word(), candidate.simulatedSeconds);
         } catch (ScenarioException e) {
-            throw new IOException("run " + candidate.run + " cannot be replayed: " + e.getMessage(), e);
+            throw new IOException("run " + candidate.rank.run + " cannot be replayed: " + e.getMessage(), e);
         }
     }
 
     private List<Candidate> find() throws IOException {
-        PriorityQueue<Candidate> worst = new PriorityQueue<>(WORST_FIRST.reversed());
-        try (BufferedReader in = Files.newBufferedReader(folder.runs())) {
-            List<String> header = Csv.cells(in.readLine());
-            for (String line = in.readLine(); line != null; line = in.readLine()) {
-                List<String> cells = Csv.cells(line);
+        PriorityQueue<Candidate> worst = new PriorityQueue<>(Candidate.WORST_FIRST.reversed());
+        try (LineReader in = new LineReader(folder.runs())) {
+            List<String> header = Csv.cells(in.next().strip());
+            for (String line = in.next(); !line.isEmpty(); line = in.next()) {
+                List<String> cells = Csv.cells(line.stripTrailing());
                 requireGood(header, cells);
                 Outcome.ofWord(cells.get(header.indexOf("outcome")))
                         .ifPresent(outcome -> worst.add(candidate(cells, header, outcome)));
@@ -92,7 +109,7 @@ public final class WorstRuns {
             }
         }
         List<Candidate> ordered = new ArrayList<>(worst);
-        ordered.sort(WORST_FIRST);
+        ordered.sort(Candidate.WORST_FIRST);
         return ordered;
     }
 
@@ -105,10 +122,7 @@ public final class WorstRuns {
 
     private static Candidate candidate(List<String> cells, List<String> header, Outcome outcome) {
         String share = cells.get(header.indexOf("wall_share"));
-        return new Candidate(
-                Long.parseLong(cells.get(0)),
-                outcome,
-                share.isEmpty() ? 0 : Double.parseDouble(share),
-                Double.parseDouble(cells.get(header.indexOf("simulated_s"))));
+        Rank rank = new Rank(outcome, share.isEmpty() ? 0 : Double.parseDouble(share), Long.parseLong(cells.get(0)));
+        return new Candidate(rank, Double.parseDouble(cells.get(header.indexOf("simulated_s"))));
     }
 }

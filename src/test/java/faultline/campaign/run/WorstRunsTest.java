@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -46,6 +47,10 @@ class WorstRunsTest {
     private List<String> replays() throws IOException {
         Files.writeString(folder.resolve("runs.csv"), String.join("", rows));
         new WorstRuns(plan, new CampaignFolder(folder)).writeReplays();
+        return replayNames();
+    }
+
+    private List<String> replayNames() throws IOException {
         try (Stream<Path> files = Files.list(folder.resolve("replays"))) {
             return files.map(file -> file.getFileName().toString()).sorted().toList();
         }
@@ -85,6 +90,17 @@ class WorstRunsTest {
         addRow("broken", "");
         addRow("lost", "0.2");
         assertEquals(names(1), replays());
+    }
+
+    @Test
+    void aRowWithBytesThatAreNotUtf8HasAReplayToo() throws IOException {
+        addRow("lost", "0.2");
+        String row = rows.get(1);
+        List<String> cells = Csv.cells(row.strip());
+        cells.set(header.indexOf("collided_with"), "S\u00e4ule");
+        Files.write(folder.resolve("runs.csv"), (rows.get(0) + Csv.row(cells)).getBytes(StandardCharsets.ISO_8859_1));
+        new WorstRuns(plan, new CampaignFolder(folder)).writeReplays();
+        assertEquals(names(0), replayNames());
     }
 
     @Test
