@@ -4,6 +4,7 @@ import faultline.engine.SimulationSetup;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
+import faultline.io.ProgramVersion;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -36,7 +37,7 @@ public record ControllerSelection(String text, List<Path> jars) {
             return setup;
         }
         ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
-                "faultline", scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
+                ProgramVersion.text(), scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
         return ControllerChoice.withJars(
                 jars, () -> ControllerChoice.apply(text, setup, new ProcessControllerSource(text, settings)));
     }
