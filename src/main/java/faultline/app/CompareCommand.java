@@ -9,18 +9,15 @@ import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
-import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.external.ControllerChoice;
 import faultline.external.ControllerStartException;
-import faultline.external.ProcessControllerSource;
 import faultline.geometry.Pose;
 import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.ProgramCommand;
 import faultline.io.ShellText;
 import faultline.scenario.JournalScenario;
-import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -178,17 +175,9 @@ final class CompareCommand {
     private RunResult runOnce(
             String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver end) {
         ExitGuard guard = ExitGuard.start(output);
-        try (guard;
-                ProcessControllerSource source = new ProcessControllerSource(
-                                choice, options.childSettings(scenario, output::printError))
-                        .keepOpen()) {
-            SimulationSetup chosen = ControllerChoice.apply(choice, setup, source);
-            if (!ControllerChoice.isCommand(choice)) {
-                return HeadlessRun.run(chosen, ControllerMode.DIRECT, List.of(end));
-            }
-            RunResult result = HeadlessRun.run(chosen, ControllerMode.DIRECT, List.of(end, source));
-            source.finish(RunSummary.formatHash(result), RunCommand.summary(result));
-            return result;
+        try (guard) {
+            return new ChosenController(choice, options.childSettings(scenario, output::printError))
+                    .run(setup, ControllerMode.DIRECT, List.of(end));
         }
     }
 

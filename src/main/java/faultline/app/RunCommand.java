@@ -2,21 +2,15 @@ package faultline.app;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
-import faultline.engine.SimulationSetup;
-import faultline.engine.TickObserver;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.external.ControllerChoice;
-import faultline.external.ProcessControllerSource;
 import faultline.scenario.RunJson;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 
 /** {@code run}: runs a scenario without a window and prints its summary to standard output. */
 final class RunCommand {
@@ -65,7 +59,10 @@ final class RunCommand {
         ExitGuard guard = ExitGuard.start(output);
         try (guard) {
             return options.controller().isPresent()
-                    ? runChosen(options.controller().get(), scenario, options, outputs)
+                    ? new ChosenController(
+                                    options.controller().get(),
+                                    options.child().childSettings(scenario.name(), output::printError))
+                            .run(scenario.setup(), options.mode(), outputs.observers())
                     : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
         }
     }
@@ -76,30 +73,6 @@ final class RunCommand {
             throw new UsageException("the scenario is driven by a controller from outside, which a file cannot name:"
                     + " choose one with --controller");
         }
-    }
-
-    private RunResult runChosen(String choice, Scenario scenario, RunOptions options, RunOutputs outputs)
-            throws IOException {
-        try (ProcessControllerSource source = new ProcessControllerSource(
-                        choice, options.child().childSettings(scenario.name(), output::printError))
-                .keepOpen()) {
-            SimulationSetup setup = ControllerChoice.apply(choice, scenario.setup(), source);
-            if (!ControllerChoice.isCommand(choice)) {
-                return HeadlessRun.run(setup, options.mode(), outputs.observers());
-            }
-            List<TickObserver> observers = new ArrayList<>(outputs.observers());
-            observers.add(source);
-            RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, observers);
-            source.finish(RunSummary.formatHash(result), summary(result));
-            return result;
-        }
-    }
-
-    /** Returns the lines of the summary of a run, by their keys. */
-    static Map<String, String> summary(RunResult result) {
-        Map<String, String> summary = new LinkedHashMap<>();
-        RunSummary.lines(result).forEach(line -> summary.put(line.split(": ", 2)[0], line.split(": ", 2)[1]));
-        return summary;
     }
 
     /** Runs a scenario without output files. */
