@@ -7,7 +7,6 @@ import faultline.io.LinkResolver;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -137,17 +136,26 @@ public final class CampaignFolder {
         Files.createDirectories(folder);
         FileChannel channel =
                 FileChannel.open(folder.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        FileLock lock;
+        boolean locked = false;
         try {
-            lock = channel.tryLock();
-        } catch (OverlappingFileLockException e) {
-            lock = null;
+            locked = tryLock(channel);
+        } finally {
+            if (!locked) {
+                channel.close();
+            }
         }
-        if (lock == null) {
-            channel.close();
+        if (!locked) {
             throw new IOException(folder + ": another process is making this campaign");
         }
         return channel;
+    }
+
+    private static boolean tryLock(FileChannel channel) throws IOException {
+        try {
+            return channel.tryLock() != null;
+        } catch (OverlappingFileLockException e) {
+            return false;
+        }
     }
 
     /**
