@@ -29,13 +29,13 @@ final class CampaignCommand {
     }
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments sorted = new Arguments(arguments, List.of("--out", "--jobs", "--shard"), List.of("--resume"));
-        boolean resume = sorted.has("--resume");
-        Path file = sorted.singleFile("campaign", "plan");
-        Path folder = folder(sorted);
-        int jobs = sorted.positive(
+        Arguments parsed = new Arguments(arguments, List.of("--out", "--jobs", "--shard"), List.of("--resume"));
+        boolean resume = parsed.has("--resume");
+        Path file = parsed.singleFile("campaign", "plan");
+        Path folder = folder(parsed);
+        int jobs = parsed.positive(
                 "--jobs", CampaignRunner.MAX_JOBS, Runtime.getRuntime().availableProcessors());
-        Shard shard = shard(sorted);
+        Shard shard = shard(parsed);
         CampaignPlan plan = PlanFiles.read(file);
         CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(folder), shard, jobs);
         return run(runner, resume, folder);
@@ -89,20 +89,20 @@ final class CampaignCommand {
     }
 
     int merge(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments sorted = new Arguments(arguments, List.of("--out"));
-        if (sorted.files().isEmpty()) {
+        Arguments parsed = new Arguments(arguments, List.of("--out"));
+        if (parsed.files().isEmpty()) {
             throw new UsageException("merge takes the folders of one or more parts, not none");
         }
         List<CampaignFolder> parts = new ArrayList<>();
-        for (String file : sorted.files()) {
+        for (String file : parsed.files()) {
             parts.add(new CampaignFolder(Arguments.parsePath(file)));
         }
-        Path folder = folder(sorted);
+        Path folder = folder(parsed);
         return report(new CampaignMerge(parts).writeTo(new CampaignFolder(folder)), folder);
     }
 
-    private static Path folder(Arguments sorted) throws UsageException {
-        return sorted.fileOption("--out")
+    private static Path folder(Arguments parsed) throws UsageException {
+        return parsed.fileOption("--out")
                 .orElseThrow(() -> new UsageException("--out DIR is missing, the folder that the tables go to"));
     }
 

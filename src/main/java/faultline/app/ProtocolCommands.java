@@ -21,20 +21,20 @@ final class ProtocolCommands {
 
     /** Steps a scenario from outside. */
     int serve(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments sorted = new Arguments(arguments, List.of("--jar"), List.of("--truth"));
-        Path file = sorted.singleFile("serve");
-        ControllerOptions.addJar(sorted);
+        Arguments parsed = new Arguments(arguments, List.of("--jar"), List.of("--truth"));
+        Path file = parsed.singleFile("serve");
+        ControllerOptions.addJar(parsed);
         Scenario scenario = Scenario.load(file);
-        new SimulationServer(ProgramVersion.text(), scenario.name(), sorted.has("--truth"), System.in, output.out())
+        new SimulationServer(ProgramVersion.text(), scenario.name(), parsed.has("--truth"), System.in, output.out())
                 .run(scenario.setup());
         return ExitCode.SUCCESS;
     }
 
     /** Acts as the child of another simulator, with the controller of a scenario. */
     int controller(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments sorted = new Arguments(arguments, List.of("--jar"));
-        Path file = sorted.singleFile("controller");
-        ControllerOptions.addJar(sorted);
+        Arguments parsed = new Arguments(arguments, List.of("--jar"));
+        Path file = parsed.singleFile("controller");
+        ControllerOptions.addJar(parsed);
         Scenario scenario = Scenario.load(file);
         if (scenario.setup().controller() instanceof ControllerSpec.Extern) {
             throw new UsageException("the scenario is driven by a controller from outside;"

@@ -21,16 +21,16 @@ final class ReportCommand {
     }
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments sorted = new Arguments(arguments, List.of("--out", "--table"));
-        if (sorted.files().size() != 1) {
+        Arguments parsed = new Arguments(arguments, List.of("--out", "--table"));
+        if (parsed.files().size() != 1) {
             throw new UsageException("report takes the folder of one campaign, not "
-                    + (sorted.files().isEmpty() ? "none" : sorted.files().size()));
+                    + (parsed.files().isEmpty() ? "none" : parsed.files().size()));
         }
-        Path target = sorted.fileOption("--out")
+        Path target = parsed.fileOption("--out")
                 .orElseThrow(() -> new UsageException("report needs --out FILE.html, the page that it writes"));
-        Optional<Path> table = sorted.fileOption("--table");
+        Optional<Path> table = parsed.fileOption("--table");
         List<Path> targets = table.map(file -> List.of(target, file)).orElse(List.of(target));
-        Path folder = Arguments.parsePath(sorted.files().get(0));
+        Path folder = Arguments.parsePath(parsed.files().get(0));
         if (LinkResolver.findConflict(List.of(), targets).isPresent()) {
             throw new UsageException("--out and --table are the same file; expected two files");
         }

@@ -5,7 +5,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.TraceColumn;
 import faultline.io.JsonWriter;
 import faultline.io.ProgramVersion;
-import java.util.Locale;
+import java.util.HexFormat;
 
 /** The file beside a trace of format 2: which run it is of, and what its columns mean. */
 final class TraceHeader {
@@ -24,7 +24,7 @@ final class TraceHeader {
                 .member("seed", setup.seed())
                 .member("tick_s", setup.dt())
                 .member("rows", simulation.ticks() + 1)
-                .member("trajectory_hash", String.format(Locale.ROOT, "%016x", simulation.trajectoryHash()))
+                .member("trajectory_hash", HexFormat.of().toHexDigits(simulation.trajectoryHash()))
                 .name("columns")
                 .beginArray();
         for (TraceColumn column : options.traceFormat().columns(simulation.robot())) {

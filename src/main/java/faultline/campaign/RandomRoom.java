@@ -76,7 +76,7 @@ public record RandomRoom(WorldSpec world, Pose start) {
         }
     }
 
-    /** Adds furniture, free-standing or with its back flush with a wall. */
+    /** Returns furniture, free-standing or with its back flush with a wall. */
     private static RoomPlan.Item furniture(RoomPlan plan, String id, SplittableRandom random) {
         double width = random.nextDouble(0.3, 1.2);
         double depth = random.nextDouble(0.3, 0.8);
@@ -113,7 +113,7 @@ public record RandomRoom(WorldSpec world, Pose start) {
         return corners;
     }
 
-    /** Adds a pole, free-standing or touching a wall. */
+    /** Returns a pole, free-standing or touching a wall. */
     private static RoomPlan.Item pole(RoomPlan plan, String id, SplittableRandom random) {
         double radius = random.nextDouble(0.01, 0.06);
         boolean free = random.nextInt(3) > 0;

@@ -79,13 +79,13 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         this.telemetry = new DriveTelemetry(name.isEmpty() ? NAMELESS_STATE : name);
     }
 
-    private static ChildProcess start(String command, double patience, Consumer<String> errors) {
+    private static ChildProcess start(String command, double writeSeconds, Consumer<String> errors) {
         try {
             List<String> words = ShellWords.split(command);
             if (words.isEmpty()) {
                 throw new IOException("the command is empty");
             }
-            return startChild(words, patience, errors);
+            return startChild(words, writeSeconds, errors);
         } catch (IOException | IllegalArgumentException e) {
             throw new ControllerStartException(
                     "the controller \"" + command + "\" cannot be started: " + e.getMessage()
@@ -94,10 +94,10 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         }
     }
 
-    private static ChildProcess startChild(List<String> words, double patience, Consumer<String> errors)
+    private static ChildProcess startChild(List<String> words, double writeSeconds, Consumer<String> errors)
             throws IOException {
         try {
-            return new ChildProcess(words, patience, errors);
+            return new ChildProcess(words, writeSeconds, errors);
         } catch (IOException e) {
             throw new IOException(StartFailure.describe(words.get(0), e.getMessage()), e);
         }

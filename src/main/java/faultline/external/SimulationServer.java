@@ -15,7 +15,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.util.Locale;
+import java.util.HexFormat;
 import java.util.Map;
 
 /**
@@ -160,7 +160,7 @@ public final class SimulationServer {
         knownRobot = observation.robot();
         JsonWriter json;
         if (episode.isOver()) {
-            String hash = String.format(Locale.ROOT, "%016x", episode.simulation.trajectoryHash());
+            String hash = HexFormat.of().toHexDigits(episode.simulation.trajectoryHash());
             json = ProtocolMessages.end("duration", hash, Map.of(), givesTruth);
             ProtocolMessages.writeReadings(json, observation, robotChanged);
         } else {

@@ -134,8 +134,7 @@ final class RunTable implements Closeable {
 
     private static String timingRow(RunMaker.MadeRun run) {
         double rate = run.seconds() > 0 ? run.ticks() / run.seconds() : 0;
-        return String.format(Locale.ROOT, "%d,%.6f,%d,%.0f%n", run.index(), run.seconds(), run.ticks(), rate)
-                .replace("\r", "");
+        return String.format(Locale.ROOT, "%d,%.6f,%d,%.0f\n", run.index(), run.seconds(), run.ticks(), rate);
     }
 
     /** Writes all rows to the operating system; they then survive the end of this process. */
