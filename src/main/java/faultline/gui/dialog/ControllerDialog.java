@@ -1,9 +1,11 @@
 package faultline.gui.dialog;
 
+import faultline.engine.RunFailedException;
 import faultline.external.ControllerChoice;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
+import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.UiText;
 import faultline.io.MessageText;
@@ -51,8 +53,22 @@ final class ControllerDialog {
         fillNames(now.isScenarios() ? Messages.get("chooseController.scenarios") : now.text());
     }
 
+    /** Returns the names of all controllers; if a jar is broken, only those without jars, and shows the reason. */
     private List<String> names() {
+        try {
+            return loadNames();
+        } catch (RunFailedException broken) {
+            showProblem(broken);
+            return ControllerChoice.names();
+        }
+    }
+
+    private List<String> loadNames() {
         return ControllerChoice.withJars(jars, ControllerChoice::names);
+    }
+
+    private void showProblem(RunFailedException broken) {
+        help.setText(TextWrap.wrap(ErrorMessages.describe(broken)));
     }
 
     private void fillNames(String selected) {
@@ -132,13 +148,21 @@ final class ControllerDialog {
         jars.remove(file);
         List<String> before = names();
         jars.add(file);
-        Optional<String> first =
-                names().stream().filter(found -> !before.contains(found)).findFirst();
+        Optional<String> first = Optional.empty();
+        try {
+            first = loadNames().stream()
+                    .filter(found -> !before.contains(found))
+                    .findFirst();
+            if (first.isEmpty()) {
+                help.setText(Messages.get("chooseController.none", MessageText.excerpt(name)));
+            }
+        } catch (RunFailedException broken) {
+            showProblem(broken);
+        }
         if (first.isEmpty()) {
             jars.remove(file);
-            help.setText(Messages.get("chooseController.none", MessageText.excerpt(name)));
         }
-        fillNames(first.orElse(String.valueOf(field.getEditor().getItem())));
+        fillNames(first.orElse(text()));
     }
 
     /** Returns the text below the field: an example, or what is wrong with the chosen file. */

@@ -3,6 +3,7 @@ package faultline.gui.dialog;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerProvider;
 import faultline.external.RightTurner;
@@ -51,6 +52,28 @@ class ControllerJarTest {
         runOnEdt(() -> dialog.useFile(empty));
         assertEquals("empty.jar adds no controller", callOnEdt(dialog::help));
         assertEquals(COMMAND, callOnEdt(dialog::text));
+    }
+
+    @Test
+    void aJarWhoseControllerCannotBeLoadedIsReported() throws IOException {
+        Path broken = jar("broken.jar", "no.such.Turner");
+        runOnEdt(() -> dialog.useFile(broken));
+        assertEquals(
+                "a controller in Java cannot be loaded: faultline.control.ControllerProvider:\n"
+                        + "Provider no.such.Turner not found",
+                callOnEdt(dialog::help));
+        assertEquals(COMMAND, callOnEdt(dialog::text));
+        Path good = jar("turner.jar", RightTurner.class.getName());
+        runOnEdt(() -> dialog.useFile(good));
+        assertEquals("right-turner", callOnEdt(dialog::text));
+    }
+
+    @Test
+    void theDialogOpensWithAJarThatIsBrokenNow() throws IOException {
+        ControllerSelection chosen = new ControllerSelection("turner", List.of(jar("broken.jar", "no.such.Turner")));
+        ControllerDialog reopened = callOnEdt(() -> new ControllerDialog("Controller", chosen, null));
+        assertEquals("turner", callOnEdt(reopened::text));
+        assertTrue(callOnEdt(reopened::help).startsWith("a controller in Java cannot be loaded: "), reopened::help);
     }
 
     @Test
