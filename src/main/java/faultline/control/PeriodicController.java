@@ -24,12 +24,12 @@ public final class PeriodicController implements Controller, AutoCloseable {
     /**
      * Creates a controller that asks another at a period, rounded to whole ticks, at least one.
      *
-     * @param inner the other controller
+     * @param delegate the other controller
      * @param period the period, in seconds, not negative
      */
-    public PeriodicController(Controller inner, double period) {
+    public PeriodicController(Controller delegate, double period) {
         this.factory = null;
-        this.delegate = inner;
+        this.delegate = delegate;
         this.period = period;
     }
 

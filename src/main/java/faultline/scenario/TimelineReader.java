@@ -64,12 +64,12 @@ final class TimelineReader {
 
     TimelineReader(
             Problems problems,
-            ObstacleReader obstacles,
+            ObstacleReader obstacleReader,
             RobotSpec robot,
             ControllerSpec controller,
             Set<String> obstacleIds) {
         this.problems = problems;
-        this.obstacleReader = obstacles;
+        this.obstacleReader = obstacleReader;
         this.robot = robot;
         this.follower = ControllerReader.defaultsFor(controller);
         this.obstacleIds = new LinkedHashSet<>(obstacleIds);

@@ -59,11 +59,11 @@ final class ReadingBar extends AccessibleComponent {
     }
 
     /** Creates the bar of a sensor, given its index in the robot and its id. */
-    ReadingBar(int index, String sensor, ReadingKind side) {
+    ReadingBar(int index, String sensor, ReadingKind readingKind) {
         super(AccessibleRole.PROGRESS_BAR);
         this.index = index;
         this.sensor = sensor;
-        this.readingKind = side;
+        this.readingKind = readingKind;
         RefreshSteps.add(this, ReadingBar::refresh);
     }
 

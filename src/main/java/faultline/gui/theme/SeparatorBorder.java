@@ -11,9 +11,9 @@ public final class SeparatorBorder extends AbstractBorder {
     private final boolean above;
     private final Insets padding;
 
-    private SeparatorBorder(boolean above, Insets room) {
+    private SeparatorBorder(boolean above, Insets padding) {
         this.above = above;
-        this.padding = room;
+        this.padding = padding;
     }
 
     /** Returns a border with a line along the upper edge and the given padding in pixels. */

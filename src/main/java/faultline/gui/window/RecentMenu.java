@@ -25,8 +25,8 @@ final class RecentMenu extends JMenu {
     private final transient RecentFiles recentFiles;
     private final transient Consumer<Path> opener;
 
-    RecentMenu(RecentFiles recent, Consumer<Path> opener) {
-        this.recentFiles = recent;
+    RecentMenu(RecentFiles recentFiles, Consumer<Path> opener) {
+        this.recentFiles = recentFiles;
         this.opener = opener;
         Menus.name(this, "recent");
         addHierarchyListener(new MenuFiller());

@@ -15,8 +15,8 @@ final class ReplayNotifier {
     private boolean announced;
     private boolean ended;
 
-    ReplayNotifier(RunNavigator travel, Consumer<String> notifier) {
-        this.runNavigator = travel;
+    ReplayNotifier(RunNavigator runNavigator, Consumer<String> notifier) {
+        this.runNavigator = runNavigator;
         this.notifier = notifier;
     }
 

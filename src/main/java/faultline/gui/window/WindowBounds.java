@@ -33,9 +33,9 @@ final class WindowBounds {
     /** Whether the window was opened maximised and has not been restored. */
     private boolean openedMaximised;
 
-    WindowBounds(JFrame window, MainPanel area, WindowPreferences preferences) {
+    WindowBounds(JFrame window, MainPanel mainPanel, WindowPreferences preferences) {
         this.window = window;
-        this.mainPanel = area;
+        this.mainPanel = mainPanel;
         this.preferences = preferences;
     }
 

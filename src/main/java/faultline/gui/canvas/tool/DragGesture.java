@@ -27,11 +27,11 @@ public final class DragGesture implements Gesture {
     private DragPreview preview;
     private Vector2 last;
 
-    DragGesture(DragOperation drag, Vector2 pressed, CanvasModel scene, Viewport viewpoint, UndoController editor) {
-        this.operation = drag;
+    DragGesture(DragOperation operation, Vector2 pressed, CanvasModel model, Viewport viewport, UndoController editor) {
+        this.operation = operation;
         this.pressed = pressed;
-        this.model = scene;
-        this.viewport = viewpoint;
+        this.model = model;
+        this.viewport = viewport;
         this.editor = editor;
         this.last = pressed;
         editor.beginGesture();
