@@ -35,6 +35,7 @@ class DocsTest {
 
     /** Names that are not ours: the JDK's, and those of other programs. */
     private static final Set<String> OTHER_NAMES = Set.of(
+            "AutoCloseable",
             "AffineTransform",
             "AtomicReference",
             "Graphics2D",
