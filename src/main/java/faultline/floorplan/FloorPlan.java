@@ -1,5 +1,6 @@
 package faultline.floorplan;
 
+import faultline.scenario.xml.ScenarioLimits;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Path;
@@ -16,8 +17,8 @@ import java.util.Locale;
  */
 public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCells solid, List<GridRing> rings) {
 
-    /** A scenario holds 100 000 points and obstacles; the plan itself is one of them. */
-    private static final int MAX_SEGMENTS = 99_999;
+    /** The plan itself is one of the obstacles and points of a scenario. */
+    private static final int MAX_SEGMENTS = ScenarioLimits.MAX_PARTS - 1;
 
     /** The longest outlines that are traced to be straightened, so that time and memory are bounded. */
     private static final int MAX_SMOOTHED = 2_000_000;

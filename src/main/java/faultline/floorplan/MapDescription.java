@@ -1,6 +1,7 @@
 package faultline.floorplan;
 
 import faultline.io.DecimalText;
+import faultline.scenario.xml.ScenarioLimits;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 
@@ -29,7 +30,7 @@ public record MapDescription(
 
     private static final BigDecimal MIN_RESOLUTION = new BigDecimal("0.000001");
     /** The greatest width and height of a world, metres. */
-    private static final BigDecimal MAX_SIZE = new BigDecimal(100_000);
+    private static final BigDecimal MAX_SIZE = new BigDecimal(ScenarioLimits.MAX_COORDINATE);
 
     /** The brightness of white in map files. */
     private static final double WHITE = 255;
