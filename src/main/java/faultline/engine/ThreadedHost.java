@@ -104,9 +104,13 @@ final class ThreadedHost implements ControllerHost {
         }
     }
 
-    /** Waits for the end of the thread, because the controller may be closed after this. */
+    /** Waits for the end of the thread, also if interrupted, because the controller may be closed after this. */
     @Override
     public void close() {
+        boolean interrupted = Thread.interrupted();
         endThread();
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
     }
 }

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Both hosts exchange observations and decisions by the same contract. */
 @Timeout(value = 1, unit = TimeUnit.MINUTES)
@@ -33,9 +34,9 @@ class ControllerHostTest {
     @EnumSource(ControllerMode.class)
     void theDecisionOnTheObservationComesBack(ControllerMode mode) {
         Decision decision = new Decision(1, 2, Telemetry.ofState(ControllerState.of("TEST")));
-        try (ControllerHost link = ControllerHost.create(observation -> decision, mode)) {
-            submit(link);
-            assertEquals(decision, link.await());
+        try (ControllerHost host = ControllerHost.create(observation -> decision, mode)) {
+            submit(host);
+            assertEquals(decision, host.await());
         }
     }
 
@@ -45,9 +46,9 @@ class ControllerHostTest {
         Controller broken = observation -> {
             throw new IllegalStateException("no wheels");
         };
-        try (ControllerHost link = ControllerHost.create(broken, mode)) {
-            submit(link);
-            RunFailedException failure = assertThrows(RunFailedException.class, link::await);
+        try (ControllerHost host = ControllerHost.create(broken, mode)) {
+            submit(host);
+            RunFailedException failure = assertThrows(RunFailedException.class, host::await);
             assertEquals(
                     "the controller broke at tick 7: java.lang.IllegalStateException: no wheels", failure.getMessage());
         }
@@ -68,9 +69,9 @@ class ControllerHostTest {
             }
             return new Decision(0, 0, Telemetry.ofState(ControllerState.of("LATE")));
         };
-        try (ControllerHost link = new ThreadedHost(silent, 0.05)) {
-            submit(link);
-            RunFailedException failure = assertThrows(RunFailedException.class, link::await);
+        try (ControllerHost host = new ThreadedHost(silent, 0.05)) {
+            submit(host);
+            RunFailedException failure = assertThrows(RunFailedException.class, host::await);
             assertEquals("the controller has not answered for 0.05 s at tick 7", failure.getMessage());
         }
     }
@@ -86,9 +87,9 @@ class ControllerHostTest {
             }
             return ANSWER;
         };
-        try (ControllerHost link = new ThreadedHost(deaf, 0.05)) {
-            submit(link);
-            RunFailedException failure = assertThrows(RunFailedException.class, link::await);
+        try (ControllerHost host = new ThreadedHost(deaf, 0.05)) {
+            submit(host);
+            RunFailedException failure = assertThrows(RunFailedException.class, host::await);
             assertEquals(
                     "the controller has not answered for 0.05 s at tick 7; it ignores interruption, so its thread goes"
                             + " on until the program ends",
@@ -103,8 +104,9 @@ class ControllerHostTest {
         busy.get().join();
     }
 
-    @Test
-    void aControllerIsNoLongerCalledWhenItsHostIsClosed() throws InterruptedException {
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aControllerIsNoLongerCalledWhenItsHostIsClosed(boolean interrupted) throws InterruptedException {
         CountDownLatch begun = new CountDownLatch(1);
         AtomicBoolean returned = new AtomicBoolean();
         Controller slow = observation -> {
@@ -116,10 +118,14 @@ class ControllerHostTest {
             returned.set(true);
             return ANSWER;
         };
-        try (ControllerHost link = ControllerHost.create(slow, ControllerMode.OWN_THREAD)) {
-            submit(link);
+        try (ControllerHost host = ControllerHost.create(slow, ControllerMode.OWN_THREAD)) {
+            submit(host);
             begun.await();
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
         }
+        assertEquals(interrupted, Thread.interrupted());
         assertTrue(returned.get());
     }
 
@@ -138,9 +144,9 @@ class ControllerHostTest {
             thread.set(Thread.currentThread());
             return new Decision(0, 0, Telemetry.ofState(ControllerState.of("TEST")));
         };
-        try (ControllerHost link = ControllerHost.create(nosy, ControllerMode.OWN_THREAD)) {
-            submit(link);
-            link.await();
+        try (ControllerHost host = ControllerHost.create(nosy, ControllerMode.OWN_THREAD)) {
+            submit(host);
+            host.await();
             assertNotEquals(Thread.currentThread(), thread.get());
         }
     }
