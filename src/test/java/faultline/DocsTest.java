@@ -35,9 +35,9 @@ class DocsTest {
 
     /** Names that are not ours: the JDK's, and those of other programs. */
     private static final Set<String> OTHER_NAMES = Set.of(
-            "AutoCloseable",
             "AffineTransform",
             "AtomicReference",
+            "AutoCloseable",
             "Graphics2D",
             "IEEEremainder",
             "Locale",

@@ -16,16 +16,17 @@ final class LastSeenPoint {
     private Vector2 fromMount = NOT_SEEN;
 
     /** Processes a reading after some straight motion, and forgets what is behind the mounting position. */
-    void update(SensorView eye, double rolled) {
+    void update(SensorView view, double rolled) {
         fromMount = new Vector2(fromMount.x() - rolled, fromMount.y());
         if (fromMount.x() < 0) {
             clear();
         }
         // As near as expected, or nearer: the point is still in sight. Farther: another one is.
-        if (eye.detects() && eye.reading() <= fromMount.length()) {
-            double side = eye.bearing() < 0 ? -1 : 1;
-            mountPosition = eye.mountPosition();
-            fromMount = Vector2.direction(eye.bearing() + side * eye.halfCone()).times(eye.reading());
+        if (view.detects() && view.reading() <= fromMount.length()) {
+            double side = view.bearing() < 0 ? -1 : 1;
+            mountPosition = view.mountPosition();
+            fromMount =
+                    Vector2.direction(view.bearing() + side * view.halfCone()).times(view.reading());
         }
     }
 

@@ -160,14 +160,15 @@ public final class FileController {
     }
 
     /** Offers to recover edits after a crash. If the user closes the question, it is asked again at the next start. */
-    public RecoveryPrompt.Answer offerRecovery(RecoveryStore.RecoveredFile rescue) {
-        String name = rescue.origin()
+    public RecoveryPrompt.Answer offerRecovery(RecoveryStore.RecoveredFile recovered) {
+        String name = recovered
+                .origin()
                 .map(file -> String.valueOf(file.getFileName()))
-                .orElse(rescue.scenario().name());
+                .orElse(recovered.scenario().name());
         int answer = fileDialogs.showOptions(
                 "recover", Messages.get("recover.question", name), "recover.recover", "recover.discard");
         if (answer == 0) {
-            documentStore.recover(rescue);
+            documentStore.recover(recovered);
             return RecoveryPrompt.Answer.RECOVER;
         }
         return answer == 1 ? RecoveryPrompt.Answer.DISCARD : RecoveryPrompt.Answer.LATER;

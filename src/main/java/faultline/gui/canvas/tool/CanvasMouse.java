@@ -90,14 +90,14 @@ public final class CanvasMouse extends MouseAdapter {
         }
     }
 
-    public void paint(DrawContext brush) {
+    public void paint(DrawContext context) {
         if (gesture != null) {
-            gesture.paint(brush);
+            gesture.paint(context);
         }
         tool.get().ifPresent(t -> {
-            t.paint(brush);
+            t.paint(context);
             if (keyed) {
-                InteractionPainter.paintSketch(brush, List.of(keyPoint()), false);
+                InteractionPainter.paintSketch(context, List.of(keyPoint()), false);
             }
         });
     }

@@ -73,19 +73,19 @@ public final class DragGesture implements Gesture {
     }
 
     @Override
-    public void paint(DrawContext brush) {
+    public void paint(DrawContext context) {
         if (preview == null) {
             return;
         }
         List<Obstacle> blocked = preview.obstacles().stream()
                 .filter(obstacle -> PlacementCheck.overlapsRobot(model, obstacle))
                 .toList();
-        paint(brush, preview.obstacles(), blocked);
+        paint(context, preview.obstacles(), blocked);
         if (blocked.isEmpty()) {
-            InteractionPainter.paintValues(brush, preview.valueText(), preview.obstacles(), last);
+            InteractionPainter.paintValues(context, preview.valueText(), preview.obstacles(), last);
         } else {
             InteractionPainter.paintRefusal(
-                    brush, Messages.get("refused.robot", blocked.get(0).id()), preview.obstacles(), last);
+                    context, Messages.get("refused.robot", blocked.get(0).id()), preview.obstacles(), last);
         }
     }
 
@@ -101,11 +101,11 @@ public final class DragGesture implements Gesture {
                         <= MAX_SEPARATE_CORNERS;
     }
 
-    private static void paint(DrawContext brush, List<Obstacle> there, List<Obstacle> blocked) {
+    private static void paint(DrawContext context, List<Obstacle> there, List<Obstacle> blocked) {
         if (isPreviewedInFull(there)) {
-            there.forEach(obstacle -> InteractionPainter.paintPreview(brush, obstacle, blocked.contains(obstacle)));
+            there.forEach(obstacle -> InteractionPainter.paintPreview(context, obstacle, blocked.contains(obstacle)));
         } else {
-            InteractionPainter.paintPreview(brush, there, !blocked.isEmpty());
+            InteractionPainter.paintPreview(context, there, !blocked.isEmpty());
         }
     }
 }

@@ -24,5 +24,5 @@ public interface Gesture {
         return false;
     }
 
-    default void paint(DrawContext brush) {}
+    default void paint(DrawContext context) {}
 }

@@ -70,12 +70,12 @@ public final class MeasureTool implements Tool {
     }
 
     @Override
-    public void paint(DrawContext brush) {
+    public void paint(DrawContext context) {
         if (from != null) {
-            InteractionPainter.paintSketch(brush, List.of(from, to), false);
+            InteractionPainter.paintSketch(context, List.of(from, to), false);
         }
         measurementText()
                 .ifPresent(text -> InteractionPainter.paintValues(
-                        brush, text, List.of(), brush.camera().toScreen(to)));
+                        context, text, List.of(), context.camera().toScreen(to)));
     }
 }

@@ -70,17 +70,18 @@ public final class PlaceTool implements Tool {
     }
 
     @Override
-    public void paint(DrawContext brush) {
+    public void paint(DrawContext drawContext) {
         if (preview == null) {
             return;
         }
         boolean blocked = PlacementCheck.overlapsRobot(context.model(), preview);
-        InteractionPainter.paintPreview(brush, preview, blocked);
+        InteractionPainter.paintPreview(drawContext, preview, blocked);
         if (blocked) {
             InteractionPainter.paintRefusal(
-                    brush, Messages.get("refused.robot", preview.id()), List.of(preview), Vector2.ZERO);
+                    drawContext, Messages.get("refused.robot", preview.id()), List.of(preview), Vector2.ZERO);
         } else if (pressed != null) {
-            InteractionPainter.paintValues(brush, ShapeHandles.sizeText(preview, 0), List.of(preview), Vector2.ZERO);
+            InteractionPainter.paintValues(
+                    drawContext, ShapeHandles.sizeText(preview, 0), List.of(preview), Vector2.ZERO);
         }
     }
 }

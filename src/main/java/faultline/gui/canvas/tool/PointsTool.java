@@ -92,9 +92,9 @@ public final class PointsTool implements Tool {
     }
 
     @Override
-    public void paint(DrawContext brush) {
+    public void paint(DrawContext drawContext) {
         List<Vector2> sketch = new ArrayList<>(points);
         sketch.add(mouse);
-        InteractionPainter.paintSketch(brush, sketch, closed);
+        InteractionPainter.paintSketch(drawContext, sketch, closed);
     }
 }

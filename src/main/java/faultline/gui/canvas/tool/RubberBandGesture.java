@@ -44,7 +44,7 @@ public final class RubberBandGesture implements Gesture {
     }
 
     @Override
-    public void paint(DrawContext brush) {
-        InteractionPainter.paintRubberBand(brush, from, to);
+    public void paint(DrawContext context) {
+        InteractionPainter.paintRubberBand(context, from, to);
     }
 }

@@ -65,13 +65,13 @@ public final class StartPoseGesture implements Gesture {
     }
 
     @Override
-    public void paint(DrawContext brush) {
+    public void paint(DrawContext context) {
         if (startPose != null) {
             Optional<String> obstructing = PlacementCheck.findObstruction(world, startPose);
-            InteractionPainter.paintRobotPreview(brush, world.robot(), startPose, obstructing.isPresent());
+            InteractionPainter.paintRobotPreview(context, world.robot(), startPose, obstructing.isPresent());
             obstructing.ifPresentOrElse(
-                    id -> InteractionPainter.paintRefusal(brush, Messages.get("refused.start", id), List.of(), last),
-                    () -> InteractionPainter.paintValues(brush, poseText(startPose), List.of(), last));
+                    id -> InteractionPainter.paintRefusal(context, Messages.get("refused.start", id), List.of(), last),
+                    () -> InteractionPainter.paintValues(context, poseText(startPose), List.of(), last));
         }
     }
 

@@ -36,5 +36,5 @@ public interface Tool {
     /** Returns whether the tool is done, so that the mouse selects and moves again. */
     boolean isDone();
 
-    void paint(DrawContext brush);
+    void paint(DrawContext context);
 }
