@@ -88,9 +88,14 @@ public enum Rung {
         return strategy;
     }
 
-    /** {@return whether the follower of the six states drives on this rung} */
-    public boolean drivesSixStates() {
-        return strategy == Strategy.SIX_STATES;
+    /**
+     * {@return whether the follower of the six states drives on a rung; false for a name that the ladder does not have,
+     * as a controller that is not part of the program may report}
+     *
+     * @param name the name of the rung
+     */
+    public static boolean drivesSixStates(String name) {
+        return LADDER.stream().anyMatch(rung -> rung.name().equals(name) && rung.strategy == Strategy.SIX_STATES);
     }
 
     /** Returns the trusted sensor that the six states use to follow the wall. */

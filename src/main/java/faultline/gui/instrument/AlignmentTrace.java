@@ -71,8 +71,7 @@ record AlignmentTrace(
             long end = newest;
             boolean done = false;
             for (long i = log.endIndex() - 1; i >= log.firstIndex(); i--) {
-                if (log.get(i) instanceof RunEvent.RungChanged change
-                        && !Rung.valueOf(change.to()).drivesSixStates()) {
+                if (log.get(i) instanceof RunEvent.RungChanged change && !Rung.drivesSixStates(change.to())) {
                     end = change.tick();
                     done = false;
                 } else if (log.get(i) instanceof RunEvent.StateChanged transition) {

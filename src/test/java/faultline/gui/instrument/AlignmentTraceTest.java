@@ -5,8 +5,12 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
+import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
+import faultline.control.Decision;
 import faultline.control.FollowerState;
+import faultline.control.Telemetry;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.SimulationSetup;
@@ -115,6 +119,39 @@ class AlignmentTraceTest {
         // eq. (4): t_p = t_D / 2
         assertEquals((timed.f4() - timed.f3()) / 2, timed.tP(), 1e-9);
         assertTrue(timed.f3() < timed.f4() && timed.f4() <= timed.time());
+    }
+
+    /** A controller in Java with a strategy that the ladder of the program does not have. */
+    private static Controller limping() {
+        return observation -> new Decision(
+                1,
+                1,
+                new Telemetry(
+                        FollowerState.SEARCH,
+                        "",
+                        0,
+                        0,
+                        Telemetry.WallControl.NONE,
+                        Telemetry.EdgeTimes.NONE,
+                        new Telemetry.Diagnosis("LIMP", List.of())));
+    }
+
+    @Test
+    void aStrategyOfAnotherControllerIsNotOfTheLadder() {
+        ControllerSource source = new ControllerSource() {
+            @Override
+            public Controller start(RunConditions run) {
+                return limping();
+            }
+
+            @Override
+            public boolean limitsAnswerTime() {
+                return false;
+            }
+        };
+        SimulationSetup setup = SampleRuns.ROOM_SETUP.withController(
+                new ControllerSpec.Chosen(SampleRuns.ROOM_SETUP.controller(), source));
+        assertEquals(Optional.empty(), AlignmentTrace.latest(SampleRuns.frame(setup, 10)));
     }
 
     @Test
