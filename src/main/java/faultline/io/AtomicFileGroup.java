@@ -13,6 +13,9 @@ public final class AtomicFileGroup implements AutoCloseable {
 
     private final List<AtomicFile> files = new CopyOnWriteArrayList<>();
 
+    /** Creates a group without files. */
+    public AtomicFileGroup() {}
+
     /**
      * Opens a file of this group for writing.
      *
