@@ -1,5 +1,6 @@
 package faultline.app;
 
+import faultline.external.PythonCommand;
 import faultline.io.ProgramCommand;
 import java.util.Arrays;
 
@@ -98,9 +99,12 @@ final class HelpText {
                 .orElseGet(HelpText::help);
     }
 
-    /** Adds what the name of the program stands for, if it is not a command itself. */
+    /**
+     * Adds what the name of the program stands for, if it is not a command itself. Python has its name of this system.
+     */
     private static String withMeaningOfName(String help) {
         String command = ProgramCommand.text();
-        return help + (command.equals("faultline") ? "" : "\n\n\"faultline\" stands for: " + command);
+        return help.replace("python3", PythonCommand.text())
+                + (command.equals("faultline") ? "" : "\n\n\"faultline\" stands for: " + command);
     }
 }

@@ -53,6 +53,15 @@ public final class ShellWords {
         return words;
     }
 
+    /**
+     * {@return a word in double quotes, from which {@link #split} makes the same word}
+     *
+     * @param word any text; a backslash in it is doubled only where it would escape the next character
+     */
+    public static String quoted(String word) {
+        return '"' + word.replaceAll("\\\\(?=[\\\\\"]|$)|\"", "\\\\$0") + '"';
+    }
+
     /** Returns whether a backslash escapes the next character. */
     private static boolean isEscape(String command, int index, char quote) {
         String special = quote == 0 ? " \"'\\" : quote == '"' ? "\"\\" : "";

@@ -15,6 +15,10 @@ final class StartFailure {
 
     private static final String MISSING = "2";
     private static final String NOT_PERMITTED = "13";
+    /** The error of Windows for a file that is no program, such as a script. */
+    private static final String NO_PROGRAM = "193";
+
+    private static final Pattern PYTHON = Pattern.compile("py|python[\\d.]*");
 
     private StartFailure() {}
 
@@ -32,6 +36,7 @@ final class StartFailure {
         return switch (error.group(1)) {
             case MISSING -> missing(program) + pythonHint(program);
             case NOT_PERMITTED -> "the file is not executable" + pythonHint(program);
+            case NO_PROGRAM -> "the file is not a program" + pythonHint(program);
             default -> error.group(2);
         };
     }
@@ -44,8 +49,12 @@ final class StartFailure {
     }
 
     private static String pythonHint(String program) {
+        String python = PythonCommand.text();
+        if (PYTHON.matcher(program).matches() && !program.equals(python)) {
+            return "; Python is usually started by \"" + python + "\"";
+        }
         return program.endsWith(".py") && new File(program).exists()
-                ? "; a program in Python is started by \"python3 " + ShellText.quoted(program) + "\""
+                ? "; a program in Python is started by \"" + python + " " + ShellText.quoted(program) + "\""
                 : "";
     }
 }

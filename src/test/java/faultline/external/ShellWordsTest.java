@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ShellWordsTest {
 
@@ -25,6 +27,27 @@ class ShellWordsTest {
     void quotesInsideQuotesNeedABackslash() {
         assertEquals(List.of("say \"hi\""), ShellWords.split("\"say \\\"hi\\\"\""));
         assertEquals(List.of("a\\b"), ShellWords.split("'a\\b'"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "my follower.py",
+                "C:\\my robots\\me.py",
+                "\\\\server\\my robots\\me.py",
+                "say \"hi\".py",
+                "it's",
+                "a\\",
+                "a\\\\\"b",
+                ""
+            })
+    void aQuotedWordStaysOneWord(String word) {
+        assertEquals(List.of(word, "x"), ShellWords.split(ShellWords.quoted(word) + " x"));
+    }
+
+    @Test
+    void aQuotedPathIsReadable() {
+        assertEquals("\"C:\\my robots\\me.py\"", ShellWords.quoted("C:\\my robots\\me.py"));
     }
 
     @Test

@@ -2,6 +2,7 @@ package faultline.external;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.io.ShellText;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,6 +21,8 @@ class StartFailureTest {
                 "Cannot run program \"x\": error=2, No such file or directory | there is no such program",
                 "Cannot run program \"x\": Exec failed, error: 2 (No such file) | there is no such program",
                 "Cannot run program \"x\": error=13, Permission denied | the file is not executable",
+                "Cannot run program \"x\": CreateProcess error=193, %1 is not a valid Win32 application "
+                        + "| the file is not a program",
                 "Cannot run program \"x\": Exec failed, error: 7 (Argument list too long) | Argument list too long",
                 "the command is too odd | the command is too odd"
             })
@@ -39,8 +42,26 @@ class StartFailureTest {
     void aProgramInPythonIsNamedWithItsInterpreter(@TempDir Path folder) throws IOException {
         Path script = Files.writeString(folder.resolve("my.py"), "import faultline");
         assertEquals(
-                "the file is not executable; a program in Python is started by \"python3 " + script + "\"",
+                "the file is not executable; a program in Python is started by \"" + PythonCommand.text() + " "
+                        + ShellText.quoted(script.toString()) + "\"",
                 StartFailure.describe(script.toString(), "Cannot run program: error=13, Permission denied"));
+    }
+
+    @Test
+    void theUsualNameOfPythonIsSuggestedForAnotherOne() {
+        String missing = "Cannot run program: error=2, No such file or directory";
+        String python = PythonCommand.text();
+        assertEquals(
+                "there is no such program; Python is usually started by \"" + python + "\"",
+                StartFailure.describe("python", missing));
+        assertEquals("there is no such program", StartFailure.describe(python, missing));
+        assertEquals("there is no such program", StartFailure.describe("pythonic", missing));
+    }
+
+    @Test
+    void onWindowsPythonIsStartedByItsLauncher() {
+        assertEquals("py", PythonCommand.text('\\'));
+        assertEquals("python3", PythonCommand.text('/'));
     }
 
     @Test

@@ -2,6 +2,8 @@ package faultline.gui.dialog;
 
 import faultline.engine.RunFailedException;
 import faultline.external.ControllerChoice;
+import faultline.external.PythonCommand;
+import faultline.external.ShellWords;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
@@ -26,7 +28,7 @@ import javax.swing.JTextArea;
 /** Asks for a controller: the scenario's own, the name of one in Java, or a command. */
 final class ControllerDialog {
 
-    private static final String EXAMPLE = "python3 \"my follower.py\"";
+    private static final String EXAMPLE = PythonCommand.text() + " \"my follower.py\"";
     private static final int GAP = 8;
 
     private final JComboBox<String> field = new JComboBox<>();
@@ -141,8 +143,8 @@ final class ControllerDialog {
         String name = file.getFileName().toString();
         help.setText(Messages.get("chooseController.help", EXAMPLE));
         if (!name.endsWith(".jar")) {
-            String quoted = "\"" + file + "\"";
-            field.setSelectedItem(name.endsWith(".py") ? "python3 " + quoted : quoted);
+            String quoted = ShellWords.quoted(file.toString());
+            field.setSelectedItem(name.endsWith(".py") ? PythonCommand.text() + " " + quoted : quoted);
             return;
         }
         jars.remove(file);

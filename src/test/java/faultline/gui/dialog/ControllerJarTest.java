@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerProvider;
+import faultline.external.PythonCommand;
 import faultline.external.RightTurner;
+import faultline.external.ShellWords;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.ControllerSelection;
 import java.io.IOException;
@@ -18,6 +20,8 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -77,15 +81,26 @@ class ControllerJarTest {
     }
 
     @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "no file has such a name there")
+    void aProgramWhoseNameHasQuotesIsOneWordOfItsCommand() {
+        Path script = Path.of("say \\\"hi\\\".py");
+        runOnEdt(() -> dialog.useFile(script));
+        assertEquals(List.of(PythonCommand.text(), script.toString()), ShellWords.split(callOnEdt(dialog::text)));
+    }
+
+    @Test
     void aJarThatIsChosenAgainGivesItsController() throws IOException {
         Path jar = jar("turner.jar", RightTurner.class.getName());
         Path script = folder.resolve("robot.py");
         runOnEdt(() -> dialog.useFile(jar));
         assertEquals("right-turner", callOnEdt(dialog::text));
         runOnEdt(() -> dialog.useFile(script));
-        assertEquals("python3 \"" + script + "\"", callOnEdt(dialog::text));
+        String python = PythonCommand.text();
+        assertEquals(python + " " + ShellWords.quoted(script.toString()), callOnEdt(dialog::text));
         runOnEdt(() -> dialog.useFile(jar));
         assertEquals("right-turner", callOnEdt(dialog::text));
-        assertEquals("For example: python3 \"my follower.py\".\nEach restart loads it again.", callOnEdt(dialog::help));
+        assertEquals(
+                "For example: " + python + " \"my follower.py\".\nEach restart loads it again.",
+                callOnEdt(dialog::help));
     }
 }
