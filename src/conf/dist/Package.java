@@ -68,6 +68,8 @@ public final class Package {
                             DIST.resolve("faultline").toString()),
                     List.of("--resource-dir", RESOURCES.toString(), "--linux-package-name", "faultline"),
                     List.of("--linux-app-category", "science", "--linux-deb-maintainer", email),
+                    // Java loads it when it first measures a text, and it brings a font; jpackage does not see this.
+                    List.of("--linux-package-deps", "libfontconfig1"),
                     List.of("--description", "simulator of a wall-following robot whose infrared sensors fail"),
                     homepage.isEmpty() ? List.of() : List.of("--about-url", homepage));
         }
