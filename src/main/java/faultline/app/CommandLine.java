@@ -71,8 +71,13 @@ final class CommandLine {
         } catch (RunFailedException e) {
             return reportError(ExitCode.RUN_FAILED, "faultline: the run broke: " + e.getMessage());
         } catch (RuntimeException | Error e) {
-            return reportError(ExitCode.RUN_FAILED, "faultline: internal error: " + e);
+            return reportError(ExitCode.RUN_FAILED, "faultline: internal error: " + rootCause(e));
         }
+    }
+
+    /** Returns what a failure of the JDK goes back to: it says more than the exceptions that are made of it. */
+    private static Throwable rootCause(Throwable e) {
+        return e.getCause() == null ? e : rootCause(e.getCause());
     }
 
     /** Returns a sentence, because the messages of the file system are often only the name of a file. */

@@ -61,6 +61,21 @@ class CommandLineTest {
     }
 
     @Test
+    void anInternalErrorIsNamedByItsFirstCause() {
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        PrintStream out = new PrintStream(OutputStream.nullOutputStream(), true, StandardCharsets.UTF_8) {
+            @Override
+            public void println(String line) {
+                throw new IllegalStateException(new UnsupportedOperationException("no fonts here"));
+            }
+        };
+        assertEquals(3, new CommandLine(new CommandOutput(out, stream(err))).run("--version"));
+        assertEquals(
+                "faultline: internal error: java.lang.UnsupportedOperationException: no fonts here",
+                err.toString(StandardCharsets.UTF_8).strip());
+    }
+
+    @Test
     void runPrintsTheSummaryAsKeysAndValues() {
         CommandResult run = command("run", COLLIDING_SCENARIO);
         assertEquals(0, run.code);
