@@ -108,6 +108,7 @@ public final class GuiLauncher {
                 BackgroundTasks.runAfterAll(GuiLauncher::exitUnlessWindowsAreOpen);
             }
         });
+        SystemQuit.install(window);
         // The scenario is read while the window is laid out and painted for the first time.
         scenario.accept(window);
         window.setVisible(true);
