@@ -37,8 +37,6 @@ public final class Package {
 
     public static void main(String[] args) throws Exception {
         String version = args[0];
-        String email = System.getProperty("package.email");
-        String homepage = System.getProperty("package.homepage");
         System.setProperty("java.awt.headless", "true");
         deleteTree(DIST);
         Files.createDirectories(INPUT);
@@ -51,29 +49,46 @@ public final class Package {
         List<String> common = List.of("--name", "faultline", "--dest", DIST.toString(), "--vendor", VENDOR);
         jpackage(
                 common,
-                List.of("--type", "app-image", "--app-version", version, "--input", INPUT.toString()),
+                List.of("--type", "app-image", "--input", INPUT.toString()),
+                versionOption(version),
                 List.of("--main-jar", "faultline.jar", "--main-class", "faultline.app.Main"),
                 List.of("--java-options", "-Dfaultline.command=faultline"),
                 List.of("--runtime-image", RUNTIME.toString()),
-                isLinux() ? List.of("--icon", icon.toString()) : List.of());
+                isLinux() ? List.of("--icon", icon.toString()) : List.of(),
+                isWindows() ? windowsOptions() : List.of());
         if (isLinux() && isOnPath("dpkg-deb") && isOnPath("fakeroot")) {
-            jpackage(
-                    common,
-                    List.of(
-                            "--type",
-                            "deb",
-                            "--app-version",
-                            version,
-                            "--app-image",
-                            DIST.resolve("faultline").toString()),
-                    List.of("--resource-dir", RESOURCES.toString(), "--linux-package-name", "faultline"),
-                    List.of("--linux-app-category", "science", "--linux-deb-maintainer", email),
-                    // Java loads it when it first measures a text, and it brings a font; jpackage does not see this.
-                    List.of("--linux-package-deps", "libfontconfig1"),
-                    List.of("--description", "simulator of a wall-following robot whose infrared sensors fail"),
-                    homepage.isEmpty() ? List.of() : List.of("--about-url", homepage));
+            makeDebianPackage(common, version);
         }
         writeChecksums();
+    }
+
+    private static void makeDebianPackage(List<String> common, String version) {
+        String homepage = System.getProperty("package.homepage");
+        jpackage(
+                common,
+                List.of("--type", "deb", "--app-version", version),
+                List.of("--app-image", DIST.resolve("faultline").toString()),
+                List.of("--resource-dir", RESOURCES.toString(), "--linux-package-name", "faultline"),
+                List.of("--linux-app-category", "science"),
+                List.of("--linux-deb-maintainer", System.getProperty("package.email")),
+                // Java loads it when it first measures a text, and it brings a font; jpackage does not see this.
+                List.of("--linux-package-deps", "libfontconfig1"),
+                List.of("--description", "simulator of a wall-following robot whose infrared sensors fail"),
+                homepage.isEmpty() ? List.of() : List.of("--about-url", homepage));
+    }
+
+    /** On macOS, jpackage refuses a version that begins with 0; an app image without a version is 1.0 there. */
+    private static List<String> versionOption(String version) {
+        return isMac() && version.startsWith("0.") ? List.of() : List.of("--app-version", version);
+    }
+
+    /**
+     * A program of Windows either writes to the console or opens without one, so there are two, as java and javaw are.
+     */
+    private static List<String> windowsOptions() throws IOException {
+        Path launcher = DIST.resolve("faultlinew.properties");
+        Files.write(launcher, List.of("win-console=false", "arguments=--window"));
+        return List.of("--win-console", "--add-launcher", "faultlinew=" + launcher);
     }
 
     /** Classes are not compressed, because unpacking them makes a start slower. */
@@ -181,6 +196,10 @@ public final class Package {
 
     private static boolean isLinux() {
         return os().contains("linux");
+    }
+
+    private static boolean isMac() {
+        return os().startsWith("mac");
     }
 
     private static boolean isWindows() {
