@@ -23,6 +23,7 @@ Lengths are metres, angles radians, times seconds. A reading is a distance, ``No
 import json
 import operator
 import os
+import shlex
 import subprocess
 import sys
 
@@ -142,8 +143,12 @@ def drive_with(decide, name="python", begin=None):
 
 
 def default_command():
-    """Returns the command that starts the simulator: the environment variable FAULTLINE, or ``faultline``."""
-    return os.environ.get("FAULTLINE", "faultline").split()
+    """Returns the command that starts the simulator: the environment variable FAULTLINE, or ``faultline``.
+
+    A path with blanks stands in double quotes.
+    """
+    words = shlex.split(os.environ.get("FAULTLINE", "faultline"), posix=os.name == "posix")
+    return [word.strip('"') for word in words]
 
 
 class Simulator:

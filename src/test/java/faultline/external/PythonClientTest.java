@@ -243,6 +243,23 @@ class PythonClientTest {
                 output.text().strip());
     }
 
+    @Test
+    void theCommandInTheEnvironmentMayHavePathsWithBlanks() throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import faultline, os
+                os.environ["FAULTLINE"] = 'java -jar "/my robots/faultline.jar"'
+                print(faultline.default_command())
+                os.environ["FAULTLINE"] = 'java -jar "C:\\\\my robots\\\\faultline.jar"'
+                os.name = "nt"
+                print(faultline.default_command() == ["java", "-jar", "C:\\\\my robots\\\\faultline.jar"])
+                """);
+        assertEquals(
+                "['java', '-jar', '/my robots/faultline.jar']\nTrue",
+                output.text().strip());
+    }
+
     private static Output python(String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of("python3"));
         command.addAll(List.of(arguments));
