@@ -222,9 +222,12 @@ public final class Simulation implements AutoCloseable {
         trajectoryRecorder.stopRecordingPath();
     }
 
-    /** Reads the sensors again, so that a frame taken between two ticks shows the effect of commands. */
+    /**
+     * Reads the sensors again, so that a frame taken between two ticks shows the effect of commands. Later ticks are
+     * not affected.
+     */
     public void resample() {
-        world.sense();
+        world.resample();
     }
 
     /** {@return the number of ticks made} */

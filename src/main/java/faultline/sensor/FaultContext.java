@@ -32,6 +32,16 @@ public final class FaultContext {
         this.heldReading = heldReading;
     }
 
+    /** {@return a context in the same state, which changes independently} */
+    public FaultContext copy() {
+        FaultContext copy = new FaultContext(onset, dt, heldReading);
+        copy.history = history.clone();
+        copy.nextStored = nextStored;
+        copy.inBurst = inBurst;
+        copy.burstTick = burstTick;
+        return copy;
+    }
+
     /**
      * Advances to a tick and returns this context.
      *

@@ -30,7 +30,7 @@ final class SensorArray {
     private static final double MAX_TURN = 0.25;
 
     private final double dt;
-    private final SensorSignal[] signals;
+    private SensorSignal[] signals;
     /** The cones of the sensors without faults. */
     private final SensorCone[] soundCones;
     /** The cones with the faults of the optics; the same objects where there are none. */
@@ -44,7 +44,10 @@ final class SensorArray {
 
     private int awakeCount;
     private final double[] truth;
-    private final double[] reported;
+    private double[] reported;
+    /** The readings that snapshots show: the reported ones, or those of {@link #resample} until the next tick. */
+    private double[] shown;
+
     private RobotSpec robot;
     private double sensingRadius;
     private double maxTravel;
@@ -72,6 +75,7 @@ final class SensorArray {
         truth = new double[signals.length];
         reported = new double[signals.length];
         Arrays.fill(reported, Reading.NOTHING);
+        shown = reported;
         configure(robot);
     }
 
@@ -117,8 +121,24 @@ final class SensorArray {
         System.arraycopy(reported, 0, target, 0, reported.length);
     }
 
+    /**
+     * Reads all sensors again between two ticks, so that snapshots show the effect of the commands since the last tick.
+     * The next tick is not affected: in it the faults begin, remember and end as if there were no resampling.
+     */
+    void resample(ObstacleSet obstacles, RobotBody body, long tick) {
+        SensorSignal[] lastSignals = signals;
+        double[] lastReported = reported;
+        signals = Arrays.stream(signals).map(SensorSignal::copy).toArray(SensorSignal[]::new);
+        reported = reported.clone();
+        sense(obstacles, body, tick);
+        signals = lastSignals;
+        reported = lastReported;
+        configure(robot);
+    }
+
     /** Reads all sensors, then lets their faults act: step 6 of a tick. */
     void sense(ObstacleSet obstacles, RobotBody body, long tick) {
+        shown = reported;
         boolean exact = true;
         for (int i = 0; i < truth.length; i++) {
             if (signals[i].isExact()) {
@@ -268,7 +288,7 @@ final class SensorArray {
                     spec,
                     sector,
                     new Reading(truth[i]),
-                    new Reading(reported[i]),
+                    new Reading(shown[i]),
                     spec.on() ? intersections(shapes, sector) : List.of(),
                     signals[i].faults()));
         }

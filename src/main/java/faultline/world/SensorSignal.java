@@ -21,8 +21,21 @@ final class SensorSignal {
     private boolean exact;
 
     SensorSignal(SensorSpec spec, long seed) {
-        this.streamKey = SensorRandom.streamKey(seed, spec.id());
+        streamKey = SensorRandom.streamKey(seed, spec.id());
         configure(spec);
+    }
+
+    private SensorSignal(SensorSignal other) {
+        streamKey = other.streamKey;
+        faults.addAll(other.faults);
+        other.active.forEach(each ->
+                active.add(new ActiveFault(each.fault(), each.context().copy())));
+        configure(other.spec);
+    }
+
+    /** Returns a copy in the same state. */
+    SensorSignal copy() {
+        return new SensorSignal(this);
     }
 
     /** Applies changed settings. */

@@ -130,6 +130,14 @@ public final class World {
         sensed = true;
     }
 
+    /**
+     * Reads all sensors again, so that a snapshot between two ticks shows the effect of commands. Later ticks are not
+     * affected.
+     */
+    public void resample() {
+        sensors.resample(obstacleSet, body, tick);
+    }
+
     /** {@return the number of ticks that have passed} */
     public long tick() {
         return tick;
