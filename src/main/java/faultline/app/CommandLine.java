@@ -70,6 +70,8 @@ final class CommandLine {
             return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage());
         } catch (RunFailedException e) {
             return reportError(ExitCode.RUN_FAILED, "faultline: the run broke: " + e.getMessage());
+        } catch (OutOfMemoryError e) {
+            return reportError(ExitCode.RUN_FAILED, "faultline: there is not enough memory");
         } catch (RuntimeException | Error e) {
             return reportError(ExitCode.RUN_FAILED, "faultline: internal error: " + rootCause(e));
         }

@@ -1,5 +1,7 @@
 package faultline.sensor;
 
+import java.util.Arrays;
+
 /**
  * The inputs and the state of one active fault: the tick, the sensor's random numbers, and what the fault remembers
  * since it began. Mutable; confined to the simulation thread. A fault that is applied twice in one tick gives the same
@@ -88,8 +90,10 @@ public final class FaultContext {
         long now = tick - onset;
         long delay = Math.round(seconds / dt);
         int size = (int) delay + 1;
-        if (history.length != size) {
-            history = new double[size];
+        // A long delay in short ticks needs megabytes, but only after as many ticks.
+        int used = (int) Math.min(size, now + 1);
+        if (history.length < used) {
+            history = Arrays.copyOf(history, Math.min(size, 2 * used));
         }
         for (long i = Math.max(nextStored, now - delay); i < now; i++) {
             history[(int) (i % size)] = Reading.NOTHING;

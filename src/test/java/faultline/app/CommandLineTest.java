@@ -284,6 +284,23 @@ class CommandLineTest {
     }
 
     @Test
+    void aLackOfMemoryIsOneLine() throws Exception {
+        StringBuilder text = new StringBuilder("<scenario xmlns=\"urn:faultline:scenario:1\">");
+        text.append("<world width=\"9\" height=\"9\"><wall id=\"wall\" x=\"0\" y=\"0\" points=\"");
+        for (int i = 0; i < 90_000; i++) {
+            text.append(i).append(",0.123456789 ");
+        }
+        text.append("\"/></world><robot x=\"1\" y=\"1\"/></scenario>");
+        Path file = folder.resolve("long.xml");
+        Files.writeString(file, text);
+        ProcessBuilder builder = JavaProcess.builder("faultline.app.Main", List.of("run", file.toString()));
+        builder.command().add(1, "-Xmx12m");
+        Process process = builder.redirectErrorStream(true).start();
+        assertEquals("faultline: there is not enough memory\n", JavaProcess.output(process));
+        assertEquals(3, process.waitFor());
+    }
+
+    @Test
     void aScenarioForAControllerFromOutsideHasNoneToActAs() throws Exception {
         Path file = folder.resolve("extern.xml");
         Files.writeString(

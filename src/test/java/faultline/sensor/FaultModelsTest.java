@@ -3,7 +3,9 @@ package faultline.sensor;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
 import faultline.robot.RobotSpec;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -103,6 +105,20 @@ class FaultModelsTest {
         // A tick that no int can hold.
         apply(delayed, 1L << 40, 0.25);
         assertEquals(0.25, apply(delayed, (1L << 40) + 50, 0.7));
+    }
+
+    @Test
+    void aLongDelayInShortTicksTakesMemoryOnlyWithTime() {
+        Fault delayed = new SignalFault.Delayed(10);
+        FaultContext shortTicks = new FaultContext(0, 1e-5, 0.33);
+        SensorRandom random = SensorRandom.forTick(STREAM, 0);
+        ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = thread.getCurrentThreadAllocatedBytes();
+        for (int tick = 0; tick < 100; tick++) {
+            assertEquals(0.1, delayed.apply(0.1 + tick, shortTicks.at(tick, RANGE, 0.2, random)));
+        }
+        long bytes = thread.getCurrentThreadAllocatedBytes() - before;
+        assertTrue(bytes < 100_000, bytes + " bytes, of 8 000 000 in the end");
     }
 
     @Test
