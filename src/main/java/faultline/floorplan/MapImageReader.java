@@ -60,7 +60,7 @@ final class MapImageReader {
                     return new PgmReader(file, in).read();
                 }
             }
-            return readWithImageIo(file);
+            return start.length == 2 && start[0] == 'G' && start[1] == 'I' ? readGif(file) : readOther(file);
         } catch (FloorPlanException e) {
             throw e;
         } catch (FileSystemException e) {
@@ -90,20 +90,31 @@ final class MapImageReader {
                 : MessageText.oneLine(e.getMessage());
     }
 
-    private static MapImage readWithImageIo(Path file) throws IOException {
+    private static MapImage readGif(Path file) throws IOException {
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(file), BUFFER_BYTES);
+                ImageInputStream image = GifExtensions.skip(in)) {
+            return readWithImageIo(file, image);
+        }
+    }
+
+    private static MapImage readOther(Path file) throws IOException {
         try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
-            Iterator<ImageReader> readers = in == null ? Collections.emptyIterator() : ImageIO.getImageReaders(in);
-            if (!readers.hasNext()) {
-                throw new FloorPlanException(file, FloorPlanProblem.IMAGE_FORMAT.with());
-            }
-            ImageReader reader = readers.next();
-            try {
-                reader.setInput(in, true, true);
-                requireSize(file, reader.getWidth(0), reader.getHeight(0));
-                return toMapImage(file, reader.read(0));
-            } finally {
-                reader.dispose();
-            }
+            return readWithImageIo(file, in);
+        }
+    }
+
+    private static MapImage readWithImageIo(Path file, ImageInputStream in) throws IOException {
+        Iterator<ImageReader> readers = in == null ? Collections.emptyIterator() : ImageIO.getImageReaders(in);
+        if (!readers.hasNext()) {
+            throw new FloorPlanException(file, FloorPlanProblem.IMAGE_FORMAT.with());
+        }
+        ImageReader reader = readers.next();
+        try {
+            reader.setInput(in, true, true);
+            requireSize(file, reader.getWidth(0), reader.getHeight(0));
+            return toMapImage(file, reader.read(0));
+        } finally {
+            reader.dispose();
         }
     }
 
