@@ -150,7 +150,7 @@ public final class DecimalText {
         if (value == 0) {
             return formatZero(value);
         }
-        String text = Double.toString(value);
+        String text = ShortestDecimal.text(value);
         if (text.indexOf('E') < 0) {
             return withoutTrailingZeros(text);
         }

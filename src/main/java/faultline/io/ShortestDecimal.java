@@ -9,8 +9,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Converts numbers to the shortest decimal text that reads back to the same bits, with the characters of
- * {@link Double#toString(double)} in a fraction of its time and without allocation. The method is Schubfach (R.
+ * Converts numbers to the shortest decimal text that reads back to the same bits, with the characters that
+ * {@link Double#toString(double)} specifies since JDK 19, on any JDK, in a fraction of its time and without allocation.
+ * The method is Schubfach (R.
  * Giulietti, The Schubfach way to render doubles, 2020): the interval of the reals that round to a number is scaled by
  * a power of ten, and contains at most one multiple of 10, which is chosen, or else the nearest integer. Digits are
  * converted and written eight at a time, nearly without branches, because branches on digits cannot be predicted.
@@ -21,8 +22,8 @@ public final class ShortestDecimal {
     public static final int ROOM = 32;
 
     /**
-     * Numbers of at least this value, and below {@link #MIN}, are left to {@link Double#toString(double)}, and so are
-     * powers of two, whose intervals are not symmetric, and some of which JDK 17 writes with a digit too many.
+     * Numbers of at least this value, and below {@link #MIN}, are left to {@link RareDecimal}, and so are powers of
+     * two, whose intervals are not symmetric.
      */
     private static final double MAX = 1e7;
 
@@ -107,6 +108,16 @@ public final class ShortestDecimal {
     }
 
     /**
+     * {@return the text of a number}
+     *
+     * @param number the number, finite
+     */
+    public static String text(double number) {
+        byte[] text = new byte[ROOM];
+        return new String(text, 0, write(number, text, 0), StandardCharsets.ISO_8859_1);
+    }
+
+    /**
      * Writes a finite number.
      *
      * @param number the number, finite
@@ -126,15 +137,15 @@ public final class ShortestDecimal {
         return convert(1L << MANTISSA_BITS | mantissa, q, text, number < 0 ? start + 1 : start);
     }
 
-    /** Writes a number as the JDK does. Powers of two are cached, because rounding errors are often powers of two. */
+    /** Writes any number. Powers of two are cached, because rounding errors are often powers of two. */
     private static int writeRare(double number, boolean power, byte[] text, int start) {
-        byte[] rare = power ? POWERS.computeIfAbsent(number, ShortestDecimal::jdkText) : jdkText(number);
+        byte[] rare = power ? POWERS.computeIfAbsent(number, ShortestDecimal::rareText) : rareText(number);
         System.arraycopy(rare, 0, text, start, rare.length);
         return start + rare.length;
     }
 
-    private static byte[] jdkText(double number) {
-        return Double.toString(number).getBytes(StandardCharsets.ISO_8859_1);
+    private static byte[] rareText(double number) {
+        return RareDecimal.text(number).getBytes(StandardCharsets.ISO_8859_1);
     }
 
     /** Writes c 2^q, where c has 53 bits and is not a power of two, and returns the end of the text. */

@@ -6,6 +6,7 @@ import faultline.control.SensorTrust;
 import faultline.engine.metrics.RunResult;
 import faultline.engine.recording.RunEvent;
 import faultline.io.DecimalText;
+import faultline.io.ShortestDecimal;
 import faultline.world.Collision;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
@@ -119,7 +120,7 @@ public final class RunSummary {
      */
     static String formatNumber(double value, int digits) {
         return Double.isFinite(value)
-                ? new BigDecimal(Double.toString(value))
+                ? new BigDecimal(ShortestDecimal.text(value))
                         .setScale(digits, RoundingMode.HALF_UP)
                         .toPlainString()
                 : "none";
