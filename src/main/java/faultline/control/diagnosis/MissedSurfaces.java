@@ -45,9 +45,10 @@ final class MissedSurfaces {
         if (NearSurfaceCheck.applies(cone)
                 && assessment.mayBeRight(sensor)
                 && reckoning.odometer().v() > DRIVING) {
+            double turnRate = reckoning.odometer().omega();
             testFront(
                     cone,
-                    NearSurfaceCheck.expectedAhead(cone, sensor.measurements(), wantedDistance),
+                    NearSurfaceCheck.expectedAhead(cone, sensor.measurements(), wantedDistance, turnRate),
                     readings,
                     oldest,
                     time);

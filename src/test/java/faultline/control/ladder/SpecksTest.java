@@ -80,27 +80,31 @@ class SpecksTest {
         }
     }
 
-    /** The front sensor misses specks that are close beside its cone; it is trusted again where it sees the gap. */
+    /** A near speck beside the path does not make the front sensor blind, except where it may block the path. */
     @Test
-    void aNearSpeckIsTakenForMissedOnlyForMoments() {
+    void aNearSpeckIsTakenForMissedRarelyAndOnlyForMoments() {
         int ticks = 0;
         int blind = 0;
+        int doubts = 0;
         int contacts = 0;
         for (long seed = 9501; seed <= 9550; seed++) {
             for (WallSide side : WallSide.values()) {
                 Simulation simulation = beside(seed, side);
+                boolean before = false;
                 while (simulation.time() < 60 && simulation.collision().isEmpty()) {
                     simulation.tick();
+                    boolean now = simulation.telemetry().diagnosis().health().stream()
+                            .anyMatch(health -> health.finding() == SensorFinding.BLIND);
                     ticks++;
-                    blind += simulation.telemetry().diagnosis().health().stream()
-                                    .anyMatch(health -> health.finding() == SensorFinding.BLIND)
-                            ? 1
-                            : 0;
+                    blind += now ? 1 : 0;
+                    doubts += now && !before ? 1 : 0;
+                    before = now;
                 }
                 contacts += simulation.collision().isPresent() ? 1 : 0;
             }
         }
-        assertTrue(blind < ticks / 20, blind + " of " + ticks + " ticks");
-        assertTrue(contacts < 45, contacts + " contacts of 100 robots");
+        assertTrue(doubts < 40, doubts + " findings in 100 runs");
+        assertTrue(blind < ticks / 100, blind + " of " + ticks + " ticks");
+        assertTrue(contacts <= 5, contacts + " contacts of 100 robots");
     }
 }
