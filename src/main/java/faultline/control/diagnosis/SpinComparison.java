@@ -13,8 +13,11 @@ final class SpinComparison extends PacedCheck {
     /** No sensor is wrong. */
     static final int NONE = -1;
 
-    /** A robot that rolls more than this while it turns by a step does not spin, metres. */
-    private static final double MAX_ROLL = 0.007;
+    /**
+     * A robot that rolls more than this while it turns by a step does not spin, metres: it drives around a corner whose
+     * radius is 0.11 m or more.
+     */
+    private static final double MAX_ROLL = 0.004;
 
     /** The number of directions in which two sensors are compared at least. */
     private static final int MIN_DIRECTIONS = 3;

@@ -89,6 +89,13 @@ class SpinComparisonTest {
         assertFalse(drive(2.5, 3.5, 100, 0));
     }
 
+    /** Half the speed at the full turn rate, as in ROUND while the wall is out of sight. */
+    @Test
+    void aTightBendIsNoSpin() {
+        assertFalse(drive(0.558, 2.442, 200, 0));
+        assertFalse(drive(3, 3, 10, 0));
+    }
+
     /** A spin of 30 degrees; the next sensor is 45 degrees apart. */
     @Test
     void inAShortSpinNoTwoSensorsLookInTheSameDirections() {
