@@ -1,5 +1,6 @@
 package faultline.campaign.plan;
 
+import faultline.control.ControllerSpec;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.Problems;
@@ -30,22 +31,41 @@ final class PlanCheck {
         Set<String> reported = new HashSet<>();
         for (WorldSource source : worlds.sources()) {
             XmlElement root = source.root(0);
-            check(source.label(0), root, constants, reported);
+            boolean typeVaries = factors.stream().anyMatch(PlanCheck::setsType);
+            check(source.label(0), root, constants, typeVaries, reported);
             for (Factor factor : factors) {
                 for (Factor.Level level : factor.levels()) {
                     List<ScenarioChange> edits = new ArrayList<>(constants);
                     edits.addAll(level.edits());
-                    check(source.label(0), root, edits, reported);
+                    check(source.label(0), root, edits, typeVaries && !setsType(factor), reported);
                 }
             }
         }
         problems.throwIfAny();
     }
 
-    private void check(String world, XmlElement root, List<ScenarioChange> edits, Set<String> reported) {
+    /** Returns whether a factor sets the type of the controller, which no other factor does then. */
+    private static boolean setsType(Factor factor) {
+        return factor.levels().stream()
+                .flatMap(level -> level.edits().stream())
+                .anyMatch(edit -> edit instanceof ScenarioChange.SetAttribute set && isType(set.path()));
+    }
+
+    private static boolean isType(AttributePath path) {
+        return path.attribute().equals("type")
+                && path.steps().size() == 1
+                && path.steps().get(0).element().equals("controller");
+    }
+
+    /** Checks some changes of a world, given whether another factor also sets the type of the controller. */
+    private void check(
+            String world, XmlElement root, List<ScenarioChange> edits, boolean typeVaries, Set<String> reported) {
         for (double uniform : uniforms(edits)) {
             try {
-                Scenario.read("", plan.apply(root, edits, (stream, block) -> uniform, 0));
+                Scenario scenario = Scenario.read("", plan.apply(root, edits, (stream, block) -> uniform, 0));
+                if (scenario.setup().controller() instanceof ControllerSpec.Extern && !typeVaries) {
+                    report(world, new Problem("", SourceLocation.NONE, PlanProblem.EXTERN.with()), edits, reported);
+                }
             } catch (ScenarioException e) {
                 for (Problem problem : e.problems()) {
                     report(world, problem, edits, reported);

@@ -20,6 +20,7 @@ enum PlanProblem implements Message.Template {
     LASTS_AND_UNTIL("<fault> has both lasts and until; expected one of them"),
     SCENARIO("file of <scenario> is \"{0}\": {1}"),
     NO_SUCH_ATTRIBUTE("attribute of <set> is \"{0}\", but {1}"),
+    EXTERN("the controller is from outside, which no plan can name; expected one of the program or of --jar"),
     IN_WORLD("{0} (in {1})");
 
     private final String english;

@@ -19,6 +19,9 @@ final class ScenarioTree {
     /** Elements of a scenario that a path may name although the file omits them. */
     private static final List<String> OPTIONAL_ELEMENTS = List.of("controller", "motor", "timeline", "expect");
 
+    /** A number of an element among those with its name, from 1. */
+    private static final String NUMBER = "[1-9]\\d{0,5}";
+
     private ScenarioTree() {}
 
     /** Thrown if a path does not lead to an element. */
@@ -82,35 +85,45 @@ final class ScenarioTree {
 
     private static Optional<XmlElement> find(XmlElement node, AttributePath.PathStep step) {
         List<XmlElement> named = node.childrenNamed(step.element()).toList();
-        Optional<XmlElement> withId = named.stream()
-                .filter(child -> step.key().equals(child.attributes().getOrDefault("id", "")))
-                .findFirst();
-        if (withId.isPresent() || !step.key().matches("|[1-9]\\d{0,5}")) {
+        Optional<XmlElement> withId =
+                named.stream().filter(child -> step.key().equals(id(child))).findFirst();
+        if (withId.isPresent() || !(step.key().isEmpty() || step.key().matches(NUMBER))) {
             return withId;
         }
         int index = step.key().isEmpty() ? 0 : Integer.parseInt(step.key()) - 1;
         return index < named.size() ? Optional.of(named.get(index)) : Optional.empty();
     }
 
-    /** Creates a sensor, or an element that has its defaults if it is missing. */
+    /** Returns the text that distinguishes an element from others with its name, empty if it has none. */
+    private static String id(XmlElement node) {
+        return node.attributes().getOrDefault(idAttribute(node.name()), "");
+    }
+
+    private static String idAttribute(String element) {
+        return element.equals("setting") ? "name" : "id";
+    }
+
+    /** Creates a sensor, a setting, or an element that has its defaults if it is missing. */
     private static XmlElement create(XmlElement node, AttributePath.PathStep step, SourceLocation location)
             throws UnresolvedPathException {
         boolean sensor = node.name().equals("robot")
                 && step.element().equals("sensor")
                 && !step.key().isEmpty();
-        if (!sensor
-                && !(OPTIONAL_ELEMENTS.contains(step.element()) && step.key().isEmpty())) {
+        boolean setting = node.name().equals("controller")
+                && step.element().equals("setting")
+                && !(step.key().isEmpty() || step.key().matches(NUMBER));
+        boolean named = sensor || setting;
+        if (!named && !(OPTIONAL_ELEMENTS.contains(step.element()) && step.key().isEmpty())) {
             throw new UnresolvedPathException("<" + node.name() + "> has no " + step.element()
                     + (step.key().isEmpty() ? "" : "[" + step.key() + "]") + suggestion(node, step));
         }
-        Map<String, String> attributes = sensor ? Map.of("id", step.key()) : Map.of();
+        Map<String, String> attributes = named ? Map.of(idAttribute(step.element()), step.key()) : Map.of();
         return new XmlElement(step.element(), location, attributes, List.of(), "");
     }
 
     private static String suggestion(XmlElement node, AttributePath.PathStep step) {
-        List<String> ids = node.childrenNamed(step.element())
-                .map(child -> child.attributes().getOrDefault("id", ""))
-                .toList();
+        List<String> ids =
+                node.childrenNamed(step.element()).map(ScenarioTree::id).toList();
         return ids.isEmpty()
                 ? DidYouMean.hint(
                         step.element(),

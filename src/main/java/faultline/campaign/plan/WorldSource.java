@@ -9,6 +9,7 @@ import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import java.io.IOException;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -75,10 +76,15 @@ sealed interface WorldSource {
             return corners + (rules.visitors() == 0 ? "" : "-visitors-" + rules.visitors());
         }
 
+        /** Omits the default controller, whose attributes another one does not have. */
         private static XmlElement toTree(Scenario room) {
             try {
-                return XmlElement.parse(room.toBytes(), new Problems(room.name()), XmlFormat.SCENARIO)
+                XmlElement tree = XmlElement.parse(room.toBytes(), new Problems(room.name()), XmlFormat.SCENARIO)
                         .orElseThrow();
+                List<XmlElement> children = tree.children().stream()
+                        .filter(child -> !child.name().equals("controller"))
+                        .toList();
+                return new XmlElement(tree.name(), tree.location(), tree.attributes(), children, tree.text());
             } catch (IOException e) {
                 throw new IllegalStateException(room.name() + " cannot be a scenario", e);
             }

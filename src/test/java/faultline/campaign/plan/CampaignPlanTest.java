@@ -1,12 +1,15 @@
 package faultline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
+import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -38,6 +41,40 @@ class CampaignPlanTest {
         assertEquals(List.of("10", "off", "left", "", "1", ""), plan.run(35).cells());
         assertEquals("b", plan.run(35).world());
         assertEquals(7, plan.run(35).seed());
+    }
+
+    @Test
+    void aRoomCanHaveAnotherTypeOfController() throws ScenarioException {
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text(
+                "", "<worlds><rooms/></worlds><set attribute=\"controller/@type\" value=\"wall-follower none\"/>"));
+        assertEquals(
+                ControllerSpec.WallFollowing.DEFAULT,
+                plan.scenario(plan.run(0)).setup().controller());
+        assertEquals(
+                new ControllerSpec.None(), plan.scenario(plan.run(1)).setup().controller());
+    }
+
+    /** A file for a controller from outside can be run with the controllers of the program. */
+    @Test
+    void aFactorReplacesAControllerFromOutside() throws ScenarioException {
+        String scenario = SamplePlan.ROOM.replace("</scenario>", "<controller type=\"extern\"/></scenario>");
+        String plan = SamplePlan.text(
+                "",
+                """
+                <worlds><scenario file="room.xml"/></worlds>
+                <set attribute="@duration" value="1 2"/>
+                <set attribute="controller/@type" value="none drive"/>
+                """);
+        PlanFiles.Resolver resolver = (number, name) -> scenario.getBytes(StandardCharsets.UTF_8);
+        byte[] bytes = plan.getBytes(StandardCharsets.UTF_8);
+        assertEquals(4, PlanReader.read("plan.xml", bytes, resolver).runCount());
+        byte[] without = plan.replaceFirst("<set .*type.*>", "").getBytes(StandardCharsets.UTF_8);
+        ScenarioException refusal =
+                assertThrows(ScenarioException.class, () -> PlanReader.read("plan.xml", without, resolver));
+        assertEquals(
+                "the controller is from outside, which no plan can name; expected one of the program or of --jar"
+                        + " (in room)",
+                refusal.problems().get(0).message().toString());
     }
 
     @Test

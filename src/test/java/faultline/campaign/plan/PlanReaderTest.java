@@ -53,6 +53,10 @@ class PlanReaderTest {
             <faults><healthy/><healthy/></faults> | plan.xml:3:29: <healthy> is the same as an earlier one; expected each fault once
             <faults><fault kind="off stuck" sensor="front" at="1..2"/><fault sensor="front" at="1..2" kind="stuck"/></faults> | plan.xml:3:105: <fault> is the same as an earlier one; expected each fault once
             <faults><fault kind="off" sensor="front" at="1" until="2" lasts="3"/></faults> | plan.xml:3:70: <fault> has both lasts and until; expected one of them
+            <set attribute="controller/@type" value="none extern"/> | plan.xml:3:56: the controller is from outside, which no plan can name; expected one of the program or of --jar (in room)
+            <set attribute="controller/@type" value="extern"/><variants><variant name="a"/></variants> | plan.xml:3:51: the controller is from outside, which no plan can name; expected one of the program or of --jar (in room)
+            <set attribute="controller/setting[1]/@value" value="1"/> | plan.xml:3:58: attribute of <set> is "controller/setting[1]/@value", but <controller> has no setting[1] (in room)
+            <set attribute="controller/setting[a]/@value" value="1"/> | plan.xml:3:58: <controller> must not contain <setting>; expected nothing (in room)
             <masks sensors="front left"><mask on="rear"/></masks> | plan.xml:3:46: on of <mask> is "rear"; expected some of front, left
             """)
     void everyMistakeIsReportedAtItsPlace(String element, String problem) {
