@@ -19,6 +19,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 /** {@code campaign} and {@code merge}: makes the runs of a plan, and puts the parts of a divided campaign together. */
 final class CampaignCommand {
 
+    private static final List<String> OPTION_NAMES = List.of("--out", "--jobs", "--shard", "--jar");
+
     /** The time for which the end of the process waits for the last rows, seconds. */
     private static final int STOP_SECONDS = 30;
 
@@ -29,13 +31,14 @@ final class CampaignCommand {
     }
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments parsed = new Arguments(arguments, List.of("--out", "--jobs", "--shard"), List.of("--resume"));
+        Arguments parsed = new Arguments(arguments, OPTION_NAMES, List.of("--resume"));
         boolean resume = parsed.has("--resume");
         Path file = parsed.singleFile("campaign", "plan");
         Path folder = folder(parsed);
         int jobs = parsed.positive(
                 "--jobs", CampaignRunner.MAX_JOBS, Runtime.getRuntime().availableProcessors());
         Shard shard = shard(parsed);
+        ControllerOptions.addJar(parsed);
         CampaignPlan plan = PlanFiles.read(file);
         CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(folder), shard, jobs);
         return run(runner, resume, folder);
@@ -89,7 +92,7 @@ final class CampaignCommand {
     }
 
     int merge(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments parsed = new Arguments(arguments, List.of("--out"));
+        Arguments parsed = new Arguments(arguments, List.of("--out", "--jar"));
         if (parsed.files().isEmpty()) {
             throw new UsageException("merge takes the folders of one or more parts, not none");
         }
@@ -98,6 +101,7 @@ final class CampaignCommand {
             parts.add(new CampaignFolder(Arguments.parsePath(file)));
         }
         Path folder = folder(parsed);
+        ControllerOptions.addJar(parsed);
         return report(new CampaignMerge(parts).writeTo(new CampaignFolder(folder)), folder);
     }
 

@@ -45,9 +45,11 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
                 patience(given), given.has("--truth"), jar.stream().toList());
     }
 
-    /** Makes the controllers of {@code --jar} available to a command without {@code --controller}. */
-    static void addJar(Arguments given) throws UsageException {
-        parse(given, true).jars().forEach(ControllerChoice::addJar);
+    /** Adds the controllers of {@code --jar} for a command without {@code --controller}, and returns the jar. */
+    static List<Path> addJar(Arguments given) throws UsageException {
+        List<Path> jars = parse(given, true).jars();
+        jars.forEach(ControllerChoice::addJar);
+        return jars;
     }
 
     /** Returns the files that a run with some controllers reads, which no output may replace. */

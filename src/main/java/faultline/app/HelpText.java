@@ -62,13 +62,16 @@ final class HelpText {
               --jobs N                     on N threads (default: one for each processor)
               --shard I/N                  only the I-th of N parts
               --resume                     continue the campaign in DIR, if there is one
+              --jar FILE.jar               find controllers in Java in this file as well
 
             faultline merge DIR... --out DIR
                                            put the parts of a campaign together
+              --jar                        as for campaign
 
             faultline report DIR --out FILE.html
                                            make a page of a campaign, with intervals and differences
               --table FILE.csv             write the numbers of its cells as well
+              --jar                        as for campaign
 
             faultline figures --out DIR    make the paper's figures and the studies behind its claims
               --theme light|dark|adaptive  their colours; adaptive follows the reader's screen (default: adaptive)

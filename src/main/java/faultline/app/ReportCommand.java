@@ -21,7 +21,7 @@ final class ReportCommand {
     }
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments parsed = new Arguments(arguments, List.of("--out", "--table"));
+        Arguments parsed = new Arguments(arguments, List.of("--out", "--table", "--jar"));
         if (parsed.files().size() != 1) {
             throw new UsageException("report takes the folder of one campaign, not "
                     + (parsed.files().isEmpty() ? "none" : parsed.files().size()));
@@ -34,6 +34,7 @@ final class ReportCommand {
         if (LinkResolver.findConflict(List.of(), targets).isPresent()) {
             throw new UsageException("--out and --table are the same file; expected two files");
         }
+        Arguments.requireDistinct(ControllerOptions.addJar(parsed), targets);
         CampaignReport report = new CampaignReport(folder);
         requireOtherFiles(folder, targets);
         try (AtomicFileGroup files = new AtomicFileGroup()) {

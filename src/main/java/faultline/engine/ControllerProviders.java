@@ -4,12 +4,20 @@ import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.control.StateTracker;
 import faultline.io.MessageText;
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.file.FileSystemNotFoundException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.CodeSource;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.stream.StreamSupport;
 
 /** The controllers in Java that are on the class path, or in jars that the thread's context class loader adds to it. */
@@ -34,6 +42,31 @@ public final class ControllerProviders {
      */
     public static List<String> names() {
         return all().stream().map(ControllerProvider::name).sorted().toList();
+    }
+
+    /**
+     * {@return the jars that the providers were loaded from, by the names of their controllers, in alphabetical order}
+     * One that was not loaded from a jar is not among them.
+     *
+     * @throws RunFailedException if a provider cannot be loaded
+     */
+    public static SortedMap<String, Path> jars() {
+        SortedMap<String, Path> jars = new TreeMap<>();
+        for (ControllerProvider provider : all()) {
+            CodeSource source = provider.getClass().getProtectionDomain().getCodeSource();
+            if (source != null) {
+                file(source.getLocation()).ifPresent(jar -> jars.putIfAbsent(provider.name(), jar));
+            }
+        }
+        return jars;
+    }
+
+    private static Optional<Path> file(URL location) {
+        try {
+            return Optional.of(Path.of(location.toURI())).filter(Files::isRegularFile);
+        } catch (URISyntaxException | IllegalArgumentException | FileSystemNotFoundException e) {
+            return Optional.empty();
+        }
     }
 
     /**

@@ -257,7 +257,7 @@ class CommandLineTest {
             run a.xml --trace-format 2      | --trace-format needs --trace OUT.csv
             run a.xml --threads controller --controller cat | --threads is "controller"; expected none, because the child process of --controller runs by itself
             run a.xml --trace=              | "" cannot be the name of a file
-            campaign a.xml --resum          | there is no option "--resum" here; expected --out, --jobs, --shard, --resume; did you mean "--resume"?
+            campaign a.xml --resum          | there is no option "--resum" here; expected --out, --jobs, --shard, --jar, --resume; did you mean "--resume"?
             campaign a.xml --resume=yes     | --resume takes no value
             compare a.xml --controler none  | there is no option "--controler" here; expected --controller, --seeds, --out, --until, --jar, --patience, --truth, --open; did you mean "--controller"?
             import a.png --out b --smooth 1e9 | --smooth is "1e9"; expected a number of cells from 0 to 100000

@@ -1,9 +1,11 @@
 package faultline.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.JavaProcess;
+import faultline.campaign.plan.SamplePlan;
 import faultline.control.ControllerProvider;
 import faultline.control.ControllerSpec;
 import faultline.scenario.Scenario;
@@ -15,10 +17,13 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
 import java.util.jar.JarOutputStream;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
@@ -133,6 +138,95 @@ class JavaExampleTest {
         } finally {
             System.setIn(input);
         }
+    }
+
+    /** Runs a command with a jar and nothing from earlier jars; {@code @} is the folder. Returns the last line. */
+    private String runWith(Path controllers, String arguments) {
+        forgetJar();
+        String command = arguments.replace("@", folder.toString()) + " --jar " + controllers;
+        String output = run(command.split(" ")).replace(folder.toString(), "@").strip();
+        return output.substring(output.lastIndexOf('\n') + 1);
+    }
+
+    private Path writePlan() throws IOException {
+        yardOfTheExample();
+        return Files.writeString(
+                folder.resolve("plan.xml"),
+                SamplePlan.text(
+                        "",
+                        """
+                        <worlds><scenario file="yard.xml"/><rooms/></worlds>
+                        <set attribute="@duration" value="1"/>
+                        <set attribute="controller/@type" value="my-follower"/>
+                        <set attribute="controller/setting[distance]/@value" value="0.3 0.4"/>
+                        """));
+    }
+
+    /** Returns a jar with the same controllers and other bytes. */
+    private Path changedJar() throws IOException {
+        Path changed = folder.resolve("changed.jar");
+        try (JarFile in = new JarFile(jar.toFile());
+                JarOutputStream out = new JarOutputStream(Files.newOutputStream(changed))) {
+            for (JarEntry entry : Collections.list(in.entries())) {
+                out.putNextEntry(new JarEntry(entry.getName()));
+                in.getInputStream(entry).transferTo(out);
+            }
+            out.putNextEntry(new JarEntry("changed"));
+        }
+        return changed;
+    }
+
+    @Test
+    void aCampaignOfTheExampleIsMadeInPartsMergedAndReported() throws Exception {
+        writePlan();
+        assertEquals("broken: 0", runWith(jar, "campaign @/plan.xml --out @/whole"));
+        assertEquals("broken: 0", runWith(jar, "campaign @/plan.xml --out @/a --shard 1/2"));
+        Path copy = Files.copy(jar, folder.resolve("copy.jar"));
+        assertEquals("broken: 0", runWith(copy, "campaign @/plan.xml --out @/b --shard 2/2"));
+        assertEquals("broken: 0", runWith(jar, "merge @/a @/b --out @/merged"));
+        for (String file : List.of("runs.csv", "campaign.json")) {
+            assertEquals(
+                    Files.readString(folder.resolve("whole").resolve(file)),
+                    Files.readString(folder.resolve("merged").resolve(file)));
+        }
+        assertEquals("runs: 4", runWith(jar, "report @/merged --out @/page.html"));
+        String replay = runWith(jar, "run @/merged/replays/run-0000003.xml --json");
+        String hash =
+                Files.readAllLines(folder.resolve("whole/runs.csv")).get(4).replaceFirst(",+$", "");
+        assertTrue(replay.contains(hash.substring(hash.lastIndexOf(',') + 1)), replay);
+    }
+
+    @Test
+    void theJarIsPartOfACampaign() throws Exception {
+        writePlan();
+        Path changed = changedJar();
+        assertEquals("broken: 0", runWith(jar, "campaign @/plan.xml --out @/whole"));
+        assertEquals("broken: 0", runWith(jar, "campaign @/plan.xml --out @/whole --resume"));
+        String why = "or was made by another program or with another jar of a controller";
+        assertEquals(
+                "faultline: @/whole: the campaign there has another plan, " + why,
+                runWith(changed, "campaign @/plan.xml --out @/whole --resume"));
+        assertEquals("broken: 0", runWith(jar, "campaign @/plan.xml --out @/a --shard 1/2"));
+        assertEquals("broken: 0", runWith(changed, "campaign @/plan.xml --out @/b --shard 2/2"));
+        assertEquals(
+                "faultline: @/b: this is of another campaign than @/a, " + why,
+                runWith(jar, "merge @/a @/b --out @/merged"));
+        assertEquals(
+                "faultline: the output \"@/copy.jar\" is an input or another output; expected another file"
+                        + " (see faultline --help)",
+                runWith(Files.copy(jar, folder.resolve("copy.jar")), "report @/whole --out @/copy.jar"));
+    }
+
+    /** Manifests of older versions have no such member either. */
+    @Test
+    void theManifestOfACampaignWithoutAJarNamesNone() throws IOException {
+        Path plan = writePlan();
+        Files.copy(Path.of("scenarios/yard.xml"), folder.resolve("yard.xml"), StandardCopyOption.REPLACE_EXISTING);
+        Files.writeString(plan, Files.readString(plan).replaceAll("<set .*controller.*>", ""));
+        String made =
+                run("campaign", plan.toString(), "--out", folder.resolve("out").toString());
+        assertTrue(made.endsWith("broken: 0\n"), made);
+        assertFalse(Files.readString(folder.resolve("out/campaign.json")).contains("controllers"));
     }
 
     @Test

@@ -2,6 +2,7 @@ package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
+import faultline.engine.ControllerProviders;
 import faultline.io.AtomicFile;
 import faultline.io.LinkResolver;
 import faultline.scenario.xml.ScenarioException;
@@ -170,7 +171,8 @@ public final class CampaignFolder {
                     folder + ": there is a campaign already; continue it with --resume, or use another folder");
         }
         if (earlier.isPresent() && !CampaignManifest.sameCampaign(earlier.get(), text)) {
-            throw new IOException(folder + ": the campaign there has another plan or was made by another program");
+            throw new IOException(folder + ": the campaign there has another plan, or was made by another program"
+                    + " or with another jar of a controller");
         }
         Optional<Shard> earlierShard = earlier.flatMap(CampaignManifest::shard);
         if (earlier.isPresent() && !earlierShard.equals(Optional.of(shard))) {
@@ -180,7 +182,9 @@ public final class CampaignFolder {
         if (earlier.isEmpty() && Files.exists(runs())) {
             throw new IOException(folder + ": there is a runs.csv without its campaign.json");
         }
-        checkTables(plan.files().paths());
+        List<Path> inputs = new ArrayList<>(plan.files().paths());
+        inputs.addAll(ControllerProviders.jars().values());
+        checkTables(inputs);
         removeTemporaryFiles();
         if (earlier.isEmpty()) {
             write(plan, text);
@@ -203,10 +207,10 @@ public final class CampaignFolder {
         AtomicFile.write(manifest(), manifest.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** Writes the copy of the plan and the manifest of a whole campaign. */
-    void writeMerged(CampaignPlan plan) throws IOException {
+    /** Writes the copy of the plan and the manifest of a whole campaign, given that of a part. */
+    void writeMerged(CampaignPlan plan, String part) throws IOException {
         removeTemporaryFiles();
-        write(plan, CampaignManifest.text(plan, Shard.ALL));
+        write(plan, CampaignManifest.ofWhole(part));
     }
 
     /**

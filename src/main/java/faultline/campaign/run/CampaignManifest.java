@@ -2,6 +2,7 @@ package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.Column;
+import faultline.engine.ControllerProviders;
 import faultline.io.JsonWriter;
 import faultline.io.ProgramVersion;
 import faultline.io.Sha256;
@@ -28,8 +29,8 @@ final class CampaignManifest {
 
     private CampaignManifest() {}
 
-    /** Returns the manifest of a part of a campaign. */
-    static String text(CampaignPlan plan, Shard shard) {
+    /** Returns the manifest of a part of a campaign. Throws an exception if the jar of a controller cannot be read. */
+    static String text(CampaignPlan plan, Shard shard) throws IOException {
         List<String> lines = new ArrayList<>();
         lines.add("  \"format\": \"faultline-campaign-1\"");
         lines.add("  \"program\": " + JsonWriter.quoted(ProgramVersion.text()));
@@ -40,6 +41,10 @@ final class CampaignManifest {
         lines.add("  \"plan_sha256\": "
                 + JsonWriter.quoted(Sha256.hex(plan.files().plan())));
         lines.add("  \"scenarios\": " + scenarios(plan.files().scenarios()));
+        List<String> controllers = controllers();
+        if (!controllers.isEmpty()) {
+            lines.add("  \"controllers\": " + array(controllers));
+        }
         lines.add("  \"worlds\": " + plan.worldCount());
         lines.add("  \"seeds\": " + plan.seedCount());
         lines.add("  \"cells\": " + plan.cellCount());
@@ -50,7 +55,15 @@ final class CampaignManifest {
         return "{\n" + String.join(",\n", lines) + "\n}\n";
     }
 
-    /** Returns whether two manifests belong to the same campaign and program; parts and Java versions may differ. */
+    /** Returns the manifest of the whole campaign, given that of a part. */
+    static String ofWhole(String part) {
+        return SHARD_LINE.matcher(part).replaceFirst("\"shard\": \"" + Shard.ALL + "\"");
+    }
+
+    /**
+     * Returns whether two manifests belong to the same campaign, program and controllers; parts and Java versions may
+     * differ.
+     */
     static boolean sameCampaign(String one, String other) {
         return comparable(one).equals(comparable(other));
     }
@@ -65,6 +78,16 @@ final class CampaignManifest {
     static Optional<Shard> shard(String manifest) {
         Matcher line = SHARD_LINE.matcher(manifest);
         return line.find() ? Shard.parse(line.group(1)) : Optional.empty();
+    }
+
+    /** Returns an object for each controller from a jar. The place of the jar may differ between two parts. */
+    private static List<String> controllers() throws IOException {
+        List<String> objects = new ArrayList<>();
+        for (Map.Entry<String, Path> jar : ControllerProviders.jars().entrySet()) {
+            objects.add("    {\"name\": " + JsonWriter.quoted(jar.getKey()) + ", \"jar_sha256\": "
+                    + JsonWriter.quoted(Sha256.hex(Files.readAllBytes(jar.getValue()))) + "}");
+        }
+        return objects;
     }
 
     private static String scenarios(Map<String, byte[]> scenarios) {

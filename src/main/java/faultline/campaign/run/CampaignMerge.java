@@ -19,6 +19,8 @@ public final class CampaignMerge {
 
     private final List<ShardFolder> parts;
     private final CampaignPlan plan;
+    /** The manifest of a part. */
+    private final String manifest;
 
     /** A folder that holds a part. */
     private record ShardFolder(CampaignFolder folder, Shard shard) {}
@@ -32,13 +34,14 @@ public final class CampaignMerge {
      */
     public CampaignMerge(List<CampaignFolder> folders) throws IOException, ScenarioException {
         parts = new ArrayList<>();
-        String first = manifest(folders.get(0));
+        manifest = manifest(folders.get(0));
         for (CampaignFolder folder : folders) {
-            String manifest = manifest(folder);
-            if (!CampaignManifest.sameCampaign(first, manifest)) {
-                throw new IOException(folder + ": this is of another campaign than " + folders.get(0));
+            String part = manifest(folder);
+            if (!CampaignManifest.sameCampaign(manifest, part)) {
+                throw new IOException(folder + ": this is of another campaign than " + folders.get(0)
+                        + ", or was made by another program or with another jar of a controller");
             }
-            Shard shard = CampaignManifest.shard(manifest)
+            Shard shard = CampaignManifest.shard(part)
                     .orElseThrow(() -> new IOException(folder + ": campaign.json does not say which part this is"));
             parts.add(new ShardFolder(folder, shard));
         }
@@ -97,7 +100,7 @@ public final class CampaignMerge {
             long broken = concatenate(out.runs(), CampaignFolder::runs, true);
             concatenate(out.timing(), CampaignFolder::timing, false);
             new WorstRuns(plan, out).writeReplays();
-            out.writeMerged(plan);
+            out.writeMerged(plan, manifest);
             return new CampaignRunner.RunCounts(plan.runCount(), plan.runCount(), broken);
         }
     }

@@ -261,6 +261,22 @@ class CampaignRunnerTest {
         cannotMerge(three.runs() + ":1: this is not the header of the campaign", one, two, three);
     }
 
+    /** Another version of the program may merge the parts. */
+    @Test
+    void theManifestOfAMergeNamesTheProgramOfTheParts() throws Exception {
+        List<CampaignFolder> parts = List.of(part(1), part(2), part(3));
+        String whole = Files.readString(reference.resolve("campaign.json"));
+        String earlier = whole.replaceFirst("\"program\": \"[^\"]*\"", "\"program\": \"faultline 0.0.1\"");
+        for (int number = 1; number <= 3; number++) {
+            String shard = "\"shard\": \"" + number + "/3\"";
+            Files.writeString(
+                    folder.resolve("part-" + number + "/campaign.json"),
+                    earlier.replace("\"shard\": \"1/1\"", shard));
+        }
+        new CampaignMerge(parts).writeTo(new CampaignFolder(folder.resolve("merged")));
+        assertEquals(earlier, Files.readString(folder.resolve("merged/campaign.json")));
+    }
+
     @Test
     void aPartWhoseManifestIsDamagedIsRefused() throws Exception {
         CampaignFolder one = part(1);
