@@ -87,11 +87,17 @@ public final class ControllerProviders {
      * @throws RunFailedException if the provider fails
      */
     public static Controller create(ControllerProvider provider, Map<String, String> settings) {
+        boolean interrupted = Thread.currentThread().isInterrupted();
         try {
             Controller controller = Objects.requireNonNull(provider.create(settings), "create returned null");
             return new StateTracker(controller, MessageText.name(provider.name()));
         } catch (RuntimeException | Error e) {
             throw new RunFailedException("the controller \"" + provider.name() + "\" cannot be created: " + e, e);
+        } finally {
+            if (!interrupted) {
+                // If the provider has interrupted the thread, the caller must not take that for a cancellation.
+                Thread.interrupted();
+            }
         }
     }
 

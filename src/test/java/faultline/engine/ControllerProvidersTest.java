@@ -1,12 +1,14 @@
 package faultline.engine;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.control.ControllerSpec;
 import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
 import faultline.geometry.Pose;
 import faultline.world.WorldSpec;
 import java.net.URL;
@@ -79,13 +81,38 @@ class ControllerProvidersTest {
         }
     }
 
-    private static String failure(Map<String, String> settings) {
+    /** A provider that leaves its thread interrupted. */
+    public static final class Interrupting implements ControllerProvider {
+        @Override
+        public String name() {
+            return "interrupting";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            Thread.currentThread().interrupt();
+            return ControllerFactory.create(new ControllerSpec.None());
+        }
+    }
+
+    private static RunResult run(String name, Map<String, String> settings) {
         WorldSpec room = new WorldSpec(4, 3, true, 3, List.of());
         SimulationSetup setup = SimulationSetup.of(room, new Pose(2, 1.5, 0))
                 .withDuration(1)
-                .withController(new ControllerSpec.Provided("empty", 0, settings));
-        return assertThrows(RunFailedException.class, () -> HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()))
+                .withController(new ControllerSpec.Provided(name, 0, settings));
+        return HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());
+    }
+
+    private static String failure(Map<String, String> settings) {
+        return assertThrows(RunFailedException.class, () -> run("empty", settings))
                 .getMessage();
+    }
+
+    @Test
+    void aProviderThatInterruptsItsThreadEndsNoRun() throws Exception {
+        addProvider(Interrupting.class);
+        assertEquals(100, run("interrupting", Map.of()).ticks());
+        assertFalse(Thread.interrupted());
     }
 
     @Test
