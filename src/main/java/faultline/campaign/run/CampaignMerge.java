@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 
 /** Merges the parts of a campaign. The table is the same as that of a campaign that was not divided. */
@@ -135,15 +136,18 @@ public final class CampaignMerge {
             long broken = 0;
             try (LineReader in = new LineReader(file)) {
                 String header = in.next();
-                int outcome = Csv.cells(header.strip()).indexOf("outcome");
+                List<String> names = Csv.cells(header.strip());
+                int outcome = names.indexOf("outcome");
                 if (withHeader) {
                     write(header);
                 }
                 for (String line = in.next(); line.endsWith("\n"); line = in.next()) {
-                    if (complete && !line.startsWith(next + ",")) {
-                        throw new IOException(file + ": run " + next + " is not where it should be");
+                    if (complete) {
+                        requireRun(next, line);
+                        List<String> cells = Csv.cells(line.stripTrailing());
+                        requireGood(names, cells, next - first);
+                        broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
                     }
-                    broken += outcome >= 0 && isBroken(Csv.cells(line), outcome) ? 1 : 0;
                     write(line);
                     next++;
                 }
@@ -155,8 +159,18 @@ public final class CampaignMerge {
             return broken;
         }
 
-        private static boolean isBroken(List<String> cells, int outcome) {
-            return outcome < cells.size() && cells.get(outcome).equals(Outcome.BROKEN);
+        private void requireRun(long run, String line) throws IOException {
+            if (!line.startsWith(run + ",")) {
+                throw new IOException(file + ": run " + run + " is not where it should be");
+            }
+        }
+
+        /** Throws an exception if a row, counted from 0 below the header, has an error. */
+        private void requireGood(List<String> names, List<String> cells, long row) throws IOException {
+            Optional<String> problem = RowCheck.findProblem(names, cells);
+            if (problem.isPresent()) {
+                throw new IOException(file + ":" + (row + 2) + ": " + problem.get());
+            }
         }
 
         private void write(String line) throws IOException {

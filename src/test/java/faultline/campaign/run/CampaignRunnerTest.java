@@ -261,6 +261,17 @@ class CampaignRunnerTest {
         cannotMerge(three.runs() + ":1: this is not the header of the campaign", one, two, three);
     }
 
+    @Test
+    void aRowThatAnotherProgramHasChangedIsNamed() throws Exception {
+        CampaignFolder one = part(1);
+        CampaignFolder two = part(2);
+        CampaignFolder three = part(3);
+        List<String> rows = new ArrayList<>(Files.readAllLines(two.runs()));
+        rows.set(2, rows.get(2).replaceFirst(",undecided,", ",undecidd,"));
+        Files.write(two.runs(), rows);
+        cannotMerge(two.runs() + ":3: outcome is \"undecidd\"; expected an outcome", one, two, three);
+    }
+
     /** Another version of the program may merge the parts. */
     @Test
     void theManifestOfAMergeNamesTheProgramOfTheParts() throws Exception {
@@ -270,8 +281,7 @@ class CampaignRunnerTest {
         for (int number = 1; number <= 3; number++) {
             String shard = "\"shard\": \"" + number + "/3\"";
             Files.writeString(
-                    folder.resolve("part-" + number + "/campaign.json"),
-                    earlier.replace("\"shard\": \"1/1\"", shard));
+                    folder.resolve("part-" + number + "/campaign.json"), earlier.replace("\"shard\": \"1/1\"", shard));
         }
         new CampaignMerge(parts).writeTo(new CampaignFolder(folder.resolve("merged")));
         assertEquals(earlier, Files.readString(folder.resolve("merged/campaign.json")));
