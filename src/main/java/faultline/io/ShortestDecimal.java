@@ -11,10 +11,10 @@ import java.util.concurrent.ConcurrentHashMap;
 /**
  * Converts numbers to the shortest decimal text that reads back to the same bits, with the characters that
  * {@link Double#toString(double)} specifies since JDK 19, on any JDK, in a fraction of its time and without allocation.
- * The method is Schubfach (R.
- * Giulietti, The Schubfach way to render doubles, 2020): the interval of the reals that round to a number is scaled by
- * a power of ten, and contains at most one multiple of 10, which is chosen, or else the nearest integer. Digits are
- * converted and written eight at a time, nearly without branches, because branches on digits cannot be predicted.
+ * The method is Schubfach (R. Giulietti, The Schubfach way to render doubles, 2020): the interval of the reals that
+ * round to a number is scaled by a power of ten, and contains at most one multiple of 10, which is chosen, or else the
+ * nearest integer. Digits are converted and written eight at a time, nearly without branches, because branches on
+ * digits cannot be predicted.
  */
 public final class ShortestDecimal {
 

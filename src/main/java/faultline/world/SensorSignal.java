@@ -28,8 +28,8 @@ final class SensorSignal {
     private SensorSignal(SensorSignal other) {
         streamKey = other.streamKey;
         faults.addAll(other.faults);
-        other.active.forEach(each ->
-                active.add(new ActiveFault(each.fault(), each.context().copy())));
+        other.active.forEach(
+                each -> active.add(new ActiveFault(each.fault(), each.context().copy())));
         configure(other.spec);
     }
 

@@ -88,12 +88,7 @@ class NearSurfaceCheckTest {
     }
 
     @ParameterizedTest
-    @CsvSource({
-        "-0.31, 0.02, false",
-        "-0.29, 0.14, true",
-        "0.29, 0.14, true",
-        "0.31, 0.083, true",
-        "0.31, 0.085, false"
+    @CsvSource({"-0.31, 0.02, false", "-0.29, 0.14, true", "0.29, 0.14, true", "0.31, 0.083, true", "0.31, 0.085, false"
     })
     void aRobotThatTurnsMayComeNearerToTheWall(double turnRate, double reading, boolean crosses) {
         double expected = crosses ? reading * Math.sqrt(2) + 0.1 : Reading.NOTHING;

@@ -78,7 +78,8 @@ class NearestWallTest {
         return switch (random.nextInt(100)) {
             case 0 -> new Vector2(8 * random.nextDouble(), 6 * random.nextDouble());
             case 1 -> new Vector2(0.05 * Math.rint(20 * point.x()), 0.05 * Math.rint(20 * point.y()));
-            default -> point.plus(Vector2.direction(2 * Math.PI * random.nextDouble()).times(0.01));
+            default ->
+                point.plus(Vector2.direction(2 * Math.PI * random.nextDouble()).times(0.01));
         };
     }
 
