@@ -236,7 +236,7 @@ public sealed interface Command {
     }
 
     /**
-     * Adds an obstacle, or replaces the one with the same id.
+     * Adds an obstacle, or replaces the one with the same id. It may touch the robot.
      *
      * @param obstacle the obstacle
      */

@@ -173,7 +173,8 @@ final class CommandHandler {
         if (obstacle.id().equals(WorldSpec.ENCLOSURE)) {
             return refused(command, Reason.RESERVED_ID, WorldSpec.ENCLOSURE);
         }
-        if (!ObstacleSet.isClear(body.box(), ObstacleGeometry.of(obstacle))) {
+        // An obstacle that touches the robot may come back after it was removed.
+        if (ObstacleSet.isOverlapping(body.box(), ObstacleGeometry.of(obstacle))) {
             return refused(command, Reason.OVERLAPS_ROBOT, obstacle.id());
         }
         if (obstacle.isMoving() && countOthersMoving(obstacle.id()) >= spec.maxMoving()) {

@@ -203,6 +203,13 @@ final class ObstacleSet {
         return !geometry.contains(centre);
     }
 
+    /** Returns whether a body overlaps an obstacle by more than a bound of the rounding errors of a contact. */
+    static boolean isOverlapping(OrientedBox body, ObstacleGeometry geometry) {
+        double rounding = 2 * Clearance.MIN_DISTANCE;
+        OrientedBox inner = new OrientedBox(body.frame(), body.halfLength() - rounding, body.halfWidth() - rounding);
+        return !isClear(inner, geometry);
+    }
+
     /** Returns the id of the first obstacle that a body touches or overlaps. */
     Optional<String> findObstruction(OrientedBox body) {
         return findObstruction(spec, obstacles(), body);

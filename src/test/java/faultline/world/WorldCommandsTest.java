@@ -115,6 +115,29 @@ class WorldCommandsTest {
     }
 
     @Test
+    void anObstacleThatTouchesTheRobotComesBackWhenItsRemovalIsUndone() {
+        for (double heading : List.of(0.0, 0.1, 0.7, 1.3, StrictMath.PI / 4)) {
+            world.execute(new Command.PlaceObstacle(
+                    new Obstacle("box", new ObstacleShape.RectangleShape(0.3, 0.2), new Pose(1, 1, heading))));
+            assertEquals(SUCCESS, refusal(new Command.MoveObstacle("box", new Pose(2, 2, heading))));
+            Obstacle touching = world.snapshot().obstacles().get(1);
+            CommandResult.Executed removal = (CommandResult.Executed) world.execute(new Command.RemoveObstacle("box"));
+            removal.inverse().forEach(command -> assertEquals(SUCCESS, refusal(command)));
+            assertEquals(touching, world.snapshot().obstacles().get(1));
+            world.execute(new Command.RemoveObstacle("box"));
+        }
+    }
+
+    @Test
+    void anObstacleIsNotPutIntoTheRobot() {
+        Obstacle box = new Obstacle("box", new ObstacleShape.RectangleShape(0.25, 0.2), new Pose(2.25 - 1e-8, 2, 0));
+        assertEquals(
+                Optional.of("box cannot be put there: it would overlap the robot"),
+                refusal(new Command.PlaceObstacle(box)));
+        assertEquals(SUCCESS, refusal(new Command.PlaceObstacle(box.withPose(new Pose(2.25, 2, 0)))));
+    }
+
+    @Test
     void anObstacleThatOverlapsAsSoonAsItIsTurnedIsRefused() {
         world.execute(new Command.PlaceObstacle(
                 new Obstacle("beam", new ObstacleShape.RectangleShape(0.1, 3.9), new Pose(2.3, 2, 0))));
