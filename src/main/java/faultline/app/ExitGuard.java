@@ -11,6 +11,8 @@ final class ExitGuard implements AutoCloseable {
 
     private final CommandOutput output;
     private final Thread hook = new Thread(this::report, "faultline-exit-guard");
+    /** Whether the run is over, so that an exit is the program's own. */
+    private volatile boolean closed;
 
     private ExitGuard(CommandOutput output) {
         this.output = output;
@@ -27,8 +29,10 @@ final class ExitGuard implements AutoCloseable {
         return guard;
     }
 
-    private void report() {
-        if (isExitCalled()) {
+    /** Ends the process if a thread has called {@link System#exit} while this guard was open. */
+    void report() {
+        // In this order, because the program closes this guard before it exits.
+        if (isExitCalled() && !closed) {
             output.printError("faultline: the run broke: the controller has ended the program by System.exit");
             // The process does not wait for the other hooks, of which one deletes these files.
             AtomicFile.deleteUnfinished();
@@ -46,6 +50,7 @@ final class ExitGuard implements AutoCloseable {
 
     @Override
     public void close() {
+        closed = true;
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException e) {

@@ -103,8 +103,12 @@ class ExitGuardTest {
 
         public static void main(String[] arguments) throws InterruptedException {
             ExitGuard guard = ExitGuard.start(new CommandOutput(System.out, System.err));
-            if (arguments[0].equals("closed")) {
+            if (!arguments[0].equals("guarded")) {
                 guard.close();
+                if (arguments[0].equals("signalled")) {
+                    // A signal has started this hook, which the guard could not remove, and the run has ended since.
+                    Runtime.getRuntime().addShutdownHook(new Thread(guard::report));
+                }
                 System.exit(5);
             }
             System.out.println("ready");
@@ -112,9 +116,10 @@ class ExitGuardTest {
         }
     }
 
-    @Test
-    void afterItsEndTheGuardChangesNoExitCode() throws Exception {
-        Process process = start(GuardedProgram.class.getName(), "closed");
+    @ParameterizedTest
+    @ValueSource(strings = {"closed", "signalled"})
+    void afterItsEndTheGuardChangesNoExitCode(String end) throws Exception {
+        Process process = start(GuardedProgram.class.getName(), end);
         assertEquals("", JavaProcess.output(process));
         assertEquals(5, process.waitFor());
     }
