@@ -13,7 +13,7 @@ import java.util.Arrays;
  */
 final class NearestWall {
 
-    /** Walls are found anew when the path has left this distance from the point of the last search, metres. */
+    /** The walls are searched again when the path is farther than this from the point of the last search, metres. */
     private static final double MAX_MOVED = 0.1;
 
     private final SpatialIndex walls;
@@ -47,7 +47,7 @@ final class NearestWall {
      */
     Wall of(Vector2 point, double margin) {
         double moved = point.distanceTo(searched);
-        if (!(moved <= MAX_MOVED)) {
+        if (moved > MAX_MOVED) {
             search(point);
             moved = 0;
         }
