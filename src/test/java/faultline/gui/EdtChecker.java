@@ -3,8 +3,10 @@ package faultline.gui;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.awt.EventQueue;
+import java.awt.Window;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.RepaintManager;
 import org.junit.jupiter.api.extension.AfterEachCallback;
@@ -13,7 +15,7 @@ import org.junit.jupiter.api.extension.ExtensionContext;
 
 /**
  * Fails a test in which a component is changed outside the event dispatch thread, or in which an exception is not
- * caught.
+ * caught. Disposes of the windows that a failed test has left open, which could block the tests after it.
  */
 public final class EdtChecker implements BeforeEachCallback, AfterEachCallback {
 
@@ -37,6 +39,7 @@ public final class EdtChecker implements BeforeEachCallback, AfterEachCallback {
     public void afterEach(ExtensionContext context) {
         RepaintManager.setCurrentManager(previousManager);
         Thread.setDefaultUncaughtExceptionHandler(previousHandler);
+        GuiRobot.runOnEdt(() -> Stream.of(Window.getWindows()).forEach(Window::dispose));
         assertEquals(List.of(), violations);
     }
 

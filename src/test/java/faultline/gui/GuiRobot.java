@@ -147,6 +147,11 @@ public final class GuiRobot {
         waitFor("the window shows", window::isShowing);
         runOnEdt(window::toFront);
         waitFor("the window is focused", window::isFocused);
+        waitUntilPlaced(window);
+    }
+
+    /** Waits until the location of a window that has moved is the same for Java and for the screen. */
+    public void waitUntilPlaced(Window window) {
         waitUntilStill(window);
         waitUntilMouseReaches(window);
     }

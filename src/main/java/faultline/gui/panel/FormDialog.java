@@ -59,7 +59,6 @@ public final class FormDialog {
             // A dialog that the user makes smaller stays so.
             if (needed.width > before.width || needed.height > before.height) {
                 ScreenFit.resize(dialog, 1);
-                ScreenFit.moveOntoScreen(dialog);
             }
         }
     }

@@ -5,6 +5,7 @@ import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Insets;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -43,32 +44,45 @@ public final class ScreenFit {
     }
 
     /**
-     * Packs a dialog again whose size is that of {@link #pack}. Changes another size by a factor, but shows the whole
-     * contents if the screen has room for them.
+     * Packs a visible dialog again whose size is that of {@link #pack}. Changes another size by a factor, but shows the
+     * whole contents if the screen has room for them. Moves the dialog up and to the left as far as its lower right
+     * corner is not on its screen.
      */
     public static void resize(JDialog dialog, double factor) {
         JRootPane contents = dialog.getRootPane();
-        if (contents.getSize().equals(contents.getClientProperty(PACKED_SIZE))) {
-            pack(dialog);
-            return;
-        }
+        boolean packed = contents.getSize().equals(contents.getClientProperty(PACKED_SIZE));
         Dimension preferred = dialog.getPreferredSize();
-        Dimension wanted = new Dimension(
-                Math.max(preferred.width, (int) Math.round(factor * dialog.getWidth())),
-                Math.max(preferred.height, (int) Math.round(factor * dialog.getHeight())));
-        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        dialog.setSize(limit(wanted, screen.getSize()));
+        Dimension screen = GraphicsEnvironment.getLocalGraphicsEnvironment()
+                .getMaximumWindowBounds()
+                .getSize();
+        Dimension size = packed
+                ? fit(preferred, screen, new JScrollBar().getPreferredSize().width)
+                : limit(
+                        new Dimension(
+                                Math.max(preferred.width, (int) Math.round(factor * dialog.getWidth())),
+                                Math.max(preferred.height, (int) Math.round(factor * dialog.getHeight()))),
+                        screen);
+        // One change of the bounds: between two, a late event of the window manager could restore the size before them.
+        dialog.setBounds(new Rectangle(locationOnScreen(dialog, size), size));
+        dialog.validate();
+        if (packed) {
+            Insets borders = dialog.getInsets();
+            contents.putClientProperty(
+                    PACKED_SIZE,
+                    new Dimension(
+                            size.width - borders.left - borders.right, size.height - borders.top - borders.bottom));
+        }
     }
 
-    /** Moves a dialog up and to the left as far as its lower right corner is not on its screen. */
-    public static void moveOntoScreen(JDialog dialog) {
+    /** Returns the location of a dialog with a size, up and to the left as far as it would extend beyond its screen. */
+    private static Point locationOnScreen(JDialog dialog, Dimension size) {
         Rectangle screen = dialog.getGraphicsConfiguration().getBounds();
         Insets panels = dialog.getToolkit().getScreenInsets(dialog.getGraphicsConfiguration());
         int right = screen.x + screen.width - panels.right;
         int bottom = screen.y + screen.height - panels.bottom;
-        dialog.setLocation(
-                Math.min(dialog.getX(), Math.max(screen.x + panels.left, right - dialog.getWidth())),
-                Math.min(dialog.getY(), Math.max(screen.y + panels.top, bottom - dialog.getHeight())));
+        return new Point(
+                Math.min(dialog.getX(), Math.max(screen.x + panels.left, right - size.width)),
+                Math.min(dialog.getY(), Math.max(screen.y + panels.top, bottom - size.height)));
     }
 
     /** Returns a scroll pane without borders around the fields of a dialog, which shows the field with the focus. */

@@ -90,10 +90,10 @@ class FormDialogRobotTest {
         Window dialog = callOnEdt(() -> SwingUtilities.getWindowAncestor(first));
         Rectangle screen = callOnEdt(
                 () -> GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds());
-        runOnEdt(() -> {
-            dialog.setLocation(screen.width - dialog.getWidth(), screen.height - dialog.getHeight());
-            hidden.setVisible(true);
-        });
+        runOnEdt(() -> dialog.setLocation(screen.width - dialog.getWidth(), screen.height - dialog.getHeight()));
+        // Java may not learn of the second of two moves in quick succession.
+        robot.waitUntilPlaced(dialog);
+        runOnEdt(() -> hidden.setVisible(true));
         robot.waitFor(
                 "all fields show",
                 () -> hidden.getHeight() > 0
