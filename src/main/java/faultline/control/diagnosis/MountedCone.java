@@ -22,4 +22,9 @@ public record MountedCone(double x, double y, double bearing, double half, doubl
                 sensor.cone() / 2,
                 sensor.range());
     }
+
+    /** Returns the range as far as it is certainly within a distance of the robot's centre, metres. */
+    double rangeWithin(double distance) {
+        return Math.min(range, distance - Math.sqrt(x * x + y * y));
+    }
 }

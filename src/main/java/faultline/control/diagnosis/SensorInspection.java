@@ -19,6 +19,12 @@ final class SensorInspection extends PacedCheck {
     /** The time for which free-space evidence counts in a test, on the motion clock. */
     private static final int MEMORY = 700;
 
+    /**
+     * What sensors measure farther than this from the robot's centre is not used, metres. The grid wraps after 3.2 m,
+     * and the robot rolls up to 0.7 m while evidence counts, so nearer places never share a cell.
+     */
+    private static final double MAX_DISTANCE = 1.25;
+
     /** A sector is free up to this far before the reading, metres. */
     private static final double FREE_MARGIN = 0.04;
 
@@ -94,7 +100,7 @@ final class SensorInspection extends PacedCheck {
      * @param trust the assessment of the sensors
      */
     void refit(InspectedSensor[] refitted, double radius, TrustAssessment trust) {
-        bodyRadius = radius;
+        bodyRadius = Math.min(radius, MAX_DISTANCE);
         sensors = inOrder(refitted);
         diagonal = Arrays.stream(refitted)
                 .filter(sensor -> NearSurfaceCheck.applies(sensor.cone()))
@@ -206,12 +212,13 @@ final class SensorInspection extends PacedCheck {
     private void inspect(InspectedSensor sensor, double[] readings, double time) {
         double reading = readings[sensor.index()];
         if (!Reading.isOff(reading)) {
-            boolean sees = reading < sensor.cone().range();
+            double limit = sensor.cone().rangeWithin(MAX_DISTANCE);
+            boolean sees = reading < limit;
             addMeasurement(sensor, sees ? reading : -1);
             if (sees) {
                 test(sensor, 0, clock.moment() - MEMORY);
             }
-            addEvidence(sensor, sees, reading);
+            addEvidence(sensor, sees, Math.min(reading, limit));
             retest(sensor);
             if (sees) {
                 missedSurfaces.test(sensor, readings, wantedDistance, clock.moment() - MEMORY, time);
@@ -239,11 +246,17 @@ final class SensorInspection extends PacedCheck {
                         clock.ticks());
     }
 
-    /** Adds the last measurement to the grid: at once if that takes little time, otherwise after some motion. */
-    private void addEvidence(InspectedSensor sensor, boolean sees, double reading) {
+    /**
+     * Adds the last measurement to the grid: at once if that takes little time, otherwise after some motion.
+     *
+     * @param sensor the sensor that measured
+     * @param sees whether it sees something
+     * @param free the distance up to which it sees nothing, metres
+     */
+    private void addEvidence(InspectedSensor sensor, boolean sees, double free) {
         sensor.countInspection();
         boolean due = alert || sensor.movedSinceMark(reckoning) > MARKING;
-        double radius = (sees ? reading : sensor.cone().range()) - FREE_MARGIN;
+        double radius = free - FREE_MARGIN;
         boolean small = radius < NEAR;
         if (due) {
             int inspections = sensor.mark(reckoning);

@@ -25,6 +25,12 @@ final class SignalCheck {
     private static final double STUCK_DISTANCE = 0.05;
 
     /**
+     * The rule of {@link #STUCK_DISTANCE} does not apply if the sensor may see a wall along the path, whose nearest
+     * point is at a border of the cone: that is, if the point at this border is farther than this from the path, metres.
+     */
+    private static final double BESIDE = 0.15;
+
+    /**
      * A sensor is also stuck if its reading stays exactly the same while the turns of the steps change by this much in
      * total, radians. On a steady path along a wall a healthy reading may stay the same, but then the robot does not
      * steer.
@@ -69,6 +75,8 @@ final class SignalCheck {
 
     private final MountedCone cone;
     private final double axisCos;
+    private final double leftBorderSin;
+    private final double rightBorderSin;
     private final boolean hasLever;
     private final MotionAccumulator motion;
     private final ConeCrossing crossing;
@@ -107,6 +115,8 @@ final class SignalCheck {
         this.motion = motion;
         this.hasLever = StrictMath.hypot(cone.x(), cone.y()) > MIN_LEVER;
         this.axisCos = StrictMath.cos(cone.bearing());
+        this.leftBorderSin = StrictMath.sin(cone.bearing() + cone.half());
+        this.rightBorderSin = StrictMath.sin(cone.bearing() - cone.half());
         this.crossing = new ConeCrossing(cone, motion);
     }
 
@@ -224,9 +234,16 @@ final class SignalCheck {
         held += motion.unsteadiness();
         heldSteps++;
         return Math.abs(turn) > STUCK_TURN + WHEEL_CURVATURE * Math.abs(distance)
-                || Math.abs(distance * axisCos) > STUCK_DISTANCE && Math.abs(cone.bearing()) < cone.half()
+                || Math.abs(distance * axisCos) > STUCK_DISTANCE
+                        && Math.abs(cone.bearing()) < cone.half()
+                        && !mayBeBeside(reading)
                 || isHeld()
                 || reading < 0.001 && Math.abs(distance) + Math.abs(turn) > STUCK_DISTANCE;
+    }
+
+    /** Returns whether a point at a border of the cone, at the distance of a reading, is beside the path. */
+    private boolean mayBeBeside(double reading) {
+        return cone.y() + reading * leftBorderSin > BESIDE || cone.y() + reading * rightBorderSin < -BESIDE;
     }
 
     /**

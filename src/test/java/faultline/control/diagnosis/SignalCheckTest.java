@@ -105,6 +105,13 @@ class SignalCheckTest {
         assertEquals(SensorFinding.STUCK, run(0, 30, 0.003, 0, i -> 0.25));
     }
 
+    /** The border of a cone of 20 degrees is beside the path by 0.174 of the reading. */
+    @Test
+    void aConstantReadingAheadOfARollingRobotMayBeThatOfAWallAlongThePath() {
+        assertEquals(SensorFinding.STUCK, run(0, 30, 0.003, 0, i -> 0.8));
+        assertEquals(SensorFinding.NONE, run(0, 1000, 0.003, 0, i -> 0.9));
+    }
+
     @ParameterizedTest
     @ValueSource(doubles = {0.002, 0.008})
     void usualNoiseIsNoFinding(double noise) {
