@@ -73,6 +73,14 @@ public final class EvidenceGrid {
         this.lastHitInRow = new int[SIZE * sources];
     }
 
+    /** Forgets all evidence. */
+    void clear() {
+        Arrays.fill(free, 0);
+        Arrays.fill(hit, 0);
+        Arrays.fill(lastFreeInRow, 0);
+        Arrays.fill(lastHitInRow, 0);
+    }
+
     /**
      * Returns the cell of a coordinate.
      *

@@ -63,6 +63,9 @@ public final class SensorDiagnosis {
         double dt = ticks * observation.dt();
         tick = observation.tick();
         clock.advance(reckoning.rolled(), reckoning.turned(), dt);
+        if (clock.restartAtEnd()) {
+            grid.clear();
+        }
         motion.advance(reckoning.rolled(), reckoning.turned(), dt);
         double[] readings = observation.readings();
         testSignals(readings);
