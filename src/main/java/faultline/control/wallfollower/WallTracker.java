@@ -25,6 +25,7 @@ final class WallTracker {
 
     private final double[] innovations = new double[MAX_INNOVATIONS];
     private int innovationCount;
+    private int nextInnovation;
     private double distanceSinceReset;
     private boolean switched;
     private double distance;
@@ -67,7 +68,9 @@ final class WallTracker {
             innovation = 0;
             return 0;
         }
-        innovations[innovationCount++ % MAX_INNOVATIONS] = innovation;
+        innovations[nextInnovation] = innovation;
+        nextInnovation = (nextInnovation + 1) % MAX_INNOVATIONS;
+        innovationCount = Math.min(innovationCount + 1, MAX_INNOVATIONS);
         drift += Math.min(1, Math.abs(rolled) / DRIFT_DISTANCE) * (innovation - drift);
         // Critically damped at the bandwidth 1 / (MEMORY radius) per metre.
         double share = Math.min(0.5, Math.abs(rolled) / (MEMORY_SHARE * radius));
@@ -125,7 +128,7 @@ final class WallTracker {
         return MEMORY_SHARE * radius;
     }
 
-    /** Returns the number of innovations since the heading was last set. */
+    /** Returns the number of innovations that are kept, of those since the heading was last set. */
     int innovationCount() {
         return innovationCount;
     }
@@ -134,7 +137,7 @@ final class WallTracker {
     double meanInnovation(int count) {
         double sum = 0;
         for (int i = 1; i <= count; i++) {
-            sum += innovations[(innovationCount - i) % MAX_INNOVATIONS];
+            sum += innovations[Math.floorMod(nextInnovation - i, MAX_INNOVATIONS)];
         }
         return count == 0 ? 0 : sum / count;
     }

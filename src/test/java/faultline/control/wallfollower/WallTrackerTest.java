@@ -48,6 +48,20 @@ class WallTrackerTest {
         assertEquals(0, tracker.heading());
     }
 
+    /** A count of all innovations would overflow on a long path around a disc. */
+    @Test
+    void theLastSixteenInnovationsAreKept() {
+        for (int i = 1; i <= 40; i++) {
+            tracker.predict(0, 0, 0);
+            // A robot at rest: the filter corrects nothing.
+            tracker.correct(0.25 + 0.001 * i, 0, RADIUS);
+        }
+        assertEquals(16, tracker.innovationCount());
+        // The mean of 25 to 40, and of the last two, millimetres.
+        assertEquals(0.0325, tracker.meanInnovation(16), 1e-12);
+        assertEquals(0.0395, tracker.meanInnovation(2), 1e-12);
+    }
+
     @Test
     void theInnovationBeforeThatIsKept() {
         tracker.predict(STEP, 0, 0);
