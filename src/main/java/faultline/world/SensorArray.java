@@ -1,5 +1,8 @@
 package faultline.world;
 
+import faultline.geometry.BoxDistance;
+import faultline.geometry.ConvexShape;
+import faultline.geometry.OrientedBox;
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Sector;
 import faultline.geometry.SectorIntersections;
@@ -29,6 +32,9 @@ final class SensorArray {
     private static final double MAX_TRAVEL = 0.15;
     private static final double MAX_TURN = 0.25;
 
+    /** Rounding must not hide an outline that is just within a distance, metres. */
+    private static final double MARGIN = 1e-6;
+
     private final double dt;
     private SensorSignal[] signals;
     /** The cones of the sensors without faults. */
@@ -39,6 +45,8 @@ final class SensorArray {
     private final CandidateBuffer candidates = new CandidateBuffer();
     private final CandidateBuffer farCandidates = new CandidateBuffer();
     private final List<MovingObstacle> movingNear = new ArrayList<>();
+    /** The shapes that may come between the robot's centre and an apex beside the body in the region. */
+    private final CandidateBuffer outlinesNear = new CandidateBuffer();
     /** The indexes of the sensors that may see something in the region; the first {@link #awakeCount} are valid. */
     private final int[] awake;
 
@@ -50,6 +58,9 @@ final class SensorArray {
 
     private RobotSpec robot;
     private double sensingRadius;
+    /** The distance of the farthest apex beside the body from the robot's centre, metres; 0 if there is none. */
+    private double outsideRadius;
+
     private double maxTravel;
 
     // The region of the collected shapes.
@@ -86,12 +97,15 @@ final class SensorArray {
                 robot.sensors().stream().mapToDouble(SensorSpec::range).max().orElse(0);
         maxTravel = Math.max(MIN_TRAVEL, Math.min(MAX_TRAVEL, TRAVEL_PER_RANGE * longest));
         sensingRadius = 0;
+        outsideRadius = 0;
         for (int i = 0; i < signals.length; i++) {
             SensorSpec spec = robot.sensors().get(i);
             signals[i].configure(spec);
             soundCones[i] = new SensorCone(spec, Obstacle.MATT, robot, maxTravel, MAX_TURN);
             actualCones[i] = createActualCone(i);
-            sensingRadius = Math.max(sensingRadius, spec.mountPosition().length() + spec.range());
+            double mountDistance = spec.mountPosition().length();
+            sensingRadius = Math.max(sensingRadius, mountDistance + spec.range());
+            outsideRadius = soundCones[i].isOutsideBody() ? Math.max(outsideRadius, mountDistance) : outsideRadius;
         }
         sensingRadius *= 1 + 1e-12;
         version = -1;
@@ -219,6 +233,7 @@ final class SensorArray {
         candidates.clear();
         obstacles.findStaticNear(regionX, regionY, radius, candidates);
         candidates.dropBeyond(regionX, regionY, radius);
+        collectOutlines();
         for (int i = 0; i < truth.length; i++) {
             collect(soundCones[i], candidates);
             if (actualCones[i] != soundCones[i]) {
@@ -226,6 +241,16 @@ final class SensorArray {
             }
         }
         wakeThoseThatMaySee();
+    }
+
+    private void collectOutlines() {
+        outlinesNear.clear();
+        double reach = outsideRadius + maxTravel + MARGIN;
+        for (int i = 0; i < candidates.size() && outsideRadius > 0; i++) {
+            if (candidates.shape(i).distanceTo(regionX, regionY) <= reach) {
+                outlinesNear.add(candidates.shape(i), candidates.owner(i));
+            }
+        }
     }
 
     private void collect(SensorCone cone, CandidateBuffer shapes) {
@@ -243,7 +268,7 @@ final class SensorArray {
     }
 
     private double measure(SensorCone cone, ObstacleSet obstacles, RobotBody body) {
-        if (cone.isOutsideBody() && isInsideSolid(new Vector2(cone.apexX(body), cone.apexY(body)))) {
+        if (cone.isOutsideBody() && isInsideSolid(new Vector2(cone.apexX(body), cone.apexY(body)), body)) {
             return 0;
         }
         double distance = cone.measure(body, driven, turned, movingNear);
@@ -259,20 +284,27 @@ final class SensorArray {
 
     /**
      * Returns whether an apex is inside a solid obstacle. The robot's centre is outside all obstacles, so the outline
-     * of one that contains the apex is among the candidates.
+     * of one that contains the apex comes between them. A floor plan takes long to test whether it contains a point.
      */
-    private boolean isInsideSolid(Vector2 apex) {
-        ShapeOwner last = null;
-        for (int i = 0; i < candidates.size(); i++) {
-            ShapeOwner owner = candidates.owner(i);
-            if (owner != last
-                    && owner instanceof PlacedObstacle obstacle
+    private boolean isInsideSolid(Vector2 apex, RobotBody body) {
+        for (int i = 0; i < outlinesNear.size(); i++) {
+            if (outlinesNear.owner(i) instanceof PlacedObstacle obstacle
+                    && isBetween(outlinesNear.shape(i), apex, body)
                     && obstacle.geometry().contains(apex)) {
                 return true;
             }
-            last = owner;
         }
         return movingNear.stream().anyMatch(mover -> mover.geometry().contains(apex));
+    }
+
+    /** Returns whether a shape may come between the robot's centre and an apex. */
+    private static boolean isBetween(ConvexShape shape, Vector2 apex, RobotBody body) {
+        double dx = apex.x() - body.x();
+        double dy = apex.y() - body.y();
+        double length = Math.sqrt(dx * dx + dy * dy);
+        RigidMotion middle = new RigidMotion(dx / length, dy / length, body.x() + dx / 2, body.y() + dy / 2);
+        OrientedBox line = new OrientedBox(middle, length / 2 + MARGIN, MARGIN);
+        return BoxDistance.between(line, shape).distance() == 0;
     }
 
     /** Returns all sensors as values, with the points where their cones' outlines meet obstacles' outlines. */
