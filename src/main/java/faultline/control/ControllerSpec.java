@@ -87,6 +87,19 @@ public sealed interface ControllerSpec {
      * @param rightVolts the voltage on the right motors, finite
      */
     record Drive(double leftVolts, double rightVolts) implements BuiltIn {
+        /**
+         * Creates settings.
+         *
+         * @param leftVolts the voltage on the left motors, finite
+         * @param rightVolts the voltage on the right motors, finite
+         * @throws IllegalArgumentException if a voltage is not finite
+         */
+        public Drive {
+            if (!(Double.isFinite(leftVolts) && Double.isFinite(rightVolts))) {
+                throw new IllegalArgumentException("voltages must be finite: " + leftVolts + ", " + rightVolts);
+            }
+        }
+
         @Override
         public <R> R matchBuiltIn(BuiltInCases<R> cases) {
             return cases.drive.apply(this);
@@ -228,9 +241,13 @@ public sealed interface ControllerSpec {
             if (!(distance > 0 && Double.isFinite(distance))) {
                 throw new IllegalArgumentException("the distance must be positive: " + distance);
             }
-            if (!(period >= 0 && Double.isFinite(period))) {
-                throw new IllegalArgumentException("the period must not be negative: " + period);
-            }
+            requirePeriod(period);
+        }
+    }
+
+    private static void requirePeriod(double period) {
+        if (!(period >= 0 && Double.isFinite(period))) {
+            throw new IllegalArgumentException("the period must not be negative: " + period);
         }
     }
 
@@ -250,6 +267,16 @@ public sealed interface ControllerSpec {
      * @param period the time between two decisions, seconds; 0 for every tick
      */
     record Extern(double period) implements Foreign {
+        /**
+         * Creates settings.
+         *
+         * @param period the time between two decisions, seconds; 0 for every tick
+         * @throws IllegalArgumentException if the period is negative or not finite
+         */
+        public Extern {
+            requirePeriod(period);
+        }
+
         @Override
         public <R> R match(ControllerCases<R> cases) {
             return cases.extern.apply(this);
@@ -270,8 +297,10 @@ public sealed interface ControllerSpec {
          * @param name the name of a {@link ControllerProvider}
          * @param period the time between two decisions, seconds; 0 for every tick
          * @param settings the settings in the file
+         * @throws IllegalArgumentException if the period is negative or not finite
          */
         public Provided {
+            requirePeriod(period);
             settings = Map.copyOf(settings);
         }
 

@@ -35,8 +35,8 @@ public record PdGains(double proportional, double derivative, double maxError) {
     /**
      * {@return the critically damped gains of a length}
      *
-     * @param length over which an error decays, metres
-     * @param speed metres per second
+     * @param length the length over which an error decays, metres, positive
+     * @param speed metres per second, positive
      */
     public static PdGains criticallyDamped(double length, double speed) {
         return new PdGains(speed / (length * length), 2 / length, 2 * length * MAX_APPROACH_SINE);
@@ -45,16 +45,16 @@ public record PdGains(double proportional, double derivative, double maxError) {
     /**
      * {@return any gains, with the same limit of the P term}
      *
-     * @param proportional kp
-     * @param derivative kd
-     * @param speed metres per second
+     * @param proportional kp, radians per second for each metre, positive
+     * @param derivative kd, radians per second for each metre per second, positive
+     * @param speed metres per second, positive
      */
     public static PdGains withErrorLimit(double proportional, double derivative, double speed) {
         return new PdGains(proportional, derivative, MAX_APPROACH_SINE * derivative * speed / proportional);
     }
 
     /**
-     * {@return the P term, radians per second}
+     * {@return the P term, radians per second, positive towards the wall}
      *
      * @param error measured less wanted distance, metres
      */
@@ -63,9 +63,9 @@ public record PdGains(double proportional, double derivative, double maxError) {
     }
 
     /**
-     * {@return the D term, radians per second}
+     * {@return the D term, radians per second, positive towards the wall}
      *
-     * @param rate the rate of the error, metres per second
+     * @param rate the rate of the error, metres per second, positive if the wall recedes
      */
     public double derivativeTerm(double rate) {
         return derivative * rate;

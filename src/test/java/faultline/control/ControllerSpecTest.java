@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import java.util.Map;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -23,6 +24,9 @@ class ControllerSpecTest {
         Exception problem =
                 assertThrows(IllegalArgumentException.class, () -> WallFollowing.DEFAULT.withPeriod(period));
         assertTrue(problem.getMessage().contains("period must not be negative: " + period), problem.getMessage());
+        assertThrows(IllegalArgumentException.class, () -> new ControllerSpec.Extern(period));
+        assertThrows(
+                IllegalArgumentException.class, () -> new ControllerSpec.Provided("example", period, Map.of()));
     }
 
     @ParameterizedTest
@@ -34,5 +38,7 @@ class ControllerSpecTest {
         assertThrows(
                 IllegalArgumentException.class,
                 () -> new Decision(0, volts, Telemetry.ofState(ControllerState.of("TEST"))));
+        assertThrows(IllegalArgumentException.class, () -> new ControllerSpec.Drive(volts, 0));
+        assertThrows(IllegalArgumentException.class, () -> new ControllerSpec.Drive(0, volts));
     }
 }
