@@ -35,11 +35,13 @@ final class NoProgressDetector {
      * @param dt the time since the last call, seconds
      */
     boolean isStuck(DeadReckoning at, double side, double speed, double dt) {
-        untilSample -= dt;
+        double interval = CROSSINGS * side / speed / SAMPLES;
+        // A long time, such as that before the start of this controller, counts as one interval.
+        untilSample = Math.max(-interval, untilSample - dt);
         if (untilSample > 0) {
             return false;
         }
-        untilSample += CROSSINGS * side / speed / SAMPLES;
+        untilSample += interval;
         xs[count % SAMPLES] = at.x();
         ys[count % SAMPLES] = at.y();
         count++;

@@ -85,6 +85,13 @@ class NoProgressDetectorTest {
         assertFalse(drive(0, 0));
     }
 
+    /** The first step of a controller that replaces another one lasts as long as the run so far. */
+    @Test
+    void aLongStepIsNoLongPeriod() {
+        assertFalse(detector.isStuck(at, SIDE, SPEED, 1000));
+        assertEquals(29, secondsUntilStuck(0, 0), 0.15);
+    }
+
     @Test
     void positionsOfLongAgoDoNotCount() {
         for (int i = 0; i < 400; i++) {

@@ -94,6 +94,21 @@ class StopTest {
     }
 
     @Test
+    void aFollowerThatReplacesAnotherOneHasAMinuteForItsProgress() {
+        ControllerSpec.WallFollowing follower = ControllerSpec.WallFollowing.DEFAULT;
+        SimulationSetup setup = setup(
+                new WorldSpec(6, 4, true, 3, List.of()),
+                new Pose(1.2, 3, 0),
+                RobotSpec.DEFAULT,
+                WallSide.LEFT,
+                List.of(
+                        new TimedCommand(99, new Command.ConfigureController(follower.withDiagnosis(false))),
+                        new TimedCommand(100, new Command.SwitchSensor("front", false)),
+                        new TimedCommand(100, new Command.ConfigureController(follower))));
+        assertEquals("THREE", run(setup, 101).telemetry().diagnosis().rung());
+    }
+
+    @Test
     void alongAWallItDoesNotStop() {
         SimulationSetup setup = setup(
                 new WorldSpec(4, 3, true, 3, List.of()),
