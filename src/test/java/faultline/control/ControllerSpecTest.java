@@ -25,8 +25,7 @@ class ControllerSpecTest {
                 assertThrows(IllegalArgumentException.class, () -> WallFollowing.DEFAULT.withPeriod(period));
         assertTrue(problem.getMessage().contains("period must not be negative: " + period), problem.getMessage());
         assertThrows(IllegalArgumentException.class, () -> new ControllerSpec.Extern(period));
-        assertThrows(
-                IllegalArgumentException.class, () -> new ControllerSpec.Provided("example", period, Map.of()));
+        assertThrows(IllegalArgumentException.class, () -> new ControllerSpec.Provided("example", period, Map.of()));
     }
 
     @ParameterizedTest

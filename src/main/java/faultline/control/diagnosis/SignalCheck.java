@@ -26,7 +26,7 @@ final class SignalCheck {
 
     /**
      * The rule of {@link #STUCK_DISTANCE} does not apply if the sensor may see a wall along the path, whose nearest
-     * point is at a border of the cone: that is, if the point at this border is farther than this from the path, metres.
+     * point is at a border of the cone: that is, if the point there is farther than this from the path, metres.
      */
     private static final double BESIDE = 0.15;
 
