@@ -1,6 +1,7 @@
 package faultline.gui.timeline;
 
 import faultline.control.ControllerSpec;
+import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.gui.panel.ControllerForm;
 import faultline.gui.panel.FaultFields;
@@ -9,6 +10,7 @@ import faultline.gui.panel.NumberSpinner;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.world.Command;
@@ -31,7 +33,9 @@ final class DetailFields {
 
     private static final int FIRST_ROW = 1;
     private static final int CONTROLLER_ROW = TIMES_ROW + 2;
-    private static final double MAX_NUMBER = 1e6;
+    /** The greatest angle of a file, in either direction. */
+    private static final double MAX_DEGREES = 1e6;
+
     private static final double HALF_DECIMAL = 0.5e-4;
     private static final int COLUMNS = 8;
 
@@ -65,17 +69,17 @@ final class DetailFields {
                 : () -> Optional.of(command);
     }
 
-    /** Returns a field for a number, which is at least 0 initially. */
+    /** Returns a field for a number, initially a time in seconds. */
     static NumberSpinner number(String key) {
-        return new NumberSpinner("0.00##", 0, MAX_NUMBER, 1, ignored -> {})
+        return new NumberSpinner("0.00##", 0, ScenarioLimits.MAX_DURATION, 1, ignored -> {})
                 .withName(key)
                 .withColumns(COLUMNS)
                 .keepInvalidText();
     }
 
-    /** Shows a number of at least 0. */
-    static void setNumber(NumberSpinner field, double value) {
-        field.setLimits(0, MAX_NUMBER, value);
+    /** Shows a time, seconds. */
+    static void setTime(NumberSpinner field, double value) {
+        field.setLimits(0, ScenarioLimits.MAX_DURATION, value);
     }
 
     /** Returns the number of a field; the old one, to the bit, if the field still shows it in its four decimals. */
@@ -115,23 +119,23 @@ final class DetailFields {
     private Supplier<Optional<Command>> addPose(Command.MoveObstacle command) {
         Pose old = command.pose();
         double oldDegrees = Math.toDegrees(old.heading());
-        NumberSpinner x = addPoseField(FIRST_ROW, "timeline.x", "m", old.x());
-        NumberSpinner y = addPoseField(FIRST_ROW + 1, "timeline.y", "m", old.y());
-        NumberSpinner heading = addPoseField(FIRST_ROW + 2, "timeline.heading", "°", oldDegrees);
+        NumberSpinner x = addPoseField(FIRST_ROW, "timeline.x", "m", ScenarioLimits.MAX_COORDINATE, old.x());
+        NumberSpinner y = addPoseField(FIRST_ROW + 1, "timeline.y", "m", ScenarioLimits.MAX_COORDINATE, old.y());
+        NumberSpinner heading = addPoseField(FIRST_ROW + 2, "timeline.heading", "°", MAX_DEGREES, oldDegrees);
         return () -> {
             if (!x.commitValidEdit() || !y.commitValidEdit() || !heading.commitValidEdit()) {
                 return Optional.empty();
             }
             double degrees = valueOf(heading, oldDegrees);
-            double radians = degrees == oldDegrees ? old.heading() : Math.toRadians(degrees);
+            double radians = degrees == oldDegrees ? old.heading() : Degrees.toRadians(degrees);
             Pose pose = new Pose(valueOf(x, old.x()), valueOf(y, old.y()), radians);
             return Optional.of(new Command.MoveObstacle(command.obstacle(), pose));
         };
     }
 
-    private NumberSpinner addPoseField(int row, String key, String unit, double value) {
+    private NumberSpinner addPoseField(int row, String key, String unit, double max, double value) {
         NumberSpinner field = number(key);
-        field.setLimits(-MAX_NUMBER, MAX_NUMBER, value);
+        field.setLimits(-max, max, value);
         addRow(form, row, FormConstraints.label(key, field), field, unit);
         return field;
     }

@@ -51,10 +51,10 @@ final class ItemDialog {
     }
 
     private void addTimeFields() {
-        DetailFields.setNumber(from, item.start());
+        DetailFields.setTime(from, item.start());
         DetailFields.addRow(form, DetailFields.TIMES_ROW, FormConstraints.label("timeline.start", from), from, "s");
         if (item.isInterval()) {
-            DetailFields.setNumber(until, item.isOpen() ? item.start() : item.end());
+            DetailFields.setTime(until, item.isOpen() ? item.start() : item.end());
             DetailFields.addRow(form, DetailFields.TIMES_ROW + 1, ends, until, "s");
             ends.setSelected(!item.isOpen());
             until.setEnabled(ends.isSelected());

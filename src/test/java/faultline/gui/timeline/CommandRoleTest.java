@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.gui.EdtChecker;
 import faultline.gui.panel.NumberSpinner;
@@ -22,6 +23,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.Test;
@@ -181,5 +183,30 @@ class CommandRoleTest {
             assertEquals(row.details(), NumberSpinner.findIn(form).findAny().isPresent(), row.toString());
             assertEquals(Optional.of(row.command()), read);
         }
+    }
+
+    /** Returns the move of a dialog after a text was typed into one of the fields of x, y and heading. */
+    private static Optional<Command> typedMove(int field, String text) {
+        Command move = new Command.MoveObstacle("desk", new Pose(1, 2, 0));
+        return callOnEdt(() -> {
+            JPanel form = new JPanel(new GridBagLayout());
+            Supplier<Optional<Command>> details =
+                    new DetailFields(form, new JComboBox<>(), RobotSpec.DEFAULT, 0.01).add(move);
+            NumberSpinner.findIn(form).toList().get(field).textField().setText(text);
+            return details.get();
+        });
+    }
+
+    @Test
+    void aHeadingIsTypedInDegreesAsInAFile() {
+        assertEquals(
+                Optional.of(new Command.MoveObstacle("desk", new Pose(1, 2, Degrees.toRadians(0.03)))),
+                typedMove(2, "0.03"));
+    }
+
+    @Test
+    void aPlaceBeyondThoseOfAFileIsRefused() {
+        assertEquals(Optional.of(new Command.MoveObstacle("desk", new Pose(-100_000, 2, 0))), typedMove(0, "-100000"));
+        assertEquals(Optional.empty(), typedMove(1, "100001"));
     }
 }
