@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.stream.IntStream;
 
@@ -30,6 +31,11 @@ public final class TimelineModel {
 
         PairedCommands endedBy(TimedCommand later, int index) {
             return new PairedCommands(item.withTimes(item.start(), later.time()), first, index);
+        }
+
+        /** Returns whether a command would end other items of the lane, too. */
+        boolean isEndedWithOthers(TimedCommand end) {
+            return !item.endings().get(0).equals(end.command());
         }
     }
 
@@ -61,7 +67,7 @@ public final class TimelineModel {
             PairedCommands pair = pairs.get(number);
             if (pair.last() == NONE) {
                 pairs.set(number, pair.endedBy(timed, index));
-                endsOthers = !pair.item().endings().get(0).equals(timed.command());
+                endsOthers = pair.isEndedWithOthers(timed);
                 found = true;
             }
         }
@@ -84,28 +90,31 @@ public final class TimelineModel {
 
     /** Returns the commands with another item at the end. */
     List<TimedCommand> with(TimelineItem added) {
-        List<TimedCommand> result = new ArrayList<>(commands);
+        List<TimedCommand> result = replaced(NONE, NONE, Optional.of(added));
         result.addAll(added.commands());
         return result;
     }
 
     /** Returns the commands without an item, given its index. */
     List<TimedCommand> without(int item) {
-        return replaced(pairs.get(item), List.of());
+        PairedCommands pair = pairs.get(item);
+        return replaced(pair.first(), pair.last(), Optional.empty());
     }
 
     /** Returns the commands with an item, given its index, replaced by another one. */
     List<TimedCommand> with(int item, TimelineItem changed) {
-        return replaced(pairs.get(item), changed.commands());
+        PairedCommands pair = pairs.get(item);
+        return replaced(pair.first(), pair.last(), Optional.of(changed));
     }
 
-    private List<TimedCommand> replaced(PairedCommands pair, List<TimedCommand> replacement) {
+    /** Returns the commands with the two of an item, each of which may be {@link #NONE}, replaced by those of another. */
+    private List<TimedCommand> replaced(int first, int last, Optional<TimelineItem> changed) {
         List<TimedCommand> result = new ArrayList<>();
         for (int i = 0; i < commands.size(); i++) {
-            if (i == pair.first()) {
-                result.addAll(replacement);
-            } else if (i == pair.last()) {
-                result.addAll(endsOfOthers(pair));
+            if (i == first) {
+                changed.map(TimelineItem::commands).ifPresent(result::addAll);
+            } else if (i == last || changed.isPresent() && wouldEnd(i, changed.get())) {
+                result.addAll(endsOfOthers(i, first));
             } else {
                 result.add(commands.get(i));
             }
@@ -113,11 +122,20 @@ public final class TimelineModel {
         return result;
     }
 
-    /** Returns commands that end the other items which the last command of a pair ends. */
-    private List<TimedCommand> endsOfOthers(PairedCommands pair) {
+    /** Returns whether a command that ends all items of a lane, and has ended others, would also end an item. */
+    private boolean wouldEnd(int index, TimelineItem item) {
+        TimedCommand end = commands.get(index);
+        return end.time() >= item.start()
+                && end.time() <= item.end()
+                && item.endings().contains(end.command())
+                && pairs.stream().anyMatch(pair -> pair.last() == index && pair.isEndedWithOthers(end));
+    }
+
+    /** Returns commands that end the items which a command ends, except the item that begins at {@code first}. */
+    private List<TimedCommand> endsOfOthers(int index, int first) {
         return pairs.stream()
-                .filter(other -> other != pair && other.last() == pair.last())
-                .map(other -> other.item().commands().get(1))
+                .filter(pair -> pair.first() != first && pair.last() == index)
+                .map(pair -> pair.item().commands().get(1))
                 .toList();
     }
 }

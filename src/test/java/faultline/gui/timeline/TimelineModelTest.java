@@ -118,6 +118,19 @@ class TimelineModelTest {
     }
 
     @Test
+    void aFaultThatIsExtendedAcrossTheRemovalOfAllFaultsIsNotEndedByIt() {
+        List<TimedCommand> commands = List.of(
+                inject(1, "left", STUCK), clear(3, "left", STUCK), inject(2, "left", DEAD), clearAll(5, "left"));
+        TimelineModel model = TimelineModel.of(commands);
+        TimelineItem stuck = model.items().get(0);
+        List<String> extended = List.of("left 1.0 7.0", "left 2.0 5.0");
+        assertEquals(extended, spans(model.with(0, stuck.withTimes(1, 7))));
+        assertEquals(List.of("left 1.0 5.0", "left 2.0 5.0"), spans(model.with(0, stuck.withTimes(1, 5))));
+        assertEquals(List.of("left 1.0 3.0", "left 2.0 5.0", "left 4.0 6.0"), spans(model.with(stuck.withTimes(4, 6))));
+        assertEquals(commands.get(3), model.with(stuck.withTimes(6, 8)).get(3), "a removal before the fault stays");
+    }
+
+    @Test
     void anItemCanBeCopiedToAnotherSensorAndTime() {
         TimelineItem item = TimelineModel.of(List.of(inject(1, "left", STUCK), clear(3, "left", STUCK)))
                 .items()
