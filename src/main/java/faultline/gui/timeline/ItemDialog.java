@@ -7,6 +7,7 @@ import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
+import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.GridBagLayout;
 import java.util.List;
@@ -72,12 +73,17 @@ final class ItemDialog {
     }
 
     private Optional<TimelineItem> show(Component parent) {
+        // Fields stay where they are when the dialog is higher than they need.
+        JPanel content = new JPanel(new BorderLayout());
+        content.add(form, BorderLayout.NORTH);
         // The start has the focus initially: the kind would take the arrow keys.
+        NumberSpinner focused = from;
         Optional<TimelineItem> result;
         boolean accepted;
         do {
-            accepted = FormDialog.showDialog(parent, TimelineText.dialogTitle(item), form, from.textField());
+            accepted = FormDialog.showDialog(parent, TimelineText.dialogTitle(item), content, focused.textField());
             result = accepted ? read() : Optional.empty();
+            focused = refusedField().orElse(from);
             if (accepted && endsBeforeItStarts()) {
                 JOptionPane.showMessageDialog(
                         parent,
@@ -87,6 +93,12 @@ final class ItemDialog {
             }
         } while (accepted && result.isEmpty());
         return result;
+    }
+
+    private Optional<NumberSpinner> refusedField() {
+        return NumberSpinner.findIn(form)
+                .filter(field -> field.isVisible() && !field.commitValidEdit())
+                .findFirst();
     }
 
     private boolean endsBeforeItStarts() {

@@ -7,11 +7,13 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.GuiRobot;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
+import faultline.sensor.FaultKind;
 import faultline.world.Command;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
@@ -21,6 +23,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JTextField;
@@ -152,14 +155,28 @@ class TimelineRobotTest {
         JTextField x = ComponentFinder.find(driver.dialog(title), NumberSpinner.class, "Position x")
                 .textField();
         enterInto(x, KeyEvent.VK_MINUS);
-        enterInto(
-                ComponentFinder.find(driver.dialog(title), NumberSpinner.class, "Position x")
-                        .textField(),
-                KeyEvent.VK_4);
+        driver.dialog(title);
+        driver.robot().waitFor("the refused number has the focus", x::isFocusOwner);
+        enterInto(x, KeyEvent.VK_4);
         driver.waitForTitle("office.xml*");
         assertEquals(
                 new Command.MoveObstacle("copier", new Pose(4, 2, 0)),
                 saved().get(0).command());
+    }
+
+    @Test
+    void fieldsOfAFaultStayWhereTheyAreAfterAKindWithMoreOfThem() {
+        openNewFault();
+        Window dialog = driver.dialog(NEW_FAULT);
+        JComboBox<?> kind = ComponentFinder.find(dialog, JComboBox.class, "Fault");
+        int before = GuiRobot.callOnEdt(() -> kind.getY());
+        int height = GuiRobot.callOnEdt(dialog::getHeight);
+        GuiRobot.runOnEdt(() -> kind.setSelectedItem(FaultKind.BURSTS));
+        driver.robot().waitFor("the dialog has grown", () -> dialog.getHeight() > height);
+        GuiRobot.runOnEdt(() -> kind.setSelectedItem(FaultKind.BIAS));
+        driver.robot().waitForPaint();
+        assertEquals(before, GuiRobot.callOnEdt(() -> kind.getY()));
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
     }
 
     private void enterInto(JTextField field, int key) {
