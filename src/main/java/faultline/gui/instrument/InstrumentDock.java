@@ -10,6 +10,7 @@ import faultline.gui.timeline.TimelineItem;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
@@ -106,6 +107,16 @@ public final class InstrumentDock extends JTabbedPane {
         } else {
             events.setFrame(newestFrame);
         }
+    }
+
+    /** Returns the width of the strip chart, pixels, if the user has moved the divider beside it. */
+    public Optional<Integer> chosenChartWidth() {
+        return split.isMoved() ? Optional.of(split.getDividerLocation()) : Optional.empty();
+    }
+
+    /** Sets the width of the strip chart, pixels. */
+    public void setChartWidth(int width) {
+        split.place(size -> width);
     }
 
     /** Returns the split pane between strip chart and state diagram. */

@@ -65,9 +65,7 @@ final class WindowBounds {
         });
         restoreDivider();
         preferences.get(Preference.DOCK_HEIGHT).ifPresent(mainPanel::setDockHeight);
-        preferences
-                .get(Preference.CHART_WIDTH)
-                .ifPresent(width -> mainPanel.instruments().split().place(size -> width));
+        preferences.get(Preference.CHART_WIDTH).ifPresent(mainPanel.instruments()::setChartWidth);
     }
 
     /**
@@ -163,8 +161,9 @@ final class WindowBounds {
                 Preference.MAXIMISED, (window.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH);
         preferences.set(Preference.PANEL_WIDTH, Optional.of(mainPanel.panelWidth()));
         preferences.set(Preference.DOCK_HEIGHT, Optional.of(mainPanel.dockHeight()));
-        preferences.set(
-                Preference.CHART_WIDTH,
-                Optional.of(mainPanel.instruments().split().getDividerLocation()));
+        mainPanel
+                .instruments()
+                .chosenChartWidth()
+                .ifPresent(width -> preferences.set(Preference.CHART_WIDTH, Optional.of(width)));
     }
 }

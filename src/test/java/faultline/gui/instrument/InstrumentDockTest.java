@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -56,6 +57,20 @@ class InstrumentDockTest {
         assertEquals(before, rows());
         poll(FRAME, 1);
         assertTrue(rows() > before);
+    }
+
+    @Test
+    void theWidthOfTheChartIsRememberedOnlyIfTheUserHasChosenIt() {
+        runOnEdt(() -> {
+            dock.setSize(900, 200);
+            dock.doLayout();
+            dock.split().doLayout();
+        });
+        assertEquals(Optional.empty(), callOnEdt(dock::chosenChartWidth));
+        runOnEdt(() -> dock.setChartWidth(250));
+        assertEquals(Optional.empty(), callOnEdt(dock::chosenChartWidth));
+        runOnEdt(() -> dock.split().setDividerLocation(300));
+        assertEquals(Optional.of(300), callOnEdt(dock::chosenChartWidth));
     }
 
     @Test
