@@ -9,6 +9,7 @@ import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.text.TextWrap;
 import faultline.gui.theme.UiText;
 import faultline.io.MessageText;
 import java.awt.BorderLayout;

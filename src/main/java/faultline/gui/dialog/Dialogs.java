@@ -6,6 +6,7 @@ import faultline.gui.action.UiAction;
 import faultline.gui.document.TaskKind;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.text.TextWrap;
 import faultline.gui.theme.Glyph;
 import faultline.io.ProgramVersion;
 import faultline.scenario.xml.Problem;

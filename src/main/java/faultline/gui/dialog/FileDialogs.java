@@ -3,6 +3,7 @@ package faultline.gui.dialog;
 import faultline.gui.document.FileNames;
 import faultline.gui.properties.FloorPlanFiles;
 import faultline.gui.text.Messages;
+import faultline.gui.text.TextWrap;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
 import java.awt.Component;

@@ -2,6 +2,7 @@ package faultline.gui.dialog;
 
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.text.TextWrap;
 import java.awt.EventQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.logging.Level;

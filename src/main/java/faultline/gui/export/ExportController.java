@@ -9,6 +9,7 @@ import faultline.gui.document.WorkspaceListener;
 import faultline.gui.instrument.StripContent;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.text.TextWrap;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
 import faultline.io.LinkResolver;
@@ -219,9 +220,10 @@ public final class ExportController implements WorkspaceListener {
 
     private void showError(Throwable failure) {
         JOptionPane.showMessageDialog(
-                parent,
-                Messages.get("export.failed", ErrorMessages.describe(failure)),
-                Messages.get("failed.title"),
-                JOptionPane.ERROR_MESSAGE);
+                parent, failureText(failure), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
+    }
+
+    static String failureText(Throwable failure) {
+        return TextWrap.wrap(Messages.get("export.failed", ErrorMessages.describe(failure)));
     }
 }

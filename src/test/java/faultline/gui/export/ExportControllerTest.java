@@ -380,6 +380,12 @@ class ExportControllerTest {
     }
 
     @Test
+    void theReasonOfAFailureIsNoWiderThanAScreenEvenIfTheNameOfTheFileIs() {
+        String text = ExportController.failureText(new IOException("x".repeat(300) + ".png: the name is too long"));
+        assertTrue(text.contains("too long") && text.lines().allMatch(line -> line.length() <= 80), text);
+    }
+
+    @Test
     void aBusyClipboardIsReportedInOneSentence() {
         copyTo(new Clipboard("busy") {
             @Override

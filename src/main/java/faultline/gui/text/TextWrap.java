@@ -1,4 +1,4 @@
-package faultline.gui.dialog;
+package faultline.gui.text;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;

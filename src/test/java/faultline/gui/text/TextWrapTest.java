@@ -1,4 +1,4 @@
-package faultline.gui.dialog;
+package faultline.gui.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
