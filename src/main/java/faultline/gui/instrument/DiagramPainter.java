@@ -23,6 +23,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.RenderingHints;
 import java.awt.geom.Rectangle2D;
 import java.util.Locale;
 import java.util.Optional;
@@ -179,6 +180,11 @@ final class DiagramPainter {
 
     /** Draws a text, in a smaller font if the width is too small, and shortened if it is too small for the smallest. */
     private void drawFitted(String text, Vector2 foot, double room, Font font, Color colour) {
+        boolean fits = g.getFontMetrics(font).stringWidth(text) <= room;
+        // Whole pixels would place the letters of a smaller font unevenly.
+        g.setRenderingHint(
+                RenderingHints.KEY_FRACTIONALMETRICS,
+                fits ? RenderingHints.VALUE_FRACTIONALMETRICS_DEFAULT : RenderingHints.VALUE_FRACTIONALMETRICS_ON);
         Font fitted = fitted(text, font, room, g::getFontMetrics);
         drawCentred(ShortenedText.of(text, g.getFontMetrics(fitted), room), foot.x(), foot.y(), fitted, colour);
     }
