@@ -10,8 +10,8 @@ import java.util.function.Function;
  *
  * @param lane the lane
  * @param effect the effect of the command
- * @param endings the commands that end the interval which the command begins, first the one that ends no other
- *     interval; empty if the command is over at once
+ * @param endings the commands that end the interval which the command begins, first the one that ends no other interval
+ *     of a fault; empty if the command is over at once
  * @param inLane returns the same command in another lane, or the command itself if it cannot be there
  */
 public record CommandRole(Lane lane, ChangedProperty effect, List<Command> endings, Function<Lane, Command> inLane) {

@@ -67,8 +67,15 @@ public record TimelineItem(Command command, double start, double end) {
                 : List.of(first);
     }
 
-    /** Returns the commands that can end this interval, first the one that ends no other; empty for a moment. */
+    /** Returns the commands that can end this interval, first the one that is written; empty for a moment. */
     List<Command> endings() {
         return role().endings();
+    }
+
+    /** Returns whether a command ends this interval and all others of the same lane and effect. */
+    boolean isEndedWithOthers(Command ending) {
+        return endings().contains(ending)
+                && (role().effect() == CommandRole.ChangedProperty.SWITCH
+                        || !endings().get(0).equals(ending));
     }
 }

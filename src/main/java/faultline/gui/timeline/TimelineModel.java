@@ -8,9 +8,10 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Queue;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * The commands of a scenario's timeline as items: a fault and the command that removes it are one item, and so are
@@ -31,11 +32,6 @@ public final class TimelineModel {
 
         PairedCommands endedBy(TimedCommand later, int index) {
             return new PairedCommands(item.withTimes(item.start(), later.time()), first, index);
-        }
-
-        /** Returns whether a command would end other items of the lane, too. */
-        boolean isEndedWithOthers(TimedCommand end) {
-            return !item.endings().get(0).equals(end.command());
         }
     }
 
@@ -67,7 +63,7 @@ public final class TimelineModel {
             PairedCommands pair = pairs.get(number);
             if (pair.last() == NONE) {
                 pairs.set(number, pair.endedBy(timed, index));
-                endsOthers = pair.isEndedWithOthers(timed);
+                endsOthers = pair.item().isEndedWithOthers(timed.command());
                 found = true;
             }
         }
@@ -90,7 +86,7 @@ public final class TimelineModel {
 
     /** Returns the commands with another item at the end. */
     List<TimedCommand> with(TimelineItem added) {
-        List<TimedCommand> result = replaced(NONE, NONE, Optional.of(added));
+        List<TimedCommand> result = replaced(commands.size(), NONE, List.of(added));
         result.addAll(added.commands());
         return result;
     }
@@ -98,23 +94,26 @@ public final class TimelineModel {
     /** Returns the commands without an item, given its index. */
     List<TimedCommand> without(int item) {
         PairedCommands pair = pairs.get(item);
-        return replaced(pair.first(), pair.last(), Optional.empty());
+        return replaced(pair.first(), pair.last(), List.of());
     }
 
     /** Returns the commands with an item, given its index, replaced by another one. */
     List<TimedCommand> with(int item, TimelineItem changed) {
         PairedCommands pair = pairs.get(item);
-        return replaced(pair.first(), pair.last(), Optional.of(changed));
+        return replaced(pair.first(), pair.last(), List.of(changed));
     }
 
-    /** Returns the commands with the two of an item, each of which may be {@link #NONE}, replaced by those of another. */
-    private List<TimedCommand> replaced(int first, int last, Optional<TimelineItem> changed) {
+    /** Returns the commands with those of an item, given their indices, replaced by those of another one, or none. */
+    private List<TimedCommand> replaced(int first, int last, List<TimelineItem> replacement) {
         List<TimedCommand> result = new ArrayList<>();
         for (int i = 0; i < commands.size(); i++) {
+            int index = i;
+            Predicate<TimedCommand> cutsShort =
+                    end -> replacement.stream().anyMatch(item -> cutsShort(end, index > first, item));
             if (i == first) {
-                changed.map(TimelineItem::commands).ifPresent(result::addAll);
-            } else if (i == last || changed.isPresent() && wouldEnd(i, changed.get())) {
-                result.addAll(endsOfOthers(i, first));
+                replacement.forEach(item -> result.addAll(item.commands()));
+            } else if (i == last || cutsShort.test(commands.get(i)) && isEnd(i)) {
+                endsOfOthers(i, first).filter(cutsShort.negate()).forEach(result::add);
             } else {
                 result.add(commands.get(i));
             }
@@ -122,20 +121,23 @@ public final class TimelineModel {
         return result;
     }
 
-    /** Returns whether a command that ends all items of a lane, and has ended others, would also end an item. */
-    private boolean wouldEnd(int index, TimelineItem item) {
-        TimedCommand end = commands.get(index);
-        return end.time() >= item.start()
-                && end.time() <= item.end()
-                && item.endings().contains(end.command())
-                && pairs.stream().anyMatch(pair -> pair.last() == index && pair.isEndedWithOthers(end));
+    /** Returns whether the end of other items would also end an item, which it follows in the file or not. */
+    private static boolean cutsShort(TimedCommand end, boolean follows, TimelineItem item) {
+        boolean begun = end.time() > item.start() || follows && end.time() == item.start();
+        return begun && end.time() <= item.end() && item.isEndedWithOthers(end.command());
+    }
+
+    private boolean isEnd(int index) {
+        return pairs.stream().anyMatch(pair -> pair.last() == index);
     }
 
     /** Returns commands that end the items which a command ends, except the item that begins at {@code first}. */
-    private List<TimedCommand> endsOfOthers(int index, int first) {
+    private Stream<TimedCommand> endsOfOthers(int index, int first) {
+        // One command switches a sensor on, but each fault has its own removal.
+        boolean single = commands.get(index).command() instanceof Command.SwitchSensor;
         return pairs.stream()
                 .filter(pair -> pair.first() != first && pair.last() == index)
                 .map(pair -> pair.item().commands().get(1))
-                .toList();
+                .limit(single ? 1 : pairs.size());
     }
 }

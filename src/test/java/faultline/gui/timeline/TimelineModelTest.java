@@ -88,6 +88,24 @@ class TimelineModelTest {
     }
 
     @Test
+    void aSensorThatIsSwitchedOnIsOnHoweverOftenItWasSwitchedOff() {
+        List<TimedCommand> commands = List.of(turn(1, "left", false), turn(2, "left", false), turn(3, "left", true));
+        assertEquals(List.of("left 1.0 3.0", "left 2.0 3.0"), spans(commands));
+    }
+
+    @Test
+    void aSensorThatIsOffForLongerIsNotSwitchedOnInTheMeantime() {
+        TimelineModel model = TimelineModel.of(List.of(turn(1, "left", false), turn(5, "left", true)));
+        TimelineItem off = model.items().get(0);
+        assertEquals(List.of("left 1.0 7.0", "left 3.0 7.0"), spans(model.with(off.withTimes(3, 7))));
+        assertEquals(List.of("left 1.0 5.0", "left 3.0 5.0"), spans(model.with(off.withTimes(3, 5))));
+        assertEquals(List.of("left 1.0 5.0", "left 5.0 9.0"), spans(model.with(off.withTimes(5, 9))));
+        TimelineModel both = TimelineModel.of(model.with(off.withTimes(3, 7)));
+        assertEquals(List.of("left 3.0 7.0"), spans(both.without(0)));
+        assertEquals(List.of("left 1.0 9.0", "left 3.0 9.0"), spans(both.with(0, off.withTimes(1, 9))));
+    }
+
+    @Test
     void aRemovalWithoutAFaultIsAMark() {
         assertEquals(List.of("left 3.0 3.0"), spans(List.of(clear(3, "left", DEAD))));
     }
@@ -128,6 +146,10 @@ class TimelineModelTest {
         assertEquals(List.of("left 1.0 5.0", "left 2.0 5.0"), spans(model.with(0, stuck.withTimes(1, 5))));
         assertEquals(List.of("left 1.0 3.0", "left 2.0 5.0", "left 4.0 6.0"), spans(model.with(stuck.withTimes(4, 6))));
         assertEquals(commands.get(3), model.with(stuck.withTimes(6, 8)).get(3), "a removal before the fault stays");
+        List<TimedCommand> equal = List.of(inject(1, "left", DEAD), inject(2, "left", DEAD), clearAll(5, "left"));
+        assertEquals(
+                List.of("left 1.0 5.0", "left 2.0 5.0", "left 3.0 6.0"),
+                spans(TimelineModel.of(equal).with(stuck.withTimes(3, 6))));
     }
 
     @Test
