@@ -61,9 +61,17 @@ final class ScenarioDocument {
      */
     void change(UnaryOperator<Scenario> change) {
         Scenario base = initial.withSetup(initial.setup().withTimeline(editor.timeline()));
-        initial = change.apply(base);
+        initial = withRecord(change.apply(base));
         editor = editor.rebased(initial.setup());
         edited = null;
+    }
+
+    /** Returns a scenario as the record of a run again, if the file holds one with this setup. */
+    private Scenario withRecord(Scenario changed) {
+        boolean recorded = saved != null && saved.recorded() && saved.setup().equals(changed.setup());
+        return recorded
+                ? new Scenario(changed.name(), changed.description(), true, changed.setup(), changed.expectation())
+                : changed;
     }
 
     /** Returns the setup at the start of the run, and the commands executed since then or still ahead. */
