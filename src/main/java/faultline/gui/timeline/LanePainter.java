@@ -19,6 +19,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.List;
 
 /** Paints the lanes of the time line. */
 final class LanePainter {
@@ -31,7 +32,8 @@ final class LanePainter {
 
     private static final int HANDLE = 3;
     private static final int SWATCH = 7;
-    private static final int MIN_TICK_DISTANCE = 56;
+    /** The smallest gap between the labels of two ticks, pixels. */
+    private static final int TICK_LABEL_GAP = 16;
 
     private final Graphics2D g;
     private final LaneView view;
@@ -127,19 +129,32 @@ final class LanePainter {
     private void paintRuler() {
         g.setFont(font);
         FontMetrics metrics = g.getFontMetrics();
-        double last = Double.NEGATIVE_INFINITY;
         g.setColor(theme.palette().canvas());
         g.fillRect(0, view.rulerTop(), view.getWidth(), lanes.top());
-        for (double tick : lanes.axis().ticks().ticks()) {
-            double x = lanes.axis().x(tick);
-            String text = Axis.formatTick(tick) + " s";
-            double left = Math.min(x - metrics.stringWidth(text) / 2.0, view.getWidth() - metrics.stringWidth(text));
-            if (left - last >= LABEL_ROOM && x - last >= MIN_TICK_DISTANCE - metrics.stringWidth(text)) {
-                g.setColor(theme.palette().muted());
-                g.drawString(text, (float) left, baseline(view.rulerTop(), lanes.top(), metrics));
-                last = left + metrics.stringWidth(text);
-            }
+        g.setColor(theme.palette().muted());
+        for (double tick : labelledTicks(lanes.axis(), metrics)) {
+            String text = tickText(tick);
+            double width = metrics.stringWidth(text);
+            double left = Math.min(lanes.axis().x(tick) - width / 2, view.getWidth() - width);
+            g.drawString(text, (float) left, baseline(view.rulerTop(), lanes.top(), metrics));
         }
+    }
+
+    private static String tickText(double tick) {
+        return Axis.formatTick(tick) + " s";
+    }
+
+    /** Returns the ticks of an axis that have labels, at equal distances which have room for them. */
+    static List<Double> labelledTicks(TimeAxis axis, FontMetrics metrics) {
+        Axis ticks = axis.ticks();
+        int widest = ticks.ticks().stream()
+                .mapToInt(tick -> metrics.stringWidth(tickText(tick)))
+                .max()
+                .orElse(0);
+        int stride = ticks.labelStride(axis.right() - axis.left(), widest + TICK_LABEL_GAP);
+        return ticks.ticks().stream()
+                .filter(tick -> ticks.hasLabel(tick, stride))
+                .toList();
     }
 
     private void paintItem(int index) {

@@ -114,7 +114,7 @@ public record Axis(String label, double low, double high, boolean logarithmic, L
      * Returns every how many ticks of a linear axis there is room for a label, given their lengths along the axis in a
      * picture; 1 for a logarithmic axis and for rows.
      */
-    int labelStride(double length, double label) {
+    public int labelStride(double length, double label) {
         double distance = niceStep(high - low) / (high - low) * length;
         return logarithmic || !rows.isEmpty() || distance >= label
                 ? 1
@@ -122,7 +122,7 @@ public record Axis(String label, double low, double high, boolean logarithmic, L
     }
 
     /** Returns whether a tick has a label; for a stride, these are the same values wherever the axis starts. */
-    boolean hasLabel(double tick, int stride) {
+    public boolean hasLabel(double tick, int stride) {
         return stride == 1 || Math.round(tick / niceStep(high - low)) % stride == 0;
     }
 

@@ -97,4 +97,19 @@ class LanePainterTest {
         }
         assertTrue(labelPixels(picture, bar, height / 2) > 10, "there is no label");
     }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {3.24, 7, 40, 180, 3600})
+    void theLabelsOfTheRulerAreAtEqualDistances(double end) {
+        Graphics2D graphics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        for (int width = 150; width < 1500; width += 50) {
+            List<Double> ticks = LanePainter.labelledTicks(new TimeAxis(0, width, end), graphics.getFontMetrics());
+            double step = ticks.get(1);
+            for (int i = 0; i < ticks.size(); i++) {
+                assertEquals(i * step, ticks.get(i), 1e-9, "tick " + i + " of " + ticks);
+            }
+            assertTrue(step * width / end > 30, "labels of " + ticks + " overlap");
+        }
+        graphics.dispose();
+    }
 }
