@@ -240,12 +240,17 @@ final class BatchDialog extends JDialog {
         progressBar.setIndeterminate(false);
         progressBar.setValue((int) (PROGRESS_STEPS * completion.made() / Math.max(1, completion.runs())));
         if (run.progress().isActive()) {
-            showStatus(() -> Messages.get(
-                    "batch.status",
-                    Long.toString(completion.made()),
-                    Long.toString(completion.runs()),
-                    DurationText.text(completion.secondsLeft())));
+            showStatus(() -> progressText(completion));
         }
+    }
+
+    /** Returns how many runs have been made, and the time for the others unless it is not known yet. */
+    static String progressText(BatchRun.Completion completion) {
+        String made = Long.toString(completion.made());
+        String runs = Long.toString(completion.runs());
+        return Double.isNaN(completion.secondsLeft())
+                ? Messages.get("batch.begun", made, runs)
+                : Messages.get("batch.status", made, runs, DurationText.text(completion.secondsLeft()));
     }
 
     /** Opens a run in the window. */

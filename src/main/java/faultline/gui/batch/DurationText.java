@@ -13,11 +13,8 @@ final class DurationText {
 
     private DurationText() {}
 
-    /** Returns a time in seconds, minutes or hours; NaN gives an ellipsis. */
+    /** Returns a time in seconds, minutes or hours. */
     static String text(double seconds) {
-        if (Double.isNaN(seconds)) {
-            return "…";
-        }
         if (seconds < FEW * MINUTE) {
             return Messages.get("batch.seconds", Long.toString(Math.round(seconds)));
         }
