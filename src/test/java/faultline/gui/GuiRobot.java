@@ -14,6 +14,7 @@ import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.AWTEventListener;
+import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
@@ -21,7 +22,9 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.MenuSelectionManager;
@@ -162,22 +165,33 @@ public final class GuiRobot {
      */
     private void waitUntilMouseReaches(Window window) {
         AtomicReference<Point> hit = new AtomicReference<>(new Point());
-        AWTEventListener listener = event -> {
-            MouseEvent mouse = (MouseEvent) event;
-            hit.set(SwingUtilities.convertPoint(mouse.getComponent(), mouse.getPoint(), window));
-        };
-        runOnEdt(() -> window.getToolkit().addAWTEventListener(listener, AWTEvent.MOUSE_MOTION_EVENT_MASK));
+        Consumer<MouseEvent> listener =
+                mouse -> hit.set(SwingUtilities.convertPoint(mouse.getComponent(), mouse.getPoint(), window));
         int[] turn = {0};
-        waitFor("the mouse is where the window is", () -> {
-            Point aim = new Point(window.getWidth() / 2 + 3 * (turn[0] % 2), window.getHeight() / 2);
-            boolean there =
-                    hit.get().distance(window.getWidth() / 2 + 3 * ((turn[0] + 1) % 2), window.getHeight() / 2) < 1.5;
-            Point origin = window.getLocationOnScreen();
-            robot.mouseMove(origin.x + aim.x, origin.y + aim.y);
-            turn[0]++;
-            return there;
-        });
-        runOnEdt(() -> window.getToolkit().removeAWTEventListener(listener));
+        whileListening(
+                AWTEvent.MOUSE_MOTION_EVENT_MASK,
+                listener,
+                () -> waitFor("the mouse is where the window is", () -> {
+                    Point aim = new Point(window.getWidth() / 2 + 3 * (turn[0] % 2), window.getHeight() / 2);
+                    boolean there =
+                            hit.get().distance(window.getWidth() / 2 + 3 * ((turn[0] + 1) % 2), window.getHeight() / 2)
+                                    < 1.5;
+                    Point origin = window.getLocationOnScreen();
+                    robot.mouseMove(origin.x + aim.x, origin.y + aim.y);
+                    turn[0]++;
+                    return there;
+                }));
+    }
+
+    /** Runs an action that a listener to all mouse events of some kinds, an AWTEvent mask, observes. */
+    private static void whileListening(long kinds, Consumer<MouseEvent> listener, Runnable action) {
+        AWTEventListener adapter = event -> listener.accept((MouseEvent) event);
+        runOnEdt(() -> Toolkit.getDefaultToolkit().addAWTEventListener(adapter, kinds));
+        try {
+            action.run();
+        } finally {
+            runOnEdt(() -> Toolkit.getDefaultToolkit().removeAWTEventListener(adapter));
+        }
     }
 
     private void waitUntilStill(Component component) {
@@ -214,6 +228,35 @@ public final class GuiRobot {
         moveTo(component, x, y);
         press(button);
         release(button);
+    }
+
+    /**
+     * Clicks the left mouse button twice at a point of a component, and again if the clicks were too far apart in time
+     * for a double click, as they may be on a busy machine.
+     */
+    public void doubleClick(Component component, double x, double y) {
+        AtomicBoolean isDouble = new AtomicBoolean();
+        Consumer<MouseEvent> listener = mouse -> {
+            if (mouse.getID() == MouseEvent.MOUSE_CLICKED
+                    && mouse.getClickCount() == 2
+                    && mouse.getComponent() == component) {
+                isDouble.set(true);
+            }
+        };
+        moveTo(component, x, y);
+        whileListening(
+                AWTEvent.MOUSE_EVENT_MASK,
+                listener,
+                () -> repeatUntil("two clicks are a double click", isDouble::get, this::clickTwice));
+    }
+
+    /** Waits for nothing between the clicks, which would add to the time between them. */
+    private void clickTwice() {
+        for (int i = 0; i < 2; i++) {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        }
+        robot.waitForIdle();
     }
 
     /** Presses a mouse button at the current position. */

@@ -15,7 +15,6 @@ import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.awt.Rectangle;
 import java.awt.Window;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -242,9 +241,7 @@ class BatchEndRobotTest {
         String hash = callOnEdt(
                 () -> String.valueOf(runs.getValueAt(row, runs.getColumnModel().getColumnIndex("Trajectory hash"))));
         Rectangle cell = callOnEdt(() -> runs.getCellRect(row, 0, true));
-        for (int i = 0; i < 2; i++) {
-            driver.robot().click(runs, cell.getCenterX(), cell.getCenterY(), InputEvent.BUTTON1_DOWN_MASK);
-        }
+        driver.robot().doubleClick(runs, cell.getCenterX(), cell.getCenterY());
         driver.waitForTitle("Run " + run);
         driver.robot().waitFor("the window has the focus", driver.window()::isFocused);
         driver.runFast(frame -> frame.snapshot().time() >= 3 - 1e-9);

@@ -19,7 +19,6 @@ import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.Rectangle;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
@@ -153,9 +152,7 @@ class ComparisonRobotTest {
             table.scrollRectToVisible(table.getCellRect(row(table), 0, true));
             return table.getCellRect(row(table), 2, true);
         });
-        driver.robot().click(table, cell.getX() + 20, cell.getCenterY(), InputEvent.BUTTON1_DOWN_MASK);
-        driver.robot().press(InputEvent.BUTTON1_DOWN_MASK);
-        driver.robot().release(InputEvent.BUTTON1_DOWN_MASK);
+        driver.robot().doubleClick(table, cell.getX() + 20, cell.getCenterY());
     }
 
     private static int row(JTable table) {

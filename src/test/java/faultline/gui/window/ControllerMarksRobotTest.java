@@ -79,7 +79,7 @@ class ControllerMarksRobotTest {
 
     @Test
     void aChangeIsAddedDraggedAndEditedWithTheMouse() throws ScenarioException {
-        lanes.click(50, 2);
+        lanes.doubleClick(50);
         enter("Wall lost, m", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_1);
         driver.clickButton(DIALOG, "OK");
         driver.waitForTitle("office.xml*");
@@ -92,7 +92,7 @@ class ControllerMarksRobotTest {
         List<TimedCommand> dragged = saved();
         assertEquals(90, dragged.get(0).time(), 2.5);
         assertEquals(added.get(0).command(), dragged.get(0).command());
-        lanes.click(dragged.get(0).time(), 2);
+        lanes.doubleClick(dragged.get(0).time());
         enter("Wall lost, m", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_2);
         driver.clickButton(DIALOG, "OK");
         driver.waitForTitle("office.xml*");

@@ -102,9 +102,7 @@ class InstrumentsRobotTest {
         });
         double time = Double.parseDouble(callOnEdt(() -> (String) table.getValueAt(0, 0)));
         Rectangle cell = callOnEdt(() -> table.getCellRect(0, 2, true));
-        driver.robot().click(table, cell.getCenterX(), cell.getCenterY(), InputEvent.BUTTON1_DOWN_MASK);
-        driver.robot().press(InputEvent.BUTTON1_DOWN_MASK);
-        driver.robot().release(InputEvent.BUTTON1_DOWN_MASK);
+        driver.robot().doubleClick(table, cell.getCenterX(), cell.getCenterY());
         driver.waitForFrame(
                 "the run is at that moment", frame -> Math.abs(frame.snapshot().time() - time) < 1e-9);
         assertTrue(callOnEdt(() -> !driver.isRunning()));

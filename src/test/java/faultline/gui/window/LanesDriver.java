@@ -44,12 +44,14 @@ final class LanesDriver {
                 + time / DURATION * (slider.getWidth() - 15));
     }
 
-    /** Clicks a number of times at a time. */
-    void click(double time, int count) {
+    void click(double time) {
         showLane();
-        for (int i = 0; i < count; i++) {
-            driver.robot().click(lanes, x(time), laneY, InputEvent.BUTTON1_DOWN_MASK);
-        }
+        driver.robot().click(lanes, x(time), laneY, InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    void doubleClick(double time) {
+        showLane();
+        driver.robot().doubleClick(lanes, x(time), laneY);
     }
 
     void drag(double from, double to) {

@@ -118,7 +118,7 @@ class TimelineRobotTest {
 
     @Test
     void aKeyOpensTheMenuOfALaneWithItsFirstItemSelected() {
-        lanes.click(20, 1);
+        lanes.click(20);
         driver.type(KeyEvent.VK_SHIFT, KeyEvent.VK_F10);
         driver.robot().waitFor("the first item that is enabled is selected", () -> Stream.of(
                         MenuSelectionManager.defaultManager().getSelectedPath())
@@ -150,7 +150,7 @@ class TimelineRobotTest {
         String move = "<move at=\"90\" obstacle=\"copier\" x=\"5\" y=\"2\" heading=\"0\"/>";
         Files.writeString(file, Files.readString(file).replace("<expect", "<timeline>" + move + "</timeline><expect"));
         driver = WindowDriver.open(Theme.LIGHT, file);
-        new LanesDriver(driver, 10).click(90, 2);
+        new LanesDriver(driver, 10).doubleClick(90);
         String title = "copier moved to 5.000, 2.000, 0.0°";
         JTextField x = ComponentFinder.find(driver.dialog(title), NumberSpinner.class, "Position x")
                 .textField();
