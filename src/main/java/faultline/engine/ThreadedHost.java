@@ -25,11 +25,11 @@ final class ThreadedHost implements ControllerHost {
 
     private static final double NANOS_PER_SECOND = 1e9;
     /**
-     * The number of times that the waiting thread wakes within the timeout; each counts the same, however late it is.
+     * The number of times that the waiting thread wakes within the timeout, or within the time in which a controller
+     * that was interrupted must return; each counts the same, however late it is.
      */
     private static final int WAKES = 100;
 
-    /** The time in which a controller that was interrupted must return. */
     private static final long GRACE_MILLIS = 500;
 
     private final Controller controller;
@@ -97,7 +97,11 @@ final class ThreadedHost implements ControllerHost {
     private boolean endThread() {
         executor.shutdownNow();
         try {
-            return executor.awaitTermination(GRACE_MILLIS, TimeUnit.MILLISECONDS);
+            boolean ended = false;
+            for (int i = 0; i < WAKES && !ended; i++) {
+                ended = executor.awaitTermination(GRACE_MILLIS / WAKES, TimeUnit.MILLISECONDS);
+            }
+            return ended;
         } catch (InterruptedException ended) {
             Thread.currentThread().interrupt();
             return true;
