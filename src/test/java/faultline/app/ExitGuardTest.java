@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Controllers in Java that end the process. */
@@ -124,8 +125,16 @@ class ExitGuardTest {
         assertEquals(5, process.waitFor());
     }
 
+    /** Returns the signals that end a program; the children of a shell's background job ignore SIGINT. */
+    private static Stream<String> signals() throws IOException {
+        Path status = Path.of("/proc/self/status");
+        boolean ignoresInterrupts = Files.exists(status)
+                && Files.readAllLines(status).stream().anyMatch(line -> line.matches("SigIgn:.*[2367abef]"));
+        return ignoresInterrupts ? Stream.of("-TERM") : Stream.of("-INT", "-TERM");
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"-INT", "-TERM"})
+    @MethodSource("signals")
     void aSignalIsNoEndByTheController(String signal) throws Exception {
         Process process = start(GuardedProgram.class.getName(), "guarded");
         assertEquals('r', process.getInputStream().read());
