@@ -108,7 +108,7 @@ class ExternalControllerTest {
             read l; echo R; read l; printf '{"type":'; exit 0              | ended with exit code 0 at tick 0 in the middle of a line
             read l; echo R; read l; sleep 60                               | has not answered for 0.5 s at tick 0
             read l; echo R; read l; printf '{"type":'; sleep 60            | has not answered for 0.5 s at tick 0; its last line has no end
-            read l; echo R; read l; head -c 2000000 /dev/zero; sleep 60    | wrote a line of more than 1000000 bytes at tick 0; expected shorter ones
+            read l; echo R; read l; head -c 2000000 /dev/zero 2>&-; sleep 60 | wrote a line of more than 1000000 bytes at tick 0; expected shorter ones
             read l; echo '{"type":"ready","protocol":2}'                   | speaks protocol 2 before the first tick; expected 1
             read l; echo R; read l; exec 0<&-; sleep 60                    | has not answered for 0.5 s at tick 0
             read l; echo R; exec 0<&-; sleep 60                            | closed its standard input at tick 0
