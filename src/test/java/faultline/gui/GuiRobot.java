@@ -226,8 +226,7 @@ public final class GuiRobot {
     /** Presses and releases a mouse button, an InputEvent mask, at a point of a component. */
     public void click(Component component, double x, double y, int button) {
         moveTo(component, x, y);
-        press(button);
-        release(button);
+        whilePressing(button, () -> {});
     }
 
     /**
@@ -259,16 +258,16 @@ public final class GuiRobot {
         robot.waitForIdle();
     }
 
-    /** Presses a mouse button at the current position. */
-    public void press(int button) {
+    /** Presses a mouse button, an InputEvent mask, at the current position during an action. */
+    public void whilePressing(int button, Runnable action) {
         robot.mousePress(button);
         robot.waitForIdle();
-    }
-
-    /** Releases a mouse button at the current position. */
-    public void release(int button) {
-        robot.mouseRelease(button);
-        robot.waitForIdle();
+        try {
+            action.run();
+        } finally {
+            robot.mouseRelease(button);
+            robot.waitForIdle();
+        }
     }
 
     /** Moves the mouse in small steps between two points of a component without changing the buttons. */
@@ -282,9 +281,7 @@ public final class GuiRobot {
     /** Drags with a mouse button, an InputEvent mask, between two points of a component. */
     public void drag(Component component, double fromX, double fromY, double toX, double toY, int button) {
         moveTo(component, fromX, fromY);
-        press(button);
-        moveSmoothly(component, fromX, fromY, toX, toY);
-        release(button);
+        whilePressing(button, () -> moveSmoothly(component, fromX, fromY, toX, toY));
     }
 
     /** Rotates the wheel at the current position; negative notches are away from the user. */
@@ -308,8 +305,11 @@ public final class GuiRobot {
     public void whileHolding(int key, Runnable action) {
         robot.keyPress(key);
         robot.waitForIdle();
-        action.run();
-        robot.keyRelease(key);
-        robot.waitForIdle();
+        try {
+            action.run();
+        } finally {
+            robot.keyRelease(key);
+            robot.waitForIdle();
+        }
     }
 }

@@ -9,6 +9,7 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.EdtChecker;
 import faultline.gui.GuiRobot;
 import faultline.gui.edit.UndoController;
 import faultline.paint.scene.SelectionPainter;
@@ -23,17 +24,20 @@ import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
  * Drives the canvas in a real window with mouse and keyboard. The test executes commands immediately instead of using a
  * session.
  */
+@ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
         disabledReason = "drives a real window, which needs a display")
@@ -102,15 +106,16 @@ class CanvasInteractionRobotTest {
     void escapeSendsADraggedObstacleBackAndEndsTheDrag() {
         Vector2 from = screen(new Vector2(4, 2));
         Vector2 to = screen(new Vector2(3, 3));
+        AtomicInteger sent = new AtomicInteger();
         robot.moveTo(canvas, from.x(), from.y());
-        robot.press(LEFT);
-        robot.moveSmoothly(canvas, from.x(), from.y(), to.x(), to.y());
-        robot.pressKeys(KeyEvent.VK_ESCAPE);
-        assertPose(START, lastMove());
-        int sent = callOnEdt(moves::size);
-        robot.moveSmoothly(canvas, to.x(), to.y(), from.x(), from.y());
-        robot.release(LEFT);
-        assertEquals(sent, callOnEdt(moves::size), "the drag is over");
+        robot.whilePressing(LEFT, () -> {
+            robot.moveSmoothly(canvas, from.x(), from.y(), to.x(), to.y());
+            robot.pressKeys(KeyEvent.VK_ESCAPE);
+            assertPose(START, lastMove());
+            sent.set(callOnEdt(moves::size));
+            robot.moveSmoothly(canvas, to.x(), to.y(), from.x(), from.y());
+        });
+        assertEquals(sent.get(), callOnEdt(moves::size), "the drag is over");
     }
 
     @Test

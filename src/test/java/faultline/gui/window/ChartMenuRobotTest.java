@@ -40,7 +40,6 @@ class ChartMenuRobotTest {
     @AfterEach
     void close() {
         driver.close();
-        WindowDriver.installChoices(Language.ENGLISH, TextSize.NORMAL);
     }
 
     private void open(Language language) {

@@ -35,7 +35,6 @@ import org.junit.jupiter.api.extension.ExtendWith;
         disabledReason = "drives a real window, which needs a display")
 class ControlsRobotTest {
 
-    private final Locale locale = Locale.getDefault();
     private WindowDriver driver;
 
     @BeforeEach
@@ -48,7 +47,6 @@ class ControlsRobotTest {
     @AfterEach
     void close() {
         driver.close();
-        Locale.setDefault(locale);
     }
 
     @Test

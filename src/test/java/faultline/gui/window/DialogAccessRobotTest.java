@@ -54,6 +54,7 @@ class DialogAccessRobotTest {
     @TempDir
     private Path folder;
 
+    private final int tipDelay = callOnEdt(() -> ToolTipManager.sharedInstance().getInitialDelay());
     private Path file;
     private WindowDriver driver;
 
@@ -65,6 +66,7 @@ class DialogAccessRobotTest {
 
     @AfterEach
     void close() {
+        setTipDelay(tipDelay);
         driver.close();
     }
 
@@ -120,9 +122,7 @@ class DialogAccessRobotTest {
     @ParameterizedTest
     @CsvSource({"shortcuts, Keyboard and mouse", "examples, Examples"})
     void escapeClosesADialogAlsoWhileTheMouseRestsOnIt(String action, String title) {
-        ToolTipManager tips = ToolTipManager.sharedInstance();
-        int delay = callOnEdt(tips::getInitialDelay);
-        runOnEdt(() -> tips.setInitialDelay(0));
+        setTipDelay(0);
         driver.robot().moveTo(driver.canvas(), 300, 200);
         driver.robot().moveTo(driver.canvas(), 310, 205);
         driver.chooseLater(action);
@@ -137,7 +137,10 @@ class DialogAccessRobotTest {
         driver.robot().waitFor("the list has the focus", list::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
-        runOnEdt(() -> tips.setInitialDelay(delay));
+    }
+
+    private static void setTipDelay(int millis) {
+        runOnEdt(() -> ToolTipManager.sharedInstance().setInitialDelay(millis));
     }
 
     @Test

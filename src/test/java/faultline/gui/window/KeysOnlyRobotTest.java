@@ -128,8 +128,6 @@ class KeysOnlyRobotTest {
             driver.robot().waitForPaint();
         }
         waitForFocus("the canvas", driver.canvas());
-        driver.choose("textSizeNormal");
-        driver.choose("dark");
     }
 
     @Test

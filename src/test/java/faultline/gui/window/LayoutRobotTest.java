@@ -27,7 +27,6 @@ import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -51,11 +50,6 @@ class LayoutRobotTest {
      * The least height of a chart that shows, with its axes and the names of the states; 60 of it are for the lines.
      */
     private static final int MIN_CHART = 100;
-
-    @AfterEach
-    void restoreDefaults() {
-        WindowDriver.installChoices(Language.ENGLISH, TextSize.NORMAL);
-    }
 
     private static Stream<Arguments> screens() {
         return Stream.of(new Dimension(800, 600), new Dimension(1366, 768))

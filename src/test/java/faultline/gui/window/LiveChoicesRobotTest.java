@@ -31,7 +31,6 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -50,11 +49,6 @@ class LiveChoicesRobotTest {
 
     private static final int TREE = 3;
     private static final Path SCENARIO = Path.of("scenarios/yard.xml");
-
-    @AfterEach
-    void restoreDefaults() {
-        WindowDriver.installChoices(Language.ENGLISH, TextSize.NORMAL);
-    }
 
     private static WindowDriver open(Language language, TextSize size) {
         WindowDriver.installChoices(language, size);

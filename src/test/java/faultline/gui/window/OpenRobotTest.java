@@ -118,11 +118,11 @@ class OpenRobotTest {
             JLabel label = callOnEdt(() ->
                     ComponentFinder.findAll(source, JLabel.class).findFirst().orElseThrow());
             driver.robot().moveTo(label, 20, 20);
-            driver.robot().press(InputEvent.BUTTON1_DOWN_MASK);
-            driver.robot().moveSmoothly(label, 20, 20, 60, 30);
-            driver.robot().moveSmoothly(driver.canvas(), 200, 200, 260, 230);
-            driver.robot().waitForPaint();
-            driver.robot().release(InputEvent.BUTTON1_DOWN_MASK);
+            driver.robot().whilePressing(InputEvent.BUTTON1_DOWN_MASK, () -> {
+                driver.robot().moveSmoothly(label, 20, 20, 60, 30);
+                driver.robot().moveSmoothly(driver.canvas(), 200, 200, 260, 230);
+                driver.robot().waitForPaint();
+            });
             driver.waitForTitle("square.xml");
         } finally {
             driver.robot().close(source);

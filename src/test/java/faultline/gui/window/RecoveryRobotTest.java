@@ -57,8 +57,9 @@ class RecoveryRobotTest {
 
     @AfterEach
     void close() {
-        driver.close();
+        // First, because a test that could not open the window has no driver.
         System.setProperty("user.home", home);
+        driver.close();
     }
 
     private void crash() throws IOException {

@@ -9,18 +9,12 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.DurationStatistics;
 import faultline.gui.EdtChecker;
 import faultline.gui.EventThreadMeter;
-import faultline.gui.text.Language;
-import faultline.gui.text.Messages;
-import faultline.gui.text.SwingMessages;
-import faultline.gui.theme.TextSize;
-import faultline.gui.theme.Theme;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JTabbedPane;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -49,16 +43,6 @@ class ResponsivenessRobotTest {
 
     @TempDir
     private Path folder;
-
-    @AfterEach
-    void restoreDefaults() {
-        runOnEdt(() -> {
-            Messages.setLanguage(Language.ENGLISH);
-            SwingMessages.install();
-            TextSize.NORMAL.install();
-            Theme.LIGHT.install();
-        });
-    }
 
     @Test
     void theWindowStaysResponsiveDuringRandomInput() {

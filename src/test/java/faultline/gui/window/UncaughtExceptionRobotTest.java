@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
 import faultline.gui.GuiRobot;
 import faultline.gui.dialog.UncaughtExceptionDialog;
 import faultline.gui.theme.Theme;
@@ -21,7 +22,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
 
+@ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
         disabledReason = "drives a real dialog, which needs a display")
