@@ -121,6 +121,12 @@ final class MainPanel extends JPanel {
         canvas.addCameraListener(camera -> statusBar.showScale(camera.scale()));
     }
 
+    /** Adds a listener for changes of the selected obstacles, and of whether their tab shows, which need a frame. */
+    void addChoiceListener(Runnable listener) {
+        canvas.tools().addSelectionListener(ids -> listener.run());
+        obstacles.addHierarchyListener(event -> listener.run());
+    }
+
     /** Changes the sizes between the dividers with the text size. */
     private void scaleToText() {
         dockSplit.setMinimumSize(new Dimension(TextSize.scaled(MIN_STAGE_WIDTH), 0));

@@ -32,6 +32,8 @@ final class RunPoller implements WorkspaceListener {
         this.progressDialogs = progressDialogs;
         replayNotifier = new ReplayNotifier(navigator, mainPanel.statusBar()::showNote);
         workspace.addListener(this);
+        // A screen reader chooses without an event of the mouse or the keyboard.
+        mainPanel.addChoiceListener(this::wake);
     }
 
     /** Adds a listener that receives the newest frame and status at each poll while a scenario is open. */

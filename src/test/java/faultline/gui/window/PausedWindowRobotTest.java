@@ -1,8 +1,14 @@
 package faultline.gui.window;
 
+import static faultline.gui.GuiRobot.runOnEdt;
+
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import java.nio.file.Path;
+import javax.swing.JList;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -42,6 +48,23 @@ class PausedWindowRobotTest {
                     "the run is under way", frame -> frame.snapshot().time() > 1.5);
             driver.choose("run");
             waitForRest(driver);
+        }
+    }
+
+    /** Chooses as a screen reader does, which sends no events of the mouse or the keyboard. */
+    @Test
+    void aTabAndASelectionThatAreChosenAtRestAreShown() {
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, OFFICE)) {
+            JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
+            JList<?> list = ComponentFinder.find(driver.window(), JList.class, "Obstacles");
+            JTextField x = ComponentFinder.find(driver.window(), JTextField.class, "x, m");
+            waitForRest(driver);
+            runOnEdt(() -> tabs.setSelectedIndex(tabs.getTabCount() - 1));
+            driver.robot()
+                    .waitFor("the obstacles are listed", () -> list.getModel().getSize() > 0);
+            waitForRest(driver);
+            driver.choose("selectNext");
+            driver.robot().waitFor("its place can be changed", x::isEnabled);
         }
     }
 
