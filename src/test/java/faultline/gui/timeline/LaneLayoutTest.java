@@ -5,13 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.CpuTime;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Lanes of items that overlap in time. */
 class LaneLayoutTest {
@@ -123,8 +123,8 @@ class LaneLayoutTest {
     }
 
     @Test
-    @Timeout(20)
     void tensOfThousandsOfItemsAreLaidOutAtOnce() {
+        CpuTime time = CpuTime.start();
         TimelineItem[] items = IntStream.range(0, 50_000)
                 .mapToObj(i -> item("front", i, i % 2 == 0 ? Double.POSITIVE_INFINITY : i + 1.5))
                 .toArray(TimelineItem[]::new);
@@ -133,5 +133,6 @@ class LaneLayoutTest {
             assertTrue(lanes.bounds(i).getHeight() > 0);
             assertTrue(lanes.labelRoom(i, 20, 6, 500).left() >= 86);
         }
+        time.assertBelow(20);
     }
 }
