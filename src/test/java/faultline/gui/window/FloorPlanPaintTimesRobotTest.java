@@ -127,7 +127,7 @@ class FloorPlanPaintTimesRobotTest {
                 "Building",
                 "",
                 false,
-                SimulationSetup.of(world, new Pose(0.7, 0.7, 0)).withDuration(60),
+                SimulationSetup.of(world, new Pose(0.7, 0.7, 0)).withDuration(1800),
                 Expectation.NONE);
     }
 
