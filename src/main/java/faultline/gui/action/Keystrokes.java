@@ -1,9 +1,8 @@
 package faultline.gui.action;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.KeyBindings;
 import java.awt.Component;
-import java.awt.GraphicsEnvironment;
-import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
@@ -51,7 +50,7 @@ public final class Keystrokes {
 
     /** Returns the stroke of a key with the platform's menu modifier, which is Ctrl on most. */
     public static KeyStroke menuShortcut(int key) {
-        return KeyStroke.getKeyStroke(key, menuMask());
+        return KeyStroke.getKeyStroke(key, KeyBindings.menuMask());
     }
 
     /**
@@ -59,24 +58,17 @@ public final class Keystrokes {
      * different keyboards, and none does while the modifier is held, so the keys must be bound as well.
      */
     public static KeyStroke menuCharacter(char sign) {
-        return KeyStroke.getKeyStroke(Character.valueOf(sign), menuMask());
+        return KeyStroke.getKeyStroke(Character.valueOf(sign), KeyBindings.menuMask());
     }
 
     /** Returns whether a stroke is one of {@link #menuCharacter}, for display only. */
     public static boolean isMenuCharacter(KeyStroke stroke) {
-        return stroke.getKeyCode() == KeyEvent.VK_UNDEFINED && (stroke.getModifiers() & menuMask()) != 0;
+        return stroke.getKeyCode() == KeyEvent.VK_UNDEFINED && (stroke.getModifiers() & KeyBindings.menuMask()) != 0;
     }
 
     /** Returns the stroke of a key with the platform's menu modifier and Shift. */
     public static KeyStroke menuShiftShortcut(int key) {
-        return KeyStroke.getKeyStroke(key, menuMask() | InputEvent.SHIFT_DOWN_MASK);
-    }
-
-    /** Returns the menu modifier; Ctrl if there is no display that defines it. */
-    private static int menuMask() {
-        return GraphicsEnvironment.isHeadless()
-                ? InputEvent.CTRL_DOWN_MASK
-                : Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx();
+        return KeyStroke.getKeyStroke(key, KeyBindings.menuMask() | InputEvent.SHIFT_DOWN_MASK);
     }
 
     /** Returns a stroke in the language of the window, such as Ctrl+O or [. */

@@ -42,8 +42,8 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
         bindKey("RIGHT", () -> panBy(PAN_STEP));
         bindKey("UP", () -> zoom(1 / ZOOM_FACTOR, 1));
         bindKey("DOWN", () -> zoom(ZOOM_FACTOR, 1));
-        bindKey("ctrl UP", () -> view.zoomValues(1 / ZOOM_FACTOR, HALF));
-        bindKey("ctrl DOWN", () -> view.zoomValues(ZOOM_FACTOR, HALF));
+        bindKey("menu UP", () -> view.zoomValues(1 / ZOOM_FACTOR, HALF));
+        bindKey("menu DOWN", () -> view.zoomValues(ZOOM_FACTOR, HALF));
         bindKey("shift UP", () -> view.moveValues(PAN_STEP));
         bindKey("shift DOWN", () -> view.moveValues(-PAN_STEP));
         bindKey("END", () -> freezeHandler.accept(false));

@@ -5,7 +5,7 @@ import java.util.List;
 
 /**
  * The keys of the lanes: arrow keys select a lane and an item; with Shift they move the end of the item, with Alt its
- * start, with Ctrl both. Enter edits.
+ * start, with the menu modifier both. Enter edits.
  */
 final class LaneKeys {
 
@@ -26,16 +26,16 @@ final class LaneKeys {
         bind("shift RIGHT", () -> actions.move(0, 1));
         bind("alt LEFT", () -> actions.move(-1, 0));
         bind("alt RIGHT", () -> actions.move(1, 0));
-        bind("ctrl LEFT", () -> actions.move(-1, -1));
-        bind("ctrl RIGHT", () -> actions.move(1, 1));
+        bind("menu LEFT", () -> actions.move(-1, -1));
+        bind("menu RIGHT", () -> actions.move(1, 1));
         bind("ENTER", actions::editOrAdd);
         bind("INSERT", () -> actions.addItem(view.now()));
         bind("DELETE", actions::delete);
         bind("BACK_SPACE", actions::delete);
-        bind("ctrl C", actions::copy);
-        bind("ctrl X", actions::cut);
-        bind("ctrl V", () -> actions.paste(view.now()));
-        bind("ctrl D", actions::duplicate);
+        bind("menu C", actions::copy);
+        bind("menu X", actions::cut);
+        bind("menu V", () -> actions.paste(view.now()));
+        bind("menu D", actions::duplicate);
         bind("ESCAPE", this::escape);
         bind("CONTEXT_MENU", this::showMenu);
         bind("shift F10", this::showMenu);

@@ -114,6 +114,15 @@ class LaneActionsTest {
         assertTrue(callOnEdt(() -> Keystrokes.isTypedInto(view, Keystrokes.unmodified(KeyEvent.VK_3))));
     }
 
+    @Test
+    void theKeysOfTheClipboardHaveTheMenuModifier() {
+        List<String> keys = callOnEdt(() -> Stream.of(KeyEvent.VK_C, KeyEvent.VK_X, KeyEvent.VK_V, KeyEvent.VK_D)
+                .map(Keystrokes::menuShortcut)
+                .map(stroke -> String.valueOf(view.getInputMap().get(stroke)))
+                .toList());
+        assertEquals(List.of("menu C", "menu X", "menu V", "menu D"), keys);
+    }
+
     private void updateView() {
         view.update(view.allLanes(), view.axis(), 0);
     }
