@@ -4,6 +4,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
+import java.util.function.BooleanSupplier;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
@@ -18,8 +19,18 @@ public final class KeyBindings {
      * {@code menu C} has the platform's menu modifier.
      */
     public static void bind(JComponent component, String key, Runnable action) {
+        bind(component, key, () -> true, action);
+    }
+
+    /** Runs an action as {@link #bind} does, but only if a condition holds; if not, the key may be that of a menu. */
+    public static void bind(JComponent component, String key, BooleanSupplier condition, Runnable action) {
         component.getInputMap(JComponent.WHEN_FOCUSED).put(stroke(key, menuMask()), key);
         component.getActionMap().put(key, new AbstractAction() {
+            @Override
+            public boolean isEnabled() {
+                return condition.getAsBoolean();
+            }
+
             @Override
             public void actionPerformed(ActionEvent event) {
                 action.run();

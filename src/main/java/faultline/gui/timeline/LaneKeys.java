@@ -11,10 +11,12 @@ final class LaneKeys {
 
     private final LaneView view;
     private final LaneActions actions;
+    private final LaneMouse mouse;
 
-    LaneKeys(LaneView view, LaneActions actions) {
+    LaneKeys(LaneView view, LaneActions actions, LaneMouse mouse) {
         this.view = view;
         this.actions = actions;
+        this.mouse = mouse;
     }
 
     void install() {
@@ -37,6 +39,8 @@ final class LaneKeys {
         bind("menu V", () -> actions.paste(view.now()));
         bind("menu D", actions::duplicate);
         bind("ESCAPE", this::escape);
+        // Undo in the middle of a drag cancels it instead of undoing an edit.
+        KeyBindings.bind(view, "menu Z", mouse::isDragging, mouse::cancelDrag);
         bind("CONTEXT_MENU", this::showMenu);
         bind("shift F10", this::showMenu);
     }
@@ -61,7 +65,7 @@ final class LaneKeys {
     }
 
     private void escape() {
-        view.setPreview(null);
+        mouse.cancelDrag();
         view.select(view.lane(), LaneLayout.NONE);
     }
 

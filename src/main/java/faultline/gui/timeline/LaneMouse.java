@@ -57,8 +57,8 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        boolean dragging = pressed != null
-                && (view.preview().isPresent() || Math.abs(event.getX() - pressed.getX()) >= DRAG_DISTANCE);
+        boolean dragging =
+                pressed != null && (isDragging() || Math.abs(event.getX() - pressed.getX()) >= DRAG_DISTANCE);
         if (dragging) {
             dragged(event).ifPresent(view::setPreview);
         }
@@ -89,6 +89,15 @@ final class LaneMouse extends MouseAdapter {
     private double snap(double time) {
         double step = actions.step();
         return editor.roundToTick(Math.round(Math.max(0, time) / step) * step);
+    }
+
+    boolean isDragging() {
+        return view.preview().isPresent();
+    }
+
+    void cancelDrag() {
+        pressed = null;
+        view.setPreview(null);
     }
 
     @Override

@@ -69,8 +69,9 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
             }
         });
         actions = new LaneActions(this, editor);
-        new LaneMouse(this, editor, actions).install();
-        new LaneKeys(this, actions).install();
+        LaneMouse mouse = new LaneMouse(this, editor, actions);
+        mouse.install();
+        new LaneKeys(this, actions, mouse).install();
     }
 
     private void updateTexts() {

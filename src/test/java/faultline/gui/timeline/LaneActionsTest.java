@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -17,9 +18,12 @@ import faultline.gui.document.Workspace;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.KeyBindings;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -27,6 +31,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JScrollPane;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -121,6 +126,61 @@ class LaneActionsTest {
                 .map(stroke -> String.valueOf(view.getInputMap().get(stroke)))
                 .toList());
         assertEquals(List.of("menu C", "menu X", "menu V", "menu D"), keys);
+    }
+
+    @Test
+    void theKeyOfUndoCancelsADrag() {
+        runOnEdt(() -> {
+            view.setSize(800, 100);
+            actions.duplicate();
+            updateView();
+            assertFalse(pressUndo(), "without a drag the key is that of the menu");
+            List<TimedCommand> before = editor.model().commands();
+            drag(MouseEvent.MOUSE_PRESSED, 11);
+            drag(MouseEvent.MOUSE_DRAGGED, 20);
+            assertTrue(view.preview().isPresent());
+            assertTrue(pressUndo());
+            drag(MouseEvent.MOUSE_DRAGGED, 30);
+            drag(MouseEvent.MOUSE_RELEASED, 30);
+            assertEquals(before, editor.model().commands());
+        });
+    }
+
+    @Test
+    void escapeCancelsADragThatDrawsAFault() {
+        runOnEdt(() -> {
+            view.setSize(800, 100);
+            drag(MouseEvent.MOUSE_PRESSED, 20);
+            drag(MouseEvent.MOUSE_DRAGGED, 30);
+            assertTrue(view.preview().isPresent());
+            press(KeyEvent.VK_ESCAPE, 0);
+            drag(MouseEvent.MOUSE_DRAGGED, 40);
+            assertEquals(Optional.empty(), view.preview());
+        });
+    }
+
+    /** Sends an event of the left button at a time in the first lane. */
+    private void drag(int type, double time) {
+        view.dispatchEvent(new MouseEvent(
+                view,
+                type,
+                0,
+                InputEvent.BUTTON1_DOWN_MASK,
+                (int) view.axis().x(time),
+                view.lanes().laneTop(0) + view.lanes().laneHeight(0) / 2,
+                1,
+                false,
+                MouseEvent.BUTTON1));
+    }
+
+    /** Returns whether the lanes consume the key. */
+    private boolean pressUndo() {
+        return press(KeyEvent.VK_Z, KeyBindings.menuMask());
+    }
+
+    private boolean press(int key, int modifiers) {
+        return SwingUtilities.processKeyBindings(
+                new KeyEvent(view, KeyEvent.KEY_PRESSED, 0, modifiers, key, KeyEvent.CHAR_UNDEFINED));
     }
 
     private void updateView() {

@@ -12,13 +12,15 @@ import faultline.world.Obstacle;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JComponent;
 
 /**
  * Handles the keys of the focused canvas: arrows nudge the selected obstacles, or move the point of the active tool, or
- * else the view; Q and E rotate obstacles, Insert sets a point of a tool, Enter completes it, Escape cancels.
+ * else the view; Q and E rotate obstacles, Insert sets a point of a tool, Enter completes it. Escape cancels, and so
+ * does the key of undo during a gesture.
  */
 public final class CanvasKeys {
 
@@ -51,6 +53,8 @@ public final class CanvasKeys {
         bind(canvas, "shift F10", mouse::requestMenu);
         bind(canvas, "CONTEXT_MENU", mouse::requestMenu);
         bind(canvas, "ESCAPE", this::cancelOrDeselect);
+        // Undo in the middle of a gesture cancels it instead of undoing an edit.
+        bind(canvas, "menu Z", mouse::isGestureActive, mouse::cancelGesture);
     }
 
     private void bindNudges(JComponent canvas, String key, int right, int up) {
@@ -101,7 +105,11 @@ public final class CanvasKeys {
     }
 
     private static void bind(JComponent canvas, String key, Runnable action) {
-        KeyBindings.bind(canvas, key, () -> {
+        bind(canvas, key, () -> true, action);
+    }
+
+    private static void bind(JComponent canvas, String key, BooleanSupplier condition, Runnable action) {
+        KeyBindings.bind(canvas, key, condition, () -> {
             action.run();
             canvas.repaint();
         });

@@ -73,13 +73,21 @@ public final class CanvasMouse extends MouseAdapter {
 
     /** Cancels the gesture and the tool; returns whether there was one. */
     boolean cancel() {
-        boolean busy = gesture != null || tool.get().isPresent();
+        boolean busy = isGestureActive() || tool.get().isPresent();
+        cancelGesture();
+        tool.set(Optional.empty());
+        return busy;
+    }
+
+    boolean isGestureActive() {
+        return gesture != null;
+    }
+
+    void cancelGesture() {
         if (gesture != null) {
             gesture.cancel();
             gesture = null;
         }
-        tool.set(Optional.empty());
-        return busy;
     }
 
     /** Ends a gesture whose objects no longer exist. */

@@ -5,6 +5,7 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
@@ -14,6 +15,7 @@ import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.ShapePreset;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.KeyBindings;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -21,6 +23,7 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -29,6 +32,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
 /** The canvas while frames lag behind commands, or never show their effect. No display is needed. */
@@ -199,6 +203,39 @@ class CanvasKeysTest {
         runOnEdt(() -> canvas.setFrame(EMPTY));
         mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(40, 0)));
         assertEquals(List.of(), callOnEdt(() -> List.copyOf(sent)));
+    }
+
+    @Test
+    void theKeyOfUndoCancelsADrag() {
+        assertFalse(pressUndo(), "without a drag the key is that of the menu");
+        Vector2 box = callOnEdt(() -> canvas.camera().toScreen(new Vector2(4, 2)));
+        mouse(MouseEvent.MOUSE_PRESSED, box);
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(20, 0)));
+        assertTrue(pressUndo());
+        assertEquals(moveTo(4), callOnEdt(() -> sent.get(sent.size() - 1)));
+        runOnEdt(sent::clear);
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(40, 0)));
+        mouse(MouseEvent.MOUSE_RELEASED, box.plus(new Vector2(40, 0)));
+        assertEquals(List.of(), callOnEdt(() -> List.copyOf(sent)));
+        assertFalse(pressUndo());
+    }
+
+    @Test
+    void theKeyOfUndoCancelsADragOfTheRobot() {
+        List<Pose> starts = new ArrayList<>();
+        runOnEdt(() -> canvas.tools().listeners().addStartListener(starts::add));
+        Vector2 robot = callOnEdt(() -> canvas.camera().toScreen(ROBOT.position()));
+        mouse(MouseEvent.MOUSE_PRESSED, robot);
+        mouse(MouseEvent.MOUSE_DRAGGED, robot.plus(new Vector2(20, 0)));
+        assertTrue(pressUndo());
+        mouse(MouseEvent.MOUSE_RELEASED, robot.plus(new Vector2(20, 0)));
+        assertEquals(List.of(), callOnEdt(() -> List.copyOf(starts)));
+    }
+
+    /** Returns whether the canvas consumes the key. */
+    private boolean pressUndo() {
+        return callOnEdt(() -> SwingUtilities.processKeyBindings(new KeyEvent(
+                canvas, KeyEvent.KEY_PRESSED, 0, KeyBindings.menuMask(), KeyEvent.VK_Z, KeyEvent.CHAR_UNDEFINED)));
     }
 
     @Test
