@@ -1,9 +1,9 @@
 package faultline.gui.dialog;
 
-import faultline.engine.RunFailedException;
 import faultline.external.ControllerChoice;
 import faultline.external.PythonCommand;
 import faultline.external.ShellWords;
+import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
@@ -16,9 +16,12 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.io.File;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JFileChooser;
@@ -31,20 +34,26 @@ final class ControllerDialog {
 
     private static final String EXAMPLE = PythonCommand.text() + " \"my follower.py\"";
     private static final int GAP = 8;
+    private static final int HELP_ROWS = 2;
 
     private final JComboBox<String> field = new JComboBox<>();
-    private final List<Path> jars = new ArrayList<>();
     private final JTextArea help = UiText.wrappedText();
     private final String title;
     private final Path scenario;
+    private List<Path> jars;
+    /** The number of times that names have been loaded; only the last ones are shown. */
+    private int loads;
+    /** The jar whose controller is selected when it has been loaded, null for none. */
+    private Path awaited;
 
     /** Creates a dialog with a title that shows a selection, given the open file, null for none. */
     ControllerDialog(String title, ControllerSelection now, Path scenario) {
         this.title = title;
         this.scenario = scenario;
-        jars.addAll(now.jars());
+        this.jars = now.jars();
         // Its lines are as long as its sentences.
         help.setLineWrap(false);
+        help.setRows(HELP_ROWS);
         help.setText(Messages.get("chooseController.help", EXAMPLE));
         field.setEditable(true);
         field.setRenderer(NamedChoice.rendererOf(ControllerDialog::nameOf));
@@ -53,32 +62,37 @@ final class ControllerDialog {
         for (Component part : List.of(field, field.getEditor().getEditorComponent())) {
             part.getAccessibleContext().setAccessibleName(Messages.get("chooseController.label"));
         }
-        fillNames(now.isScenarios() ? Messages.get("chooseController.scenarios") : now.text());
+        field.addItem(Messages.get("chooseController.scenarios"));
+        field.setSelectedItem(now.isScenarios() ? Messages.get("chooseController.scenarios") : now.text());
+        load(() -> ControllerNames.of(now.jars()), found -> showNames(found, text()));
     }
 
-    /** Returns the names of all controllers; if a jar is broken, only those without jars, and shows the reason. */
-    private List<String> names() {
-        try {
-            return loadNames();
-        } catch (RunFailedException broken) {
-            showProblem(broken);
-            return ControllerChoice.names();
+    /** Loads names on another thread, because the code of a jar may take any time, and shows them. */
+    private void load(Callable<ControllerNames> names, Consumer<ControllerNames> onLoaded) {
+        int number = ++loads;
+        BackgroundTasks.run(
+                names,
+                found -> {
+                    if (number == loads) {
+                        onLoaded.accept(found);
+                    }
+                },
+                this::showProblem);
+    }
+
+    private void showNames(ControllerNames found, String selected) {
+        DefaultComboBoxModel<String> model = new DefaultComboBoxModel<>();
+        model.addElement(Messages.get("chooseController.scenarios"));
+        model.addAll(found.names());
+        model.setSelectedItem(selected);
+        field.setModel(model);
+        if (found.problem() != null) {
+            showProblem(found.problem());
         }
     }
 
-    private List<String> loadNames() {
-        return ControllerChoice.withJars(jars, ControllerChoice::names);
-    }
-
-    private void showProblem(RunFailedException broken) {
-        help.setText(TextWrap.wrap(ErrorMessages.describe(broken)));
-    }
-
-    private void fillNames(String selected) {
-        field.removeAllItems();
-        field.addItem(Messages.get("chooseController.scenarios"));
-        names().forEach(field::addItem);
-        field.setSelectedItem(selected);
+    private void showProblem(Throwable problem) {
+        help.setText(TextWrap.wrap(ErrorMessages.describe(problem)));
     }
 
     /** Returns the name of a built-in controller with the text that chooses it, or only the text of another one. */
@@ -139,38 +153,49 @@ final class ControllerDialog {
         return file.toAbsolutePath().getParent().toFile();
     }
 
-    /** Adds the controllers of a jar and selects its first, or makes the command that starts a program. */
+    /**
+     * Adds the controllers of a jar and selects its first as soon as they have been loaded, or makes the command that
+     * starts a program.
+     */
     void useFile(Path file) {
         String name = file.getFileName().toString();
-        help.setText(Messages.get("chooseController.help", EXAMPLE));
         if (!name.endsWith(".jar")) {
+            awaited = null;
+            help.setText(Messages.get("chooseController.help", EXAMPLE));
             String quoted = ShellWords.quoted(file.toString());
             field.setSelectedItem(name.endsWith(".py") ? PythonCommand.text() + " " + quoted : quoted);
             return;
         }
-        jars.remove(file);
-        List<String> before = names();
-        jars.add(file);
-        Optional<String> first = Optional.empty();
-        try {
-            first = loadNames().stream()
-                    .filter(found -> !before.contains(found))
-                    .findFirst();
-            if (first.isEmpty()) {
-                help.setText(Messages.get("chooseController.none", MessageText.excerpt(name)));
-            }
-        } catch (RunFailedException broken) {
-            showProblem(broken);
+        awaited = file;
+        help.setText(Messages.get("chooseController.loading", MessageText.excerpt(name)));
+        List<Path> others = jars.stream().filter(jar -> !jar.equals(file)).toList();
+        load(() -> ControllerNames.of(others, file), found -> showJar(found, others, file));
+    }
+
+    private void showJar(ControllerNames found, List<Path> others, Path file) {
+        jars = found.first() == null ? others : ControllerNames.with(others, file);
+        boolean wanted = file.equals(awaited);
+        if (wanted) {
+            help.setText(
+                    found.first() == null
+                            ? Messages.get(
+                                    "chooseController.none",
+                                    MessageText.excerpt(file.getFileName().toString()))
+                            : Messages.get("chooseController.help", EXAMPLE));
         }
-        if (first.isEmpty()) {
-            jars.remove(file);
-        }
-        fillNames(first.orElse(text()));
+        showNames(found, wanted && found.first() != null ? found.first() : text());
     }
 
     /** Returns the text below the field: an example, or what is wrong with the chosen file. */
     String help() {
         return help.getText();
+    }
+
+    /** Returns the entries of the list. */
+    List<String> names() {
+        return IntStream.range(0, field.getItemCount())
+                .mapToObj(field::getItemAt)
+                .toList();
     }
 
     /** Returns the name or the command in the field. */

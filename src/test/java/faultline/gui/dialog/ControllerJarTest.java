@@ -5,10 +5,12 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.external.PythonCommand;
 import faultline.external.RightTurner;
 import faultline.external.ShellWords;
+import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.ControllerSelection;
 import java.io.IOException;
@@ -16,6 +18,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import org.junit.jupiter.api.BeforeEach;
@@ -50,10 +55,18 @@ class ControllerJarTest {
         return jar;
     }
 
+    private void useJar(Path jar) {
+        runOnEdt(() -> {
+            dialog.useFile(jar);
+            assertEquals("Loading " + jar.getFileName() + "…", dialog.help());
+        });
+        Await.until(jar + " to be loaded", () -> !dialog.help().startsWith("Loading"));
+    }
+
     @Test
     void aJarWithoutAControllerIsReported() throws IOException {
         Path empty = jar("empty.jar", "");
-        runOnEdt(() -> dialog.useFile(empty));
+        useJar(empty);
         assertEquals("empty.jar adds no controller", callOnEdt(dialog::help));
         assertEquals(COMMAND, callOnEdt(dialog::text));
     }
@@ -61,14 +74,14 @@ class ControllerJarTest {
     @Test
     void aJarWhoseControllerCannotBeLoadedIsReported() throws IOException {
         Path broken = jar("broken.jar", "no.such.Turner");
-        runOnEdt(() -> dialog.useFile(broken));
+        useJar(broken);
         assertEquals(
                 "a controller in Java cannot be loaded: faultline.control.ControllerProvider:\n"
                         + "Provider no.such.Turner not found",
                 callOnEdt(dialog::help));
         assertEquals(COMMAND, callOnEdt(dialog::text));
         Path good = jar("turner.jar", RightTurner.class.getName());
-        runOnEdt(() -> dialog.useFile(good));
+        useJar(good);
         assertEquals("right-turner", callOnEdt(dialog::text));
     }
 
@@ -77,7 +90,41 @@ class ControllerJarTest {
         ControllerSelection chosen = new ControllerSelection("turner", List.of(jar("broken.jar", "no.such.Turner")));
         ControllerDialog reopened = callOnEdt(() -> new ControllerDialog("Controller", chosen, null));
         assertEquals("turner", callOnEdt(reopened::text));
-        assertTrue(callOnEdt(reopened::help).startsWith("a controller in Java cannot be loaded: "), reopened::help);
+        Await.until("the reason", () -> reopened.help().startsWith("a controller in Java cannot be loaded: "));
+    }
+
+    /** A controller whose class takes long to load. */
+    public static final class SlowTurner implements ControllerProvider {
+
+        private static final CountDownLatch DIALOG_RESPONDS = new CountDownLatch(1);
+
+        @Override
+        public String name() {
+            try {
+                assertTrue(DIALOG_RESPONDS.await(60, TimeUnit.SECONDS), "the dialog waits for the jar");
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+            return "slow-turner";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new UnsupportedOperationException();
+        }
+    }
+
+    @Test
+    void aProgramCanBeChosenWhileAJarIsLoading() throws IOException {
+        Path slow = jar("slow.jar", SlowTurner.class.getName());
+        Path script = folder.resolve("robot.sh");
+        runOnEdt(() -> {
+            dialog.useFile(slow);
+            dialog.useFile(script);
+        });
+        SlowTurner.DIALOG_RESPONDS.countDown();
+        Await.until("the controller of the jar", () -> dialog.names().contains("slow-turner"));
+        assertEquals(ShellWords.quoted(script.toString()), callOnEdt(dialog::text));
     }
 
     @Test
@@ -92,12 +139,12 @@ class ControllerJarTest {
     void aJarThatIsChosenAgainGivesItsController() throws IOException {
         Path jar = jar("turner.jar", RightTurner.class.getName());
         Path script = folder.resolve("robot.py");
-        runOnEdt(() -> dialog.useFile(jar));
+        useJar(jar);
         assertEquals("right-turner", callOnEdt(dialog::text));
         runOnEdt(() -> dialog.useFile(script));
         String python = PythonCommand.text();
         assertEquals(python + " " + ShellWords.quoted(script.toString()), callOnEdt(dialog::text));
-        runOnEdt(() -> dialog.useFile(jar));
+        useJar(jar);
         assertEquals("right-turner", callOnEdt(dialog::text));
         assertEquals(
                 "For example: " + python + " \"my follower.py\".\nEach restart loads it again.",
