@@ -23,6 +23,7 @@ import java.util.Optional;
 import java.util.StringTokenizer;
 import java.util.TreeMap;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /** Reads the controller element. */
 final class ControllerReader {
@@ -64,8 +65,10 @@ final class ControllerReader {
         }
         ControllerSpec controller = provided
                 ? new ControllerSpec.Provided(type, readPeriod(fields), readSettings(node, problems))
-                : fields.choice("type", knownTypes(type), ControllerReader::readWallFollower)
-                        .apply(fields);
+                : TYPE_READERS.containsKey(type)
+                        ? fields.choice("type", TYPE_READERS, ControllerReader::readWallFollower)
+                                .apply(fields)
+                        : readUnknown(type, fields);
         if (provided) {
             fields.isPresent("type");
         }
@@ -79,13 +82,15 @@ final class ControllerReader {
         return provided ? List.of("setting") : type.equals(RECORDED) ? List.of("decisions") : List.of();
     }
 
-    /** Returns the types of the program; for an unknown type also those on the class path, to be named with it. */
-    private static Map<String, Function<AttributeReader, ControllerSpec>> knownTypes(String type) {
-        Map<String, Function<AttributeReader, ControllerSpec>> known = new LinkedHashMap<>(TYPE_READERS);
-        if (!known.containsKey(type)) {
-            ControllerProviders.names().forEach(name -> known.putIfAbsent(name, ControllerReader::readWallFollower));
-        }
-        return known;
+    /** Reports a type that is neither one of the program nor on the class path, and reads a wall follower. */
+    private static ControllerSpec readUnknown(String type, AttributeReader fields) {
+        List<String> known = Stream.concat(TYPE_READERS.keySet().stream(), ControllerProviders.names().stream())
+                .distinct()
+                .toList();
+        fields.text("type")
+                .ifPresent(given -> fields.report(
+                        "type", given, Allowed.withHint(Allowed.CONTROLLERS.with(Allowed.names(known)), type, known)));
+        return readWallFollower(fields);
     }
 
     private static ControllerSpec readWallFollower(AttributeReader fields) {

@@ -53,7 +53,7 @@ class ProblemsTest {
             sensor="front" kind="stuck" value="0.4" | motor="left" sensor="front" kind="dead" | 20:72: <fault> has no attribute "sensor"; expected at, until, motor, kind, value
             <fault at="10" sensor="front" kind="stuck" | <fault at="10" kind="stuck" | 20:57: <fault> lacks the attribute "sensor"; expected 1 to 100 characters, none of them a comma, a double quote or a control character
             value="0.4"        | value="-0.4"       | 20:73: value of <fault> is "-0.4"; expected a number from 0 to 100 metres
-            "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower"; expected wall-follower, none, drive, extern, recorded; did you mean "wall-follower"?
+            "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower"; expected wall-follower, none, drive, extern, recorded or a controller in Java of --jar; did you mean "wall-follower"?
             distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left"; expected type, distance, hand, period, timing, diagnosis, gains, aheadMargin, turnClearance, timingLevel, settledRate, lostMargin and 4 more
             collision="false"  | states="FOLOW"     | 29:27: states of <expect> is "FOLOW"; expected one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP; did you mean "FOLLOW"?
             collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE"; expected one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP

@@ -64,6 +64,8 @@ public enum Allowed implements Message.Template {
     OBSTACLES("one of the obstacles: {0}"),
     /** The name of a controller's state. */
     STATES("one of the controller''s states: {0}"),
+    /** The name of a controller. */
+    CONTROLLERS("{0} or a controller in Java of --jar"),
     /** A list of names with a suggestion. */
     HINT("{0}; did you mean \"{1}\"?"),
     /** A list of names that is cut short. */
