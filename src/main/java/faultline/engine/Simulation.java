@@ -22,6 +22,7 @@ import faultline.world.World;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * A run that advances tick by tick. It is confined to one thread and reads no clock; only the controller may run on
@@ -76,7 +77,7 @@ public final class Simulation implements AutoCloseable {
     public Simulation(SimulationSetup setup, ControllerMode mode, CommandListener listener) {
         this(
                 setup,
-                ControllerFactory.create(setup),
+                () -> ControllerFactory.create(setup),
                 ControllerFactory.mode(setup.controller(), mode),
                 listener,
                 setup.controller() instanceof ControllerSpec.Foreign);
@@ -91,19 +92,20 @@ public final class Simulation implements AutoCloseable {
      * @param listener receives the result of every command
      */
     public Simulation(SimulationSetup setup, Controller controller, ControllerMode mode, CommandListener listener) {
-        this(setup, controller, mode, listener, false);
+        this(setup, () -> controller, mode, listener, false);
     }
 
     private Simulation(
             SimulationSetup setup,
-            Controller controller,
+            Supplier<Controller> controllers,
             ControllerMode mode,
             CommandListener listener,
             boolean isForeign) {
         this.setup = setup;
-        this.foreignController = isForeign ? controller : null;
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
-        this.controller = controller;
+        // Made after the world, because nobody would close it if the world could not be made.
+        this.controller = controllers.get();
+        this.foreignController = isForeign ? controller : null;
         this.controllerSpec = setup.controller();
         // Read before another thread may use the controller.
         this.controllerName = controller.name();
@@ -113,8 +115,21 @@ public final class Simulation implements AutoCloseable {
         this.readings = new double[setup.robot().sensors().size()];
         this.previousReadings = new double[readings.length];
         this.timeline = new Timeline(setup);
-        executeDueCommands(0);
-        senseAndSubmit();
+        try {
+            executeDueCommands(0);
+            senseAndSubmit();
+        } catch (RuntimeException | Error e) {
+            closeAfter(e);
+            throw e;
+        }
+    }
+
+    private void closeAfter(Throwable failure) {
+        try {
+            close();
+        } catch (RunFailedException e) {
+            failure.addSuppressed(e);
+        }
     }
 
     /**

@@ -7,9 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.ControllerProvider;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
+import faultline.engine.CommandListener;
 import faultline.engine.ControllerMode;
 import faultline.engine.Journal;
 import faultline.engine.RunFailedException;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.engine.metrics.HeadlessRun;
@@ -17,6 +19,7 @@ import faultline.engine.metrics.RunResult;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.world.Command;
 import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -220,6 +223,20 @@ class ForeignControllerTest {
         for (ControllerMode mode : ControllerMode.values()) {
             int before = RightTurner.CLOSED.get();
             HeadlessRun.run(broken(""), mode, List.of());
+            assertEquals(before + 1, RightTurner.CLOSED.get(), mode.name());
+        }
+    }
+
+    @Test
+    void aControllerInJavaIsClosedIfItsRunCannotStart() throws Exception {
+        SimulationSetup setup = broken("")
+                .withTimeline(List.of(new SimulationSetup.TimedCommand(0, new Command.SwitchSensor("front", false))));
+        CommandListener full = result -> {
+            throw new IllegalStateException("the disk is full");
+        };
+        for (ControllerMode mode : ControllerMode.values()) {
+            int before = RightTurner.CLOSED.get();
+            assertThrows(IllegalStateException.class, () -> new Simulation(setup, mode, full));
             assertEquals(before + 1, RightTurner.CLOSED.get(), mode.name());
         }
     }
