@@ -11,12 +11,15 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * A folder for figures, and the appearance of the pictures. The files take their places together when all are written;
- * without a commit nothing changes. Several threads may write at the same time.
+ * without a commit nothing changes, and a new folder is deleted again. Several threads may write at the same time.
  */
 public final class FigureFolder implements AutoCloseable {
 
@@ -24,8 +27,12 @@ public final class FigureFolder implements AutoCloseable {
     private final SvgTheme appearance;
     private final AtomicFileGroup files = new AtomicFileGroup();
 
-    private FigureFolder(Path path, SvgTheme appearance) {
+    /** The folders that did not exist before, innermost first. */
+    private final List<Path> created;
+
+    private FigureFolder(Path path, List<Path> created, SvgTheme appearance) {
         this.path = path;
+        this.created = created;
         this.appearance = appearance;
     }
 
@@ -37,7 +44,10 @@ public final class FigureFolder implements AutoCloseable {
         if (Files.isDirectory(path) && !Files.isWritable(path)) {
             throw new AccessDeniedException(path.toString());
         }
-        return new FigureFolder(Files.createDirectories(path), appearance);
+        List<Path> missing = Stream.iterate(path.toAbsolutePath(), Path::getParent)
+                .takeWhile(folder -> folder != null && Files.notExists(folder))
+                .toList();
+        return new FigureFolder(Files.createDirectories(path), missing, appearance);
     }
 
     /** {@return the appearance of the pictures} */
@@ -80,6 +90,13 @@ public final class FigureFolder implements AutoCloseable {
     @Override
     public void close() throws IOException {
         files.close();
+        try {
+            for (Path folder : created) {
+                Files.delete(folder);
+            }
+        } catch (DirectoryNotEmptyException hasFiles) {
+            // The figures, or files of another program, are in it.
+        }
     }
 
     /** Returns the path of a file, which must not be a link to another file of the folder. */

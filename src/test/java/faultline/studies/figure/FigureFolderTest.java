@@ -72,6 +72,23 @@ class FigureFolderTest {
         assertEquals(List.of(old), files());
     }
 
+    @Test
+    void newFoldersAreDeletedWithoutACommit() throws IOException {
+        try (FigureFolder figures = FigureFolder.create(folder.resolve("a/b"), SvgTheme.LIGHT)) {
+            figures.writeCsv("table", TABLE);
+        }
+        assertEquals(List.of(), files());
+    }
+
+    @Test
+    void newFoldersStayAfterACommit() throws IOException {
+        try (FigureFolder figures = FigureFolder.create(folder.resolve("a/b"), SvgTheme.LIGHT)) {
+            figures.writeCsv("table", TABLE);
+            figures.commit();
+        }
+        assertTrue(Files.exists(folder.resolve("a/b/table.csv")));
+    }
+
     private List<Path> files() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return files.sorted().toList();
