@@ -115,6 +115,9 @@ final class CommandLine {
             return new WindowCommand(output).run();
         }
         String first = args.get(0);
+        if (first.equals(HELP)) {
+            return println(help(args.subList(1, args.size())));
+        }
         if (COMMANDS.contains(first)) {
             return args.contains(HELP) ? println(HelpText.help(first)) : run(first, args.subList(1, args.size()));
         }
@@ -124,6 +127,26 @@ final class CommandLine {
                     + DidYouMean.hint(first, COMMANDS));
         }
         return new WindowCommand(output).run(args);
+    }
+
+    /** Returns the help of a command, or of all if none is named. */
+    private static String help(List<String> commands) throws UsageException {
+        if (commands.isEmpty()) {
+            return HelpText.help();
+        }
+        String command = String.join(" ", commands);
+        if (!COMMANDS.contains(command)) {
+            throw new UsageException("--help takes the name of one command, not " + MessageText.quoted(command)
+                    + DidYouMean.hint(command, COMMANDS));
+        }
+        return HelpText.help(command);
+    }
+
+    private int printVersion(List<String> arguments) throws UsageException {
+        if (!arguments.isEmpty()) {
+            throw new UsageException("--version takes nothing, not " + MessageText.quoted(String.join(" ", arguments)));
+        }
+        return println(ProgramVersion.text());
     }
 
     /** Runs a command with the arguments after its name. The classes of the other commands are not loaded. */
@@ -139,7 +162,7 @@ final class CommandLine {
             case "serve" -> new ProtocolCommands(output).serve(arguments);
             case "controller" -> new ProtocolCommands(output).controller(arguments);
             case "import" -> new ImportCommand(output).run(arguments);
-            case "--version" -> println(ProgramVersion.text());
+            case "--version" -> printVersion(arguments);
             case "--window" -> new WindowCommand(output).runWithDialogs(arguments);
             case "--startup-time" -> new WindowCommand(output).measureStartup(arguments);
             default -> throw new IllegalArgumentException("no command: " + command);

@@ -224,6 +224,9 @@ class CommandLineTest {
             textBlock =
                     """
             rnu x.xml                       | there is no command "rnu"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; did you mean "run"?
+            --help rnu                      | --help takes the name of one command, not "rnu"; did you mean "run"?
+            --help run check                | --help takes the name of one command, not "run check"
+            --version 0.1.0                 | --version takes nothing, not "0.1.0"
             --hepl                          | there is no command "--hepl"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; did you mean "--help"?
             a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
             --window a.xml b.xml            | the window takes one scenario file, not also "b.xml"
@@ -418,6 +421,7 @@ class CommandLineTest {
         CommandResult help = command(name, "--help");
         assertEquals(0, help.code);
         assertTrue(help.out.startsWith("faultline " + name + " "), help.out);
+        assertEquals(help, command("--help", name));
         List<String> others = help.out
                 .lines()
                 .skip(1)
