@@ -28,6 +28,8 @@ final class PlanReader {
             List.of("description", "worlds", "seeds", "set", "variants", "faults", "masks");
     private static final List<String> SINGLE_ELEMENTS = List.of("description", "worlds", "seeds");
 
+    private static final Boolean[] SWITCH = {false, true};
+
     private final Problems problems;
     private final Map<String, byte[]> scenarios = new LinkedHashMap<>();
     private final List<ScenarioChange> constants = new ArrayList<>();
@@ -85,17 +87,10 @@ final class PlanReader {
                         .map(node -> ElementRules.readText(node, problems).strip())
                         .orElse(""),
                 fields.integer("seed", Long.MIN_VALUE, Long.MAX_VALUE, 1),
-                fields.choice("sampling", ordered("random", false, "latin", true), false),
-                fields.choice("end", ordered("duration", false, "verdict", true), false));
+                fields.choice("sampling", SWITCH, latin -> latin ? "latin" : "random", false),
+                fields.choice("end", SWITCH, atVerdict -> atVerdict ? "verdict" : "duration", false));
         fields.reportUnknownAndMissing();
         return header;
-    }
-
-    private static Map<String, Boolean> ordered(String one, boolean first, String other, boolean second) {
-        Map<String, Boolean> words = new LinkedHashMap<>();
-        words.put(one, first);
-        words.put(other, second);
-        return words;
     }
 
     private Seeds readSeeds(XmlElement node) {
