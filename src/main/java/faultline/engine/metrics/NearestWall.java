@@ -16,13 +16,15 @@ final class NearestWall {
     /** The walls are searched again when the path is farther than this from the point of the last search, metres. */
     private static final double MAX_MOVED = 0.1;
 
+    private static final Vector2 NOWHERE = new Vector2(Double.POSITIVE_INFINITY, 0);
+
     private final SpatialIndex walls;
     private final double range;
     private final CandidateBuffer near = new CandidateBuffer();
     /** The distances of the walls from the point of the last search, metres. */
     private double[] distances = new double[0];
 
-    private Vector2 searched = new Vector2(Double.POSITIVE_INFINITY, 0);
+    private Vector2 searched = NOWHERE;
     /** The index of the last nearest wall, which often is the nearest again. */
     private int last;
 
@@ -51,12 +53,15 @@ final class NearestWall {
             search(point);
             moved = 0;
         }
-        double least = last < near.size() ? distance(last, point) : Double.POSITIVE_INFINITY;
+        Vector2 foot = last < near.size() ? near.shape(last).nearestTo(point) : NOWHERE;
+        double least = foot.distanceTo(point);
         int nearest = last;
         for (int i = 0; i < near.size(); i++) {
             if (distances[i] - moved <= least + WallReference.ROUNDING) {
-                double distance = distance(i, point);
+                Vector2 candidate = near.shape(i).nearestTo(point);
+                double distance = candidate.distanceTo(point);
                 if (distance < least || distance == least && near.number(i) < near.number(nearest)) {
+                    foot = candidate;
                     least = distance;
                     nearest = i;
                 }
@@ -64,12 +69,8 @@ final class NearestWall {
         }
         last = nearest;
         return least <= range
-                ? new Wall(least, isStraight(near.shape(nearest), point, margin))
+                ? new Wall(least, isStraight(near.shape(nearest), foot, margin))
                 : new Wall(Double.POSITIVE_INFINITY, false);
-    }
-
-    private double distance(int wall, Vector2 point) {
-        return near.shape(wall).nearestTo(point).distanceTo(point);
     }
 
     private void search(Vector2 point) {
@@ -85,11 +86,9 @@ final class NearestWall {
         last = 0;
     }
 
-    private static boolean isStraight(ConvexShape wall, Vector2 point, double margin) {
-        if (!(wall instanceof Segment segment)) {
-            return false;
-        }
-        Vector2 foot = segment.nearestTo(point);
-        return foot.distanceTo(segment.a()) >= margin && foot.distanceTo(segment.b()) >= margin;
+    private static boolean isStraight(ConvexShape wall, Vector2 foot, double margin) {
+        return wall instanceof Segment segment
+                && foot.distanceTo(segment.a()) >= margin
+                && foot.distanceTo(segment.b()) >= margin;
     }
 }
