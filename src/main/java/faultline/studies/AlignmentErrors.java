@@ -108,7 +108,7 @@ final class AlignmentErrors implements Figure {
 
     private static void addRow(CsvTable table, Setting setting, SortedSample errors) {
         int gross = errors.countBeyond(GROSS_DEGREES);
-        double[] interval = SortedSample.wilson(gross, errors.size());
+        double[] interval = wilson(gross, errors.size());
         table.addRow(
                 setting.rule().fileName(),
                 setting.degreesPerSecond(),
@@ -123,5 +123,20 @@ final class AlignmentErrors implements Figure {
                 gross,
                 interval[0],
                 interval[1]);
+    }
+
+    /**
+     * {@return the lower and the upper end, in [0, 1], of the 95 % interval of a probability by Wilson's score method}
+     *
+     * @param hits the number of hits
+     * @param trials the number of trials, positive
+     */
+    static double[] wilson(int hits, int trials) {
+        double z = 1.959964;
+        double share = (double) hits / trials;
+        double scale = 1 / (1 + z * z / trials);
+        double middle = scale * (share + z * z / (2 * trials));
+        double half = scale * z * Math.sqrt(share * (1 - share) / trials + z * z / (4.0 * trials * trials));
+        return new double[] {Math.max(0, middle - half), Math.min(1, middle + half)};
     }
 }

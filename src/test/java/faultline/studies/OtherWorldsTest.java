@@ -159,7 +159,7 @@ class OtherWorldsTest {
     }
 
     private static String interval(int hits, int trials) {
-        double[] interval = SortedSample.wilson(hits, trials);
+        double[] interval = AlignmentErrors.wilson(hits, trials);
         return String.format(Locale.ROOT, "%.1f to %.1f %%", 100 * interval[0], 100 * interval[1]);
     }
 

@@ -54,19 +54,4 @@ public final class SortedSample {
     public int countBeyond(double limit) {
         return (int) DoubleStream.of(sorted).filter(x -> Math.abs(x) > limit).count();
     }
-
-    /**
-     * {@return the lower and the upper end, in [0, 1], of the 95 % interval of a probability by Wilson's score method}
-     *
-     * @param hits the number of hits
-     * @param trials the number of trials, positive
-     */
-    public static double[] wilson(int hits, int trials) {
-        double z = 1.959964;
-        double share = (double) hits / trials;
-        double scale = 1 / (1 + z * z / trials);
-        double middle = scale * (share + z * z / (2 * trials));
-        double half = scale * z * Math.sqrt(share * (1 - share) / trials + z * z / (4.0 * trials * trials));
-        return new double[] {Math.max(0, middle - half), Math.min(1, middle + half)};
-    }
 }
