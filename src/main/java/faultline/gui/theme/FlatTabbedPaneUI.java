@@ -5,6 +5,7 @@ import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Insets;
 import java.awt.Rectangle;
+import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicTabbedPaneUI;
@@ -13,6 +14,13 @@ import javax.swing.plaf.basic.BasicTabbedPaneUI;
 public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
 
     private static final int UNDERLINE = 3;
+    /** The distance of a title from the sides of its tab, pixels. */
+    private static final int PADDING = 14;
+    /** The least distance with which all tabs are put in one row. Only one title is bold, so that none touch. */
+    private static final int MIN_PADDING = 1;
+    /** What the superclass adds to the width of a title, pixels. */
+    private static final int EXTRA_WIDTH = 3;
+
     private static final Insets NONE = new Insets(0, 0, 0, 0);
 
     /** Called by Swing to create a delegate. */
@@ -23,7 +31,7 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
     @Override
     protected void installDefaults() {
         super.installDefaults();
-        tabInsets = new Insets(5, 14, 6, 14);
+        tabInsets = new Insets(5, PADDING, 6, PADDING);
         selectedTabPadInsets = NONE;
         tabAreaInsets = new Insets(0, 6, 0, 6);
         contentBorderInsets = new Insets(1, 0, 0, 0);
@@ -34,8 +42,30 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
 
     @Override
     protected int calculateTabWidth(int placement, int index, FontMetrics metrics) {
-        FontMetrics bold = tabPane.getFontMetrics(metrics.getFont().deriveFont(Font.BOLD));
-        return super.calculateTabWidth(placement, index, bold);
+        return super.calculateTabWidth(placement, index, boldMetrics(metrics.getFont()));
+    }
+
+    private FontMetrics boldMetrics(Font font) {
+        return tabPane.getFontMetrics(font.deriveFont(Font.BOLD));
+    }
+
+    @Override
+    protected Insets getTabInsets(int placement, int index) {
+        int padding = padding();
+        return new Insets(tabInsets.top, padding, tabInsets.bottom, padding);
+    }
+
+    /** Returns less than the usual padding if all tabs are in one row with it. */
+    private int padding() {
+        FontMetrics metrics = boldMetrics(tabPane.getFont());
+        int tabs = tabPane.getTabCount();
+        int titles = IntStream.range(0, tabs)
+                .map(tab -> metrics.stringWidth(tabPane.getTitleAt(tab)) + EXTRA_WIDTH)
+                .sum();
+        Insets border = tabPane.getInsets();
+        int width = tabPane.getWidth() - border.left - border.right - tabAreaInsets.left - tabAreaInsets.right;
+        int room = (width - titles) / (2 * Math.max(1, tabs));
+        return room < MIN_PADDING ? PADDING : Math.min(room, PADDING);
     }
 
     /** Keeps the titles on one line, whichever tab is selected. */

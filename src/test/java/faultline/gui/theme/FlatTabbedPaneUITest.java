@@ -20,7 +20,7 @@ class FlatTabbedPaneUITest {
         Theme.LIGHT.install();
         JTabbedPane pane = new JTabbedPane();
         IntStream.range(0, TABS).forEach(tab -> pane.addTab("Tab " + tab, new JPanel()));
-        pane.setSize(180, 200);
+        pane.setSize(165, 200);
         pane.doLayout();
         assertEquals(2, pane.getTabRunCount());
         return pane;

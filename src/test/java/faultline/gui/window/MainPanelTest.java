@@ -252,6 +252,24 @@ class MainPanelTest {
 
     @ParameterizedTest
     @EnumSource(Language.class)
+    void withLargeTextTheTabsOfTheControlPanelAreInOneRowIn1024Pixels(Language language) {
+        try {
+            build(TextSize.LARGEST, language);
+            JTabbedPane tabs = callOnEdt(() -> {
+                setSizeAndLayOut(1022, 640);
+                return ComponentFinder.findAll(mainPanel.controlPanel(), JTabbedPane.class)
+                        .findFirst()
+                        .orElseThrow();
+            });
+            assertEquals(4, callOnEdt(tabs::getTabCount));
+            assertEquals(1, callOnEdt(tabs::getTabRunCount));
+        } finally {
+            build(TextSize.NORMAL, Language.ENGLISH);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Language.class)
     void theSpeedStaysBesideItsNameAndItsValueInABarOfSeveralRows(Language language) {
         try {
             build(TextSize.LARGEST, language);
