@@ -6,6 +6,8 @@ import faultline.control.ControllerSpec;
 import faultline.engine.ControllerProviders;
 import faultline.engine.SimulationSetup;
 import faultline.io.DidYouMean;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -66,12 +68,33 @@ public final class ControllerChoice {
         if (provider.isEmpty()) {
             return setup.withController(new ControllerSpec.Chosen(original, commands));
         }
-        Map<String, String> settings = original instanceof ControllerSpec.Provided given
-                        && given.name().equals(choice)
+        return setup.withController(new ControllerSpec.Chosen(
+                original, new JavaControllerSource(provider.get(), settings(choice, original))));
+    }
+
+    /**
+     * {@return a setup with a chosen controller, for which some jars are searched too} A run loads its controller from
+     * the jars as they are when it starts, and closes them at its end.
+     *
+     * @param choice a name or a command
+     * @param jars the jar files
+     * @param setup the setup with another controller
+     * @param commands the function that makes the source for a command
+     */
+    public static SimulationSetup apply(
+            String choice, List<Path> jars, SimulationSetup setup, ControllerSource commands) {
+        ControllerSpec original = setup.controller();
+        return !jars.isEmpty()
+                        && withJars(jars, () -> ControllerProviders.find(choice).isPresent())
+                ? setup.withController(new ControllerSpec.Chosen(
+                        original, new JarControllerSource(choice, jars, settings(choice, original))))
+                : apply(choice, setup, commands);
+    }
+
+    private static Map<String, String> settings(String choice, ControllerSpec original) {
+        return original instanceof ControllerSpec.Provided given && given.name().equals(choice)
                 ? given.settings()
                 : Map.of();
-        return setup.withController(
-                new ControllerSpec.Chosen(original, new JavaControllerSource(provider.get(), settings)));
     }
 
     /**
@@ -122,7 +145,7 @@ public final class ControllerChoice {
         Thread.currentThread().setContextClassLoader(loader(List.of(jar)));
     }
 
-    private static ClassLoader loader(List<Path> jars) {
+    static URLClassLoader loader(List<Path> jars) {
         URL[] files = jars.stream().map(ControllerChoice::url).toArray(URL[]::new);
         return new URLClassLoader(files, ControllerChoice.class.getClassLoader());
     }
@@ -136,16 +159,26 @@ public final class ControllerChoice {
     }
 
     /**
-     * {@return the result of an action that is called with the current controllers of some jars available}
+     * {@return the result of an action that is called with the current controllers of some jars available} The jars are
+     * closed after it, so the action must not return one of these controllers.
      *
      * @param <T> the type of the result
      * @param jars the jar files
      * @param action the action, which is called on the calling thread
      */
     public static <T> T withJars(List<Path> jars, Supplier<T> action) {
+        try (URLClassLoader loader = loader(jars)) {
+            return withLoader(loader, action);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Calls an action with a class loader that finds controllers. */
+    static <T> T withLoader(ClassLoader loader, Supplier<T> action) {
         Thread thread = Thread.currentThread();
         ClassLoader before = thread.getContextClassLoader();
-        thread.setContextClassLoader(loader(jars));
+        thread.setContextClassLoader(loader);
         try {
             return action.get();
         } finally {

@@ -38,8 +38,7 @@ public record ControllerSelection(String text, List<Path> jars) {
         }
         ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 ProgramVersion.text(), scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
-        return ControllerChoice.withJars(
-                jars, () -> ControllerChoice.apply(text, setup, new ProcessControllerSource(text, settings)));
+        return ControllerChoice.apply(text, jars, setup, new ProcessControllerSource(text, settings));
     }
 
     /** Returns the files of the controller that the selection names. */
