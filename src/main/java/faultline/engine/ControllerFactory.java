@@ -79,7 +79,7 @@ public final class ControllerFactory {
     }
 
     private static Decision failNotChosen() {
-        throw new RunFailedException("the scenario is driven by a controller from outside, and none was chosen", null);
+        throw new RunFailedException(RunProblem.NOT_CHOSEN.with(), null);
     }
 
     /**

@@ -75,7 +75,7 @@ public final class ControllerProviders {
      */
     static Controller create(String name, Map<String, String> settings) {
         return create(
-                find(name).orElseThrow(() -> new RunFailedException("there is no controller \"" + name + "\"", null)),
+                find(name).orElseThrow(() -> new RunFailedException(RunProblem.NO_CONTROLLER.with(name), null)),
                 settings);
     }
 
@@ -92,7 +92,7 @@ public final class ControllerProviders {
             Controller controller = Objects.requireNonNull(provider.create(settings), "create returned null");
             return new StateTracker(controller, MessageText.name(provider.name()));
         } catch (RuntimeException | Error e) {
-            throw new RunFailedException("the controller \"" + provider.name() + "\" cannot be created: " + e, e);
+            throw new RunFailedException(RunProblem.NOT_CREATED.with(provider.name(), e.toString()), e);
         } finally {
             if (!interrupted) {
                 // If the provider has interrupted the thread, the caller must not take that for a cancellation.
@@ -109,7 +109,7 @@ public final class ControllerProviders {
             providers.forEach(ControllerProviders::requireName);
             return providers;
         } catch (ServiceConfigurationError | LinkageError e) {
-            throw new RunFailedException("a controller in Java cannot be loaded: " + e.getMessage(), e);
+            throw new RunFailedException(RunProblem.NOT_LOADED.with(String.valueOf(e.getMessage())), e);
         }
     }
 
@@ -127,6 +127,6 @@ public final class ControllerProviders {
 
     private static RunFailedException nameless(ControllerProvider provider, String problem, Throwable cause) {
         return new RunFailedException(
-                "the controller in Java " + provider.getClass().getName() + " has no name: " + problem, cause);
+                RunProblem.NAMELESS.with(provider.getClass().getName(), problem), cause);
     }
 }

@@ -1,6 +1,7 @@
 package faultline.engine;
 
 import faultline.control.RecordEndedException;
+import faultline.io.Message;
 
 /**
  * Thrown if a run cannot continue: its controller threw an exception or does not answer. The message is one sentence
@@ -10,6 +11,8 @@ public class RunFailedException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
 
+    private final transient Message reason;
+
     /**
      * Creates an exception.
      *
@@ -17,7 +20,23 @@ public class RunFailedException extends RuntimeException {
      * @param cause the cause, or null
      */
     public RunFailedException(String message, Throwable cause) {
-        super(message, cause);
+        this(RunProblem.OTHER.with(message), cause);
+    }
+
+    /**
+     * Creates an exception whose message can be translated.
+     *
+     * @param reason one sentence for the user
+     * @param cause the cause, or null
+     */
+    public RunFailedException(Message reason, Throwable cause) {
+        super(reason.toString(), cause);
+        this.reason = reason;
+    }
+
+    /** {@return one sentence for the user} */
+    public final Message reason() {
+        return reason;
     }
 
     /** Returns the exception for a run whose controller threw another one at a tick. */
@@ -27,8 +46,8 @@ public class RunFailedException extends RuntimeException {
         }
         return new RunFailedException(
                 cause instanceof RecordEndedException
-                        ? cause.getMessage()
-                        : "the controller broke at tick " + tick + ": " + cause,
+                        ? RunProblem.OTHER.with(cause.getMessage())
+                        : RunProblem.CONTROLLER_BROKE.with(tick, cause.toString()),
                 cause);
     }
 }

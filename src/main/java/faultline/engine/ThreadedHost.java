@@ -64,14 +64,10 @@ final class ThreadedHost implements ControllerHost {
             throw RunFailedException.ofController(tick, broken.getCause());
         } catch (TimeoutException silent) {
             throw new RunFailedException(
-                    "the controller has not answered for " + timeout + " s at tick " + tick
-                            + (endThread()
-                                    ? ""
-                                    : "; it ignores interruption, so its thread goes on until the program ends"),
-                    silent);
+                    (endThread() ? RunProblem.NO_ANSWER : RunProblem.NO_END).with(timeout, tick), silent);
         } catch (InterruptedException ended) {
             Thread.currentThread().interrupt();
-            throw new RunFailedException("the run was interrupted at tick " + tick, ended);
+            throw new RunFailedException(RunProblem.INTERRUPTED.with(tick), ended);
         }
     }
 

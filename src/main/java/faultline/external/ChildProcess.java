@@ -173,16 +173,23 @@ final class ChildProcess implements AutoCloseable {
 
     private ProtocolException endOfInput() {
         if (endedByGuard) {
-            return new ProtocolException("does not read its standard input", "");
+            return new ProtocolException(ControllerProblem.NOT_READING);
         }
-        return endOrClosed("standard input", "");
+        return hasEnded() ? endOfChild("") : new ProtocolException(ControllerProblem.CLOSED_INPUT);
+    }
+
+    private ProtocolException endOfOutput() {
+        Object place = output.hasPart() ? ControllerProblem.IN_LINE.with() : "";
+        return hasEnded() ? endOfChild(place) : new ProtocolException(ControllerProblem.CLOSED_OUTPUT, place);
     }
 
     /** The streams of a child are closed shortly before it ends. */
-    private ProtocolException endOrClosed(String stream, String details) {
-        return waitFor(1)
-                ? new ProtocolException("ended with exit code " + process.exitValue(), details)
-                : new ProtocolException("closed its " + stream, details);
+    private boolean hasEnded() {
+        return waitFor(1);
+    }
+
+    private ProtocolException endOfChild(Object place) {
+        return new ProtocolException(ControllerProblem.ENDED, process.exitValue(), place);
     }
 
     /**
@@ -213,11 +220,11 @@ final class ChildProcess implements AutoCloseable {
             return;
         }
         if (output.hasEnded() || !process.isAlive() && !output.isLeft()) {
-            throw endOrClosed("standard output", output.hasPart() ? " in the middle of a line" : "");
+            throw endOfOutput();
         }
         if (timeout.isExhausted()) {
             throw new ProtocolException(
-                    "has not answered for " + seconds + " s", output.hasPart() ? "; its last line has no end" : "");
+                    ControllerProblem.SILENT, seconds, output.hasPart() ? ControllerProblem.OPEN_LINE.with() : "");
         }
         if (waited > SILENCE) {
             output.lookForEnd();

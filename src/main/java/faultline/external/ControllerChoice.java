@@ -5,7 +5,7 @@ import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerProviders;
 import faultline.engine.SimulationSetup;
-import faultline.io.DidYouMean;
+import faultline.scenario.xml.Allowed;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.MalformedURLException;
@@ -129,11 +129,11 @@ public final class ControllerChoice {
      * Returns a hint for a command of one word that is not the name of a program, such as a misspelt name; empty for a
      * path.
      */
-    static String hint(String command) {
+    static Object hint(String command) {
         List<String> names = names();
         return command.contains(" ") || command.contains("/") || command.contains("\\")
                 ? ""
-                : "; controllers in Java are " + String.join(", ", names) + DidYouMean.hint(command, names);
+                : Allowed.withHint(ControllerProblem.NAMES.with(String.join(", ", names)), command, names);
     }
 
     /**

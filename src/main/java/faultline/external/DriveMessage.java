@@ -24,10 +24,7 @@ record DriveMessage(double leftVolts, double rightVolts, String state, String wh
         boolean volts = message.has("left_v") || message.has("right_v");
         boolean velocities = message.has("v_m_s") || message.has("omega_rad_s");
         if (volts == velocities) {
-            throw new ProtocolException(
-                    "wrote a drive message",
-                    " with " + (volts ? "voltages and velocities" : "neither voltages nor velocities")
-                            + "; expected either left_v and right_v or v_m_s and omega_rad_s");
+            throw new ProtocolException(volts ? ControllerProblem.BOTH_DRIVES : ControllerProblem.NO_DRIVE);
         }
         if (volts) {
             return new DriveMessage(message.number("left_v"), message.number("right_v"), state, why);
@@ -37,7 +34,7 @@ record DriveMessage(double leftVolts, double rightVolts, String state, String wh
         double left = robot.motor().voltageFor(v - half);
         double right = robot.motor().voltageFor(v + half);
         if (!Double.isFinite(left) || !Double.isFinite(right)) {
-            throw new ProtocolException("wrote a drive message", " whose velocities are too large for any voltage");
+            throw new ProtocolException(ControllerProblem.TOO_FAST);
         }
         return new DriveMessage(left, right, state, why);
     }

@@ -7,6 +7,8 @@ import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.io.JsonWriter;
+import faultline.io.Message;
+import faultline.io.MessageException;
 import faultline.io.MessageText;
 import faultline.io.XmlText;
 import faultline.robot.RobotSpec;
@@ -49,7 +51,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     /** A line of a traceback that only marks a part of the line above it. */
     private static final Pattern MARKS = Pattern.compile("[ ~^]*");
 
-    private final String who;
+    private final Message who;
     private final ChildProcess child;
     private final Timeouts timeouts;
     private final boolean givesTruth;
@@ -70,7 +72,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
      */
     public ExternalController(
             String command, RunDescription run, Timeouts timeouts, boolean givesTruth, Consumer<String> errors) {
-        this.who = "the controller \"" + command + "\"";
+        this.who = ControllerProblem.CONTROLLER.with(command);
         this.timeouts = timeouts;
         this.givesTruth = givesTruth;
         this.knownRobot = run.robot();
@@ -79,19 +81,24 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         this.telemetry = new DriveTelemetry(name.isEmpty() ? NAMELESS_STATE : name);
     }
 
-    private static ChildProcess start(String command, double writeSeconds, Consumer<String> errors) {
+    private ChildProcess start(String command, double writeSeconds, Consumer<String> errors) {
         try {
             List<String> words = ShellWords.split(command);
             if (words.isEmpty()) {
-                throw new IOException("the command is empty");
+                throw new MessageException("", ControllerProblem.EMPTY_COMMAND.with(), null);
             }
             return startChild(words, writeSeconds, errors);
         } catch (IOException | IllegalArgumentException e) {
             throw new ControllerStartException(
-                    "the controller \"" + command + "\" cannot be started: " + e.getMessage()
-                            + ControllerChoice.hint(command),
-                    e);
+                    ControllerProblem.NOT_STARTED.with(who, reason(e), ControllerChoice.hint(command)), e);
         }
+    }
+
+    private static Object reason(Exception failure) {
+        if (failure instanceof IllegalArgumentException) {
+            return ControllerProblem.OPEN_QUOTE.with();
+        }
+        return failure instanceof MessageException known ? known.reason() : String.valueOf(failure.getMessage());
     }
 
     private static ChildProcess startChild(List<String> words, double writeSeconds, Consumer<String> errors)
@@ -99,7 +106,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         try {
             return new ChildProcess(words, writeSeconds, errors);
         } catch (IOException e) {
-            throw new IOException(StartFailure.describe(words.get(0), e.getMessage()), e);
+            throw new MessageException("", StartFailure.describe(words.get(0), e.getMessage()), e);
         }
     }
 
@@ -110,11 +117,11 @@ public final class ExternalController implements Controller, TickObserver, AutoC
             MessageReader ready = receive("ready", timeouts.ready());
             if (ready.whole("protocol") != ProtocolMessages.PROTOCOL) {
                 throw new ProtocolException(
-                        "speaks protocol " + ready.whole("protocol"), "; expected " + ProtocolMessages.PROTOCOL);
+                        ControllerProblem.PROTOCOL, ready.whole("protocol"), ProtocolMessages.PROTOCOL);
             }
             return XmlText.oneLine(MessageText.name(ready.string("name", "")));
         } catch (ProtocolException | IOException e) {
-            throw failure(e, "before the first tick");
+            throw failure(e, ControllerProblem.BEFORE_START.with());
         }
     }
 
@@ -122,8 +129,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         MessageReader message = MessageReader.of(child.receive(seconds));
         String given = message.string("type");
         if (!given.equals(type)) {
-            throw new ProtocolException(
-                    "wrote a message", " of type " + MessageText.quoted(given) + "; expected \"" + type + "\"");
+            throw new ProtocolException(ControllerProblem.TYPE, MessageText.quoted(given), type);
         }
         return message;
     }
@@ -140,12 +146,11 @@ public final class ExternalController implements Controller, TickObserver, AutoC
             child.send(json.finish());
             MessageReader drive = receive("drive", timeouts.answer());
             if (drive.whole("tick") != observation.tick()) {
-                throw new ProtocolException(
-                        "answered tick " + drive.whole("tick"), "; expected the tick of the observation");
+                throw new ProtocolException(ControllerProblem.TICK, drive.whole("tick"));
             }
             return telemetry.decide(DriveMessage.read(drive, observation.robot()), observation.tick());
         } catch (ProtocolException | IOException e) {
-            throw failure(e, "at tick " + observation.tick());
+            throw failure(e, ControllerProblem.AT_TICK.with(observation.tick()));
         }
     }
 
@@ -160,26 +165,29 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         simulation = observed;
     }
 
-    private RunFailedException failure(Exception cause, String when) {
+    private RunFailedException failure(Exception cause, Message when) {
         child.close();
-        String sentence = cause instanceof ProtocolException broken
+        Message sentence = cause instanceof ProtocolException broken
                 ? broken.sentence(who, when)
-                : who + " cannot be read " + when + ": " + cause.getMessage();
-        return new RunFailedException(sentence + standardError(child.lastErrorLines()), cause);
+                : ControllerProblem.UNREADABLE.with(who, when, String.valueOf(cause.getMessage()));
+        return new RunFailedException(withStandardError(sentence, child.lastErrorLines()), cause);
     }
 
     /**
-     * Returns what a child wrote, the last line first: a traceback ends with the reason, and a message may be cut off.
+     * Adds what a child wrote to a sentence, the last line first: a traceback ends with the reason, and a message may
+     * be cut off.
      */
-    private static String standardError(List<String> lines) {
+    private static Message withStandardError(Message sentence, List<String> lines) {
         List<String> words =
                 lines.stream().filter(line -> !MARKS.matcher(line).matches()).toList();
         if (words.isEmpty()) {
-            return "";
+            return sentence;
         }
         int last = words.size() - 1;
-        return "; its last line on standard error: " + words.get(last)
-                + (last == 0 ? "" : "; the lines before: " + String.join(" | ", words.subList(0, last)));
+        return last == 0
+                ? ControllerProblem.LAST_LINE.with(sentence, words.get(last))
+                : ControllerProblem.LAST_LINES.with(
+                        sentence, words.get(last), String.join(" | ", words.subList(0, last)));
     }
 
     /**

@@ -7,6 +7,7 @@ import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.engine.ControllerProviders;
 import faultline.engine.RunFailedException;
+import faultline.engine.RunProblem;
 import java.io.IOException;
 import java.net.URLClassLoader;
 import java.nio.file.Path;
@@ -41,7 +42,7 @@ record JarControllerSource(String name, List<Path> jars, Map<String, String> set
     private Controller create() {
         return ControllerProviders.create(
                 ControllerProviders.find(name)
-                        .orElseThrow(() -> new RunFailedException("there is no controller \"" + name + "\"", null)),
+                        .orElseThrow(() -> new RunFailedException(RunProblem.NO_CONTROLLER.with(name), null)),
                 settings);
     }
 

@@ -53,8 +53,7 @@ final class LineBuffer {
             searched++;
         }
         if (searched - begin > MAX_LINE_BYTES) {
-            throw new ProtocolException(
-                    "wrote a line of more than " + MAX_LINE_BYTES + " bytes", "; expected shorter ones");
+            throw new ProtocolException(ControllerProblem.LONG_LINE, MAX_LINE_BYTES);
         }
         if (searched == end) {
             return null;
@@ -79,7 +78,7 @@ final class LineBuffer {
         if (line.indexOf('\uFFFD') >= 0
                 && !Arrays.equals(
                         line.getBytes(StandardCharsets.UTF_8), Arrays.copyOfRange(bytes, from, from + length))) {
-            throw new ProtocolException("wrote a line", " that is not UTF-8: " + MessageText.quoted(line));
+            throw new ProtocolException(ControllerProblem.NOT_UTF8, MessageText.quoted(line));
         }
         return line;
     }

@@ -3,7 +3,9 @@ package faultline.external;
 import faultline.io.DecimalText;
 import faultline.io.JsonException;
 import faultline.io.JsonParser;
+import faultline.io.Message;
 import faultline.io.MessageText;
+import faultline.scenario.xml.Allowed;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -14,8 +16,7 @@ final class MessageReader {
     /** From here on a double cannot hold every whole number. */
     private static final double FIRST_ROUNDED = 1L << 53;
 
-    private static final String WHOLE_NUMBERS =
-            "a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE + ", without an exponent";
+    private static final Message WHOLE_NUMBERS = ControllerProblem.WHOLE_FROM.with(Long.MIN_VALUE, Long.MAX_VALUE);
 
     private final Map<?, ?> members;
 
@@ -34,13 +35,10 @@ final class MessageReader {
         try {
             value = JsonParser.parse(line);
         } catch (JsonException e) {
-            throw new ProtocolException(
-                    "wrote no JSON",
-                    ": " + MessageText.quoted(line) + " (" + e.getMessage()
-                            + "); write messages for people to standard error");
+            throw new ProtocolException(ControllerProblem.NO_JSON, MessageText.quoted(line), e.getMessage());
         }
         if (!(value instanceof Map<?, ?> map)) {
-            throw new ProtocolException("wrote no JSON object", ": " + MessageText.quoted(line));
+            throw new ProtocolException(ControllerProblem.NO_OBJECT, MessageText.quoted(line));
         }
         return new MessageReader(map);
     }
@@ -56,7 +54,7 @@ final class MessageReader {
         if (members.get(name) instanceof String string) {
             return string;
         }
-        throw wrong(name, "a string");
+        throw wrong(name, ControllerProblem.STRING.with());
     }
 
     /** Returns a string member, or another string if there is none. */
@@ -69,7 +67,7 @@ final class MessageReader {
         if (members.get(name) instanceof Number number && Double.isFinite(number.doubleValue())) {
             return number.doubleValue();
         }
-        throw wrong(name, "a finite number");
+        throw wrong(name, ControllerProblem.NUMBER.with());
     }
 
     /** Returns a whole number, exactly as it was written. */
@@ -84,7 +82,7 @@ final class MessageReader {
         }
         boolean tooLarge =
                 members.get(name) instanceof Number number && number.doubleValue() == Math.rint(number.doubleValue());
-        throw wrong(name, tooLarge ? WHOLE_NUMBERS : "a whole number");
+        throw wrong(name, tooLarge ? WHOLE_NUMBERS : ControllerProblem.WHOLE.with());
     }
 
     /** Returns a truth value, or another if there is none. */
@@ -95,7 +93,7 @@ final class MessageReader {
         if (members.get(name) instanceof Boolean flag) {
             return flag;
         }
-        throw wrong(name, "true or false");
+        throw wrong(name, Allowed.FLAG.with());
     }
 
     /** Returns an object member. */
@@ -103,18 +101,18 @@ final class MessageReader {
         if (members.get(name) instanceof Map<?, ?> map) {
             return new MessageReader(map);
         }
-        throw wrong(name, "an object");
+        throw wrong(name, ControllerProblem.OBJECT.with());
     }
 
     /** Returns an array of objects. */
     List<MessageReader> objects(String name) throws ProtocolException {
         if (!(members.get(name) instanceof List<?> list)) {
-            throw wrong(name, "an array of objects");
+            throw wrong(name, ControllerProblem.OBJECTS.with());
         }
         List<MessageReader> objects = new ArrayList<>();
         for (Object value : list) {
             if (!(value instanceof Map<?, ?> map)) {
-                throw wrong(name, "an array of objects");
+                throw wrong(name, ControllerProblem.OBJECTS.with());
             }
             objects.add(new MessageReader(map));
         }
@@ -124,14 +122,14 @@ final class MessageReader {
     /** Returns an array of finite numbers in which {@code null} represents a given value. */
     double[] numbers(String name, double nullValue) throws ProtocolException {
         if (!(members.get(name) instanceof List<?> list)) {
-            throw wrong(name, "an array of finite numbers");
+            throw wrong(name, ControllerProblem.NUMBERS.with());
         }
         double[] numbers = new double[list.size()];
         for (int i = 0; i < numbers.length; i++) {
             Object value = list.get(i);
             numbers[i] = value instanceof Number number ? number.doubleValue() : nullValue;
             if (value != JsonParser.NULL && !(value instanceof Number && Double.isFinite(numbers[i]))) {
-                throw wrong(name, "an array of finite numbers");
+                throw wrong(name, ControllerProblem.NUMBERS.with());
             }
         }
         return numbers;
@@ -140,7 +138,7 @@ final class MessageReader {
     /** Returns an array of truth values. */
     boolean[] flags(String name) throws ProtocolException {
         if (!(members.get(name) instanceof List<?> list) || !list.stream().allMatch(Boolean.class::isInstance)) {
-            throw wrong(name, "an array of true and false");
+            throw wrong(name, ControllerProblem.FLAGS.with());
         }
         boolean[] flags = new boolean[list.size()];
         for (int i = 0; i < flags.length; i++) {
@@ -153,11 +151,16 @@ final class MessageReader {
         return value instanceof Double number ? DecimalText.format(number) : String.valueOf(value);
     }
 
-    private ProtocolException wrong(String name, String allowed) {
+    private ProtocolException wrong(String name, Message allowed) {
+        return new ProtocolException(ControllerProblem.MEMBER, MessageText.quoted(name), given(name), allowed);
+    }
+
+    private Object given(String name) {
         Object value = members.get(name);
-        String type = value instanceof String ? "the string " : "";
-        String given = value == null ? "missing" : type + MessageText.quoted(textOf(value));
-        return new ProtocolException(
-                "wrote a message", " whose " + MessageText.quoted(name) + " is " + given + "; expected " + allowed);
+        if (value == null) {
+            return ControllerProblem.MISSING.with();
+        }
+        String text = MessageText.quoted(textOf(value));
+        return value instanceof String ? ControllerProblem.GIVEN_STRING.with(text) : text;
     }
 }

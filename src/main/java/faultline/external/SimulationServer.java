@@ -8,6 +8,7 @@ import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.io.JsonWriter;
+import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 import java.io.IOException;
@@ -125,7 +126,8 @@ public final class SimulationServer {
                 }
             }
         } catch (ProtocolException e) {
-            throw new RunFailedException(e.sentence("the client", "at tick " + episode.simulation.ticks()), e);
+            Message when = ControllerProblem.AT_TICK.with(episode.simulation.ticks());
+            throw new RunFailedException(e.sentence("the client", when), e);
         } finally {
             episode.close();
         }

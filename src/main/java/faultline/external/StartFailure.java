@@ -1,5 +1,7 @@
 package faultline.external;
 
+import faultline.engine.RunProblem;
+import faultline.io.Message;
 import faultline.io.ShellText;
 import java.io.File;
 import java.util.regex.Matcher;
@@ -28,33 +30,33 @@ final class StartFailure {
      * @param program the program, as it was given
      * @param message the message of the JDK
      */
-    static String describe(String program, String message) {
+    static Message describe(String program, String message) {
         Matcher error = ERROR.matcher(message);
         if (!error.find()) {
-            return message;
+            return RunProblem.OTHER.with(message);
         }
         return switch (error.group(1)) {
-            case MISSING -> missing(program) + pythonHint(program);
-            case NOT_PERMITTED -> "the file is not executable" + pythonHint(program);
-            case NO_PROGRAM -> "the file is not a program" + pythonHint(program);
-            default -> error.group(2);
+            case MISSING -> withPythonHint(missing(program), program);
+            case NOT_PERMITTED -> withPythonHint(ControllerProblem.NOT_EXECUTABLE, program);
+            case NO_PROGRAM -> withPythonHint(ControllerProblem.NOT_A_PROGRAM, program);
+            default -> RunProblem.OTHER.with(error.group(2));
         };
     }
 
     /** A name without a folder is searched for in the folders of programs, which do not include the current one. */
-    private static String missing(String program) {
+    private static ControllerProblem missing(String program) {
         return new File(program).getParent() != null && new File(program).exists()
-                ? "the interpreter that its first line names does not exist"
-                : "there is no such program";
+                ? ControllerProblem.NO_INTERPRETER
+                : ControllerProblem.NO_PROGRAM;
     }
 
-    private static String pythonHint(String program) {
+    private static Message withPythonHint(ControllerProblem reason, String program) {
         String python = PythonCommand.text();
         if (PYTHON.matcher(program).matches() && !program.equals(python)) {
-            return "; Python is usually started by \"" + python + "\"";
+            return ControllerProblem.USUAL_PYTHON.with(reason.with(), python);
         }
         return program.endsWith(".py") && new File(program).exists()
-                ? "; a program in Python is started by \"" + python + " " + ShellText.quoted(program) + "\""
-                : "";
+                ? ControllerProblem.PYTHON_SCRIPT.with(reason.with(), python, ShellText.quoted(program))
+                : reason.with();
     }
 }

@@ -11,6 +11,7 @@ import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
+import faultline.gui.text.Translations;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -120,6 +121,7 @@ class ExternalControllerTest {
         String command = shell(script.replace("echo R;", "echo '" + READY + "';"));
         RunFailedException e = assertThrows(RunFailedException.class, () -> run(command, office(), PATIENCE));
         assertEquals("the controller \"" + command + "\" " + sentence, e.getMessage());
+        Translations.assertTranslated(e.reason());
         assertEquals(List.of(), childrenStillRunning());
     }
 

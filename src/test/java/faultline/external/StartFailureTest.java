@@ -14,6 +14,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Reasons why a program cannot be started, in the words of several versions of the JDK. */
 class StartFailureTest {
 
+    private static String describe(String program, String message) {
+        return StartFailure.describe(program, message).toString();
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -27,7 +31,7 @@ class StartFailureTest {
                 "the command is too odd | the command is too odd"
             })
     void theReasonIsInPlainWords(String message, String reason) {
-        assertEquals(reason, StartFailure.describe("x", message));
+        assertEquals(reason, describe("x", message));
     }
 
     @Test
@@ -35,7 +39,7 @@ class StartFailureTest {
         Path script = Files.writeString(folder.resolve("follower"), "#!/no/such/python");
         assertEquals(
                 "the interpreter that its first line names does not exist",
-                StartFailure.describe(script.toString(), "Cannot run program: error=2, No such file or directory"));
+                describe(script.toString(), "Cannot run program: error=2, No such file or directory"));
     }
 
     @Test
@@ -44,7 +48,7 @@ class StartFailureTest {
         assertEquals(
                 "the file is not executable; a program in Python is started by \"" + PythonCommand.text() + " "
                         + ShellText.quoted(script.toString()) + "\"",
-                StartFailure.describe(script.toString(), "Cannot run program: error=13, Permission denied"));
+                describe(script.toString(), "Cannot run program: error=13, Permission denied"));
     }
 
     @Test
@@ -53,9 +57,9 @@ class StartFailureTest {
         String python = PythonCommand.text();
         assertEquals(
                 "there is no such program; Python is usually started by \"" + python + "\"",
-                StartFailure.describe("python", missing));
-        assertEquals("there is no such program", StartFailure.describe(python, missing));
-        assertEquals("there is no such program", StartFailure.describe("pythonic", missing));
+                describe("python", missing));
+        assertEquals("there is no such program", describe(python, missing));
+        assertEquals("there is no such program", describe("pythonic", missing));
     }
 
     @Test
@@ -68,6 +72,6 @@ class StartFailureTest {
     void aFileInTheCurrentFolderIsNoProgramByItsNameAlone() {
         assertEquals(
                 "there is no such program",
-                StartFailure.describe("pom.xml", "Cannot run program: error=2, No such file or directory"));
+                describe("pom.xml", "Cannot run program: error=2, No such file or directory"));
     }
 }

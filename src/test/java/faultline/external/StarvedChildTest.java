@@ -74,12 +74,14 @@ class StarvedChildTest {
     @Test
     void aChildThatSleepsIsSilent() {
         ProtocolException e = assertThrows(ProtocolException.class, () -> answer("sleep 100"));
-        assertEquals("X has not answered for 0.5 s then", e.sentence("X", "then"));
+        assertEquals(
+                "X has not answered for 0.5 s then", e.sentence("X", " then").toString());
     }
 
     @Test
     void aChildThatComputesWithoutEndIsSilent() {
         ProtocolException e = assertThrows(ProtocolException.class, () -> answer("while :; do :; done"));
-        assertEquals("X has not answered for 0.5 s then", e.sentence("X", "then"));
+        assertEquals(
+                "X has not answered for 0.5 s then", e.sentence("X", " then").toString());
     }
 }

@@ -3,10 +3,12 @@ package faultline.engine.session;
 import faultline.engine.ControllerMode;
 import faultline.engine.Journal;
 import faultline.engine.RunFailedException;
+import faultline.engine.RunProblem;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.RunMeter;
 import faultline.engine.recording.Recorder;
+import faultline.io.Message;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
@@ -52,7 +54,7 @@ public final class Session implements SessionView, AutoCloseable {
     private final Queue<Runnable> answers = new ArrayDeque<>();
     private int refusals;
     private Refusal lastRefusal;
-    private String failure;
+    private Message failure;
 
     private Session(Journal journal) {
         recorder = new Recorder(journal.setup());
@@ -350,9 +352,9 @@ public final class Session implements SessionView, AutoCloseable {
 
     private void fail(Throwable cause) {
         running = false;
-        failure = cause instanceof RunFailedException
-                ? cause.getMessage()
-                : "the run broke at tick " + simulation.ticks() + ": " + cause;
+        failure = cause instanceof RunFailedException failed
+                ? failed.reason()
+                : RunProblem.RUN_BROKE.with(simulation.ticks(), cause.toString());
     }
 
     private void publish() {

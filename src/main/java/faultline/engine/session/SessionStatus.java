@@ -1,5 +1,6 @@
 package faultline.engine.session;
 
+import faultline.io.Message;
 import faultline.world.Refusal;
 import java.util.Optional;
 
@@ -19,7 +20,7 @@ public record SessionStatus(
         double achievedSpeed,
         int refusals,
         Refusal lastRefusalOrNull,
-        String failureOrNull) {
+        Message failureOrNull) {
 
     /** {@return the last refusal, if there was one} */
     public Optional<Refusal> lastRefusal() {
@@ -27,7 +28,7 @@ public record SessionStatus(
     }
 
     /** {@return why the run failed, if it did} */
-    public Optional<String> failure() {
+    public Optional<Message> failure() {
         return Optional.ofNullable(failureOrNull);
     }
 }

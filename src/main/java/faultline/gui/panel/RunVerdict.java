@@ -39,7 +39,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
                     Messages.get(
                             "verdict.broken",
                             NumberText.format("%.3f", frame.snapshot().time())),
-                    capitalised(status.failure().get()),
+                    capitalised(Messages.get(status.failure().get())),
                     frame.snapshot().tick()));
         }
         List<Expectation.Condition> required = scenario.expectation().conditions();

@@ -1,5 +1,6 @@
 package faultline.gui.text;
 
+import faultline.engine.RunFailedException;
 import faultline.io.Message;
 import faultline.io.MessageException;
 import faultline.scenario.xml.ProblemKind;
@@ -25,6 +26,9 @@ public final class ErrorMessages {
         }
         if (exception instanceof ScenarioException bad) {
             return Messages.get(bad.problems().get(0).message());
+        }
+        if (exception instanceof RunFailedException failed) {
+            return Messages.get(failed.reason());
         }
         if (exception instanceof MessageException file) {
             return (file.subject().isEmpty() ? "" : file.subject() + ": ") + Messages.get(innerReason(file.reason()));

@@ -121,7 +121,7 @@ final class StatusBar extends JPanel {
 
     /** Shows why the run failed for as long as it is so, or temporarily why a command was refused. */
     private void showNote(SessionStatus status) {
-        String failure = status.failure().orElse("");
+        String failure = status.failure().map(reason -> Messages.get(reason)).orElse("");
         if (!failure.isEmpty()) {
             showNote(failure);
         } else if (!shownFailure.isEmpty()) {

@@ -78,7 +78,7 @@ class SessionTest {
         }
         assertEquals(
                 "the run broke at tick 0: java.lang.StackOverflowError: deep",
-                session.status().failure().orElseThrow());
+                session.status().failure().orElseThrow().toString());
         CompletableFuture<Journal> journal = session.journal();
         assertThrows(ExecutionException.class, () -> journal.get(5, TimeUnit.SECONDS));
     }

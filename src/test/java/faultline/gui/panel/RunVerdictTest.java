@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Journal;
+import faultline.engine.RunProblem;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.engine.recording.Recording;
@@ -85,7 +86,8 @@ class RunVerdictTest {
     @Test
     void aFailureIsQuotedAsASentence() throws ScenarioException {
         Scenario office = Scenario.loadShipped("office.xml");
-        SessionStatus failed = new SessionStatus(false, 1, 0, 0, null, "tick 7: the controller threw");
+        SessionStatus failed =
+                new SessionStatus(false, 1, 0, 0, null, RunProblem.OTHER.with("tick 7: the controller threw"));
         SessionFrame frame = new SessionFrame(frameAt(office.setup(), 7).frame(), Recording.EMPTY);
         RunVerdict verdict = RunVerdict.of(frame, failed, office).orElseThrow();
         assertEquals("Tick 7: the controller threw", verdict.detail());

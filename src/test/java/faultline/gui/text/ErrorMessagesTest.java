@@ -2,7 +2,10 @@ package faultline.gui.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.engine.RunFailedException;
+import faultline.external.ControllerProblem;
 import faultline.io.AtomicFile;
+import faultline.io.Message;
 import faultline.io.MessageException;
 import faultline.io.WriteProblem;
 import faultline.scenario.Scenario;
@@ -76,6 +79,16 @@ class ErrorMessagesTest {
         assertEquals(english, ErrorMessages.describe(why));
         Messages.setLanguage(Language.POLISH);
         assertEquals(polish, ErrorMessages.describe(why));
+    }
+
+    @Test
+    void theEndOfAControllerIsInTheUsersLanguage() {
+        Message sentence = ControllerProblem.ENDED.with(
+                ControllerProblem.CONTROLLER.with("python3 my.py"), ControllerProblem.AT_TICK.with(17), 1, "");
+        RunFailedException why = new RunFailedException(sentence, null);
+        assertEquals("the controller \"python3 my.py\" ended with exit code 1 at tick 17", ErrorMessages.describe(why));
+        Messages.setLanguage(Language.POLISH);
+        assertEquals("sterownik \"python3 my.py\" zakończył się w kroku 17 z kodem 1", ErrorMessages.describe(why));
     }
 
     @Test

@@ -3,6 +3,8 @@ package faultline.gui.text;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import faultline.engine.RunProblem;
+import faultline.external.ControllerProblem;
 import faultline.floorplan.FloorPlanProblem;
 import faultline.io.Message;
 import faultline.io.WriteProblem;
@@ -29,7 +31,13 @@ class ProblemTranslationTest {
     }
 
     private static Stream<Message.Template> templates() {
-        return Stream.of(ProblemKind.values(), Allowed.values(), WriteProblem.values(), FloorPlanProblem.values())
+        return Stream.of(
+                        ProblemKind.values(),
+                        Allowed.values(),
+                        WriteProblem.values(),
+                        FloorPlanProblem.values(),
+                        RunProblem.values(),
+                        ControllerProblem.values())
                 .flatMap(Stream::of);
     }
 
@@ -43,6 +51,18 @@ class ProblemTranslationTest {
     @ParameterizedTest
     @EnumSource
     void everyProblemOfAFloorPlanIsInPolish(FloorPlanProblem problem) {
+        assertNotEquals(problem.english(), Messages.get(Language.POLISH, problem.key()));
+    }
+
+    @ParameterizedTest
+    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "OTHER")
+    void everyReasonWhyARunBreaksIsInPolish(RunProblem problem) {
+        assertNotEquals(problem.english(), Messages.get(Language.POLISH, problem.key()));
+    }
+
+    @ParameterizedTest
+    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "OTHER")
+    void everyProblemOfAControllerIsInPolish(ControllerProblem problem) {
         assertNotEquals(problem.english(), Messages.get(Language.POLISH, problem.key()));
     }
 

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
+import faultline.engine.RunProblem;
 import faultline.engine.SampleFrames;
 import faultline.engine.session.SessionStatus;
 import faultline.geometry.Degrees;
@@ -23,6 +24,9 @@ import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 
 class StatusBarTest {
+
+    private static final SessionStatus FAILED =
+            new SessionStatus(false, 1, 0, 0, null, RunProblem.OTHER.with("the controller does not answer"));
 
     private final StatusBar bar = callOnEdt(StatusBar::new);
 
@@ -115,7 +119,7 @@ class StatusBarTest {
     void theReasonOfAFailedRunStays() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         for (int i = 0; i < 400; i++) {
-            show(frame, new SessionStatus(false, 1, 0, 0, null, "the controller does not answer"));
+            show(frame, FAILED);
         }
         assertEquals("Failed", texts().get(0));
         assertTrue(texts().contains("the controller does not answer"));
@@ -124,7 +128,7 @@ class StatusBarTest {
     @Test
     void theReasonOfAFailureGoesWithTheFailedRun() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
-        show(frame, new SessionStatus(false, 1, 0, 0, null, "the controller does not answer"));
+        show(frame, FAILED);
         show(frame, new SessionStatus(false, 1, 0, 0, null, null));
         assertEquals("Paused", texts().get(0));
         assertFalse(texts().contains("the controller does not answer"));

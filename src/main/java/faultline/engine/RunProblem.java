@@ -1,0 +1,47 @@
+package faultline.engine;
+
+import faultline.io.Message;
+import faultline.io.MessageText;
+
+/** The reasons why a run cannot start or continue, with the English text of each. */
+public enum RunProblem implements Message.Template {
+    /** A reason in other words, which are not translated. */
+    OTHER("{0}"),
+    /** An internal error. */
+    RUN_BROKE("the run broke at tick {0}: {1}"),
+    /** The run was interrupted. */
+    INTERRUPTED("the run was interrupted at tick {0}"),
+    /** The controller threw an exception. */
+    CONTROLLER_BROKE("the controller broke at tick {0}: {1}"),
+    /** The controller does not answer. */
+    NO_ANSWER("the controller has not answered for {0} s at tick {1}"),
+    /** The controller does not answer, and its thread does not end. */
+    NO_END("the controller has not answered for {0} s at tick {1}; it ignores interruption, so its thread goes on until"
+            + " the program ends"),
+    /** No controller was chosen for a scenario that needs one. */
+    NOT_CHOSEN("the scenario is driven by a controller from outside, and none was chosen"),
+    /** A controller in Java does not exist. */
+    NO_CONTROLLER("there is no controller \"{0}\""),
+    /** A controller in Java cannot be created. */
+    NOT_CREATED("the controller \"{0}\" cannot be created: {1}"),
+    /** A class of a controller in Java cannot be loaded. */
+    NOT_LOADED("a controller in Java cannot be loaded: {0}"),
+    /** A controller in Java does not tell its name. */
+    NAMELESS("the controller in Java {0} has no name: {1}");
+
+    private final String english;
+
+    RunProblem(String english) {
+        this.english = english;
+    }
+
+    @Override
+    public String key() {
+        return "runProblem." + MessageText.camelCase(name());
+    }
+
+    @Override
+    public String english() {
+        return english;
+    }
+}
