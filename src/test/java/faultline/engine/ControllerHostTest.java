@@ -133,7 +133,7 @@ class ControllerHostTest {
         try {
             new CountDownLatch(1).await();
         } catch (InterruptedException ended) {
-            // Expected; the thread goes on until the host waits for it.
+            // Expected; the thread ends when the host waits for it.
         }
     }
 
