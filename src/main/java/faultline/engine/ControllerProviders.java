@@ -70,10 +70,13 @@ public final class ControllerProviders {
     }
 
     /**
-     * Makes a controller by the name of its provider. Throws a {@link RunFailedException} if there is no such provider,
-     * or it fails.
+     * {@return a new controller}
+     *
+     * @param name the name of its provider
+     * @param settings for it
+     * @throws RunFailedException if there is no such provider, or it fails
      */
-    static Controller create(String name, Map<String, String> settings) {
+    public static Controller create(String name, Map<String, String> settings) {
         return create(
                 find(name).orElseThrow(() -> new RunFailedException(RunProblem.NO_CONTROLLER.with(name), null)),
                 settings);

@@ -6,8 +6,6 @@ import faultline.control.ControllerSpec;
 import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.engine.ControllerProviders;
-import faultline.engine.RunFailedException;
-import faultline.engine.RunProblem;
 import java.io.IOException;
 import java.net.URLClassLoader;
 import java.nio.file.Path;
@@ -28,7 +26,8 @@ record JarControllerSource(String name, List<Path> jars, Map<String, String> set
     public Controller start(RunConditions run) {
         URLClassLoader loader = ControllerChoice.loader(jars);
         try {
-            return new LoadedController(ControllerChoice.withLoader(loader, this::create), loader);
+            return new LoadedController(
+                    ControllerChoice.withLoader(loader, () -> ControllerProviders.create(name, settings)), loader);
         } catch (RuntimeException | Error e) {
             try {
                 loader.close();
@@ -37,13 +36,6 @@ record JarControllerSource(String name, List<Path> jars, Map<String, String> set
             }
             throw e;
         }
-    }
-
-    private Controller create() {
-        return ControllerProviders.create(
-                ControllerProviders.find(name)
-                        .orElseThrow(() -> new RunFailedException(RunProblem.NO_CONTROLLER.with(name), null)),
-                settings);
     }
 
     @Override
