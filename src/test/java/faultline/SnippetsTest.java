@@ -137,6 +137,20 @@ class SnippetsTest {
     }
 
     @Test
+    void theSummaryThatTheReadmeQuotesIsThatOfTheProgram() throws Exception {
+        Snippet expected = snippets("text")
+                .filter(snippet -> snippet.page().endsWith("README.md"))
+                .findFirst()
+                .orElseThrow();
+        List<String> summary = run("run room.xml", Set.of(0)).lines().toList();
+        assertEquals(
+                expected.text().lines().toList(),
+                summary.stream()
+                        .filter(line -> line.matches("(rung|health)_changes: .*"))
+                        .toList());
+    }
+
+    @Test
     void everyTestAndScriptThatACommandNamesExists() throws IOException {
         SourceNames names = SourceNames.read();
         List<String> missing = new ArrayList<>();
