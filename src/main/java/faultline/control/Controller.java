@@ -5,7 +5,7 @@ package faultline.control;
 public interface Controller {
 
     /**
-     * Decides on the voltages.
+     * Decides on the voltages. An exception, or a decision that is null, ends the run with an error.
      *
      * @param observation the newest observation
      * @return the decision, which acts at the next tick

@@ -14,7 +14,8 @@ import faultline.robot.RobotSpec;
 public record Observation(long tick, double dt, RobotSpec robot, double[] readings) {
 
     /**
-     * {@return a sensor's distance, or another value if it sees nothing, does not answer or does not exist}
+     * {@return the distance that a sensor reports, metres, or another value if it sees nothing within range, does not
+     * answer or does not exist}
      *
      * @param sensor the id of the sensor
      * @param otherwise the other value

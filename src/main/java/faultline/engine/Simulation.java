@@ -61,6 +61,7 @@ public final class Simulation implements AutoCloseable {
      *
      * @param setup the setup
      * @param mode the thread of the controller
+     * @throws RunFailedException if the controller cannot be started
      */
     public Simulation(SimulationSetup setup, ControllerMode mode) {
         this(setup, mode, CommandListener.NONE);
@@ -73,6 +74,7 @@ public final class Simulation implements AutoCloseable {
      * @param setup the setup
      * @param mode the thread of the controller
      * @param listener receives the result of every command
+     * @throws RunFailedException if the controller cannot be started
      */
     public Simulation(SimulationSetup setup, ControllerMode mode, CommandListener listener) {
         this(

@@ -29,6 +29,7 @@ public record Ellipse(RigidMotion frame, double rx, double ry) implements Convex
      * @param pose the centre, and the direction of the first half axis
      * @param rx the first half axis, in metres, positive
      * @param ry the second half axis, in metres, positive
+     * @throws IllegalArgumentException if a half axis is not positive and finite
      */
     public static Ellipse at(Pose pose, double rx, double ry) {
         return new Ellipse(RigidMotion.of(pose), rx, ry);

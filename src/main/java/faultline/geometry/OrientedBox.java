@@ -32,6 +32,7 @@ public record OrientedBox(RigidMotion frame, double halfLength, double halfWidth
      * @param pose its centre and heading
      * @param length the length of the side along the heading, metres, positive
      * @param width the width of the side across the heading, metres, positive
+     * @throws IllegalArgumentException if a side is not positive and finite
      */
     public OrientedBox(Pose pose, double length, double width) {
         this(RigidMotion.of(pose), length / 2, width / 2);

@@ -36,6 +36,7 @@ public record Sector(RigidMotion frame, double cosHalf, double sinHalf, double r
      * @param bearing the direction of the axis, radians
      * @param angle the full angle, radians in (0, pi)
      * @param range the radius, metres, positive
+     * @throws IllegalArgumentException if the angle or the range is outside its limits, or a number is not finite
      */
     public static Sector of(Vector2 apex, double bearing, double angle, double range) {
         if (!(angle > 0 && angle < StrictMath.PI)) {

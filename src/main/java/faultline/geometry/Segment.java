@@ -31,6 +31,7 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
      *
      * @param a the first end, in metres
      * @param b the second end, in metres
+     * @throws IllegalArgumentException if a coordinate is not finite
      */
     public Segment(Vector2 a, Vector2 b) {
         this(a.x(), a.y(), b.x(), b.y());

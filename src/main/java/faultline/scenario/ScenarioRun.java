@@ -65,6 +65,7 @@ public final class ScenarioRun {
      * {@return the robot's pose at a time; its heading is not normalised}
      *
      * @param seconds the time, in [0, duration], rounded up to the next tick
+     * @throws IllegalArgumentException if the run does not include the time
      */
     public Pose poseAt(double seconds) {
         return tickAt(seconds).pose;
@@ -74,6 +75,7 @@ public final class ScenarioRun {
      * {@return the name of the controller's state at a time, such as FOLLOW}
      *
      * @param seconds the time, in [0, duration], rounded up to the next tick
+     * @throws IllegalArgumentException if the run does not include the time
      */
     public String stateAt(double seconds) {
         return tickAt(seconds).state;
@@ -84,6 +86,7 @@ public final class ScenarioRun {
      *
      * @param sensor the id
      * @param seconds the time, in [0, duration], rounded up to the next tick
+     * @throws IllegalArgumentException if the run does not include the time, or the robot does not have the sensor
      */
     public Reading trueReading(String sensor, double seconds) {
         return new Reading(tickAt(seconds).readings[2 * sensorIndex(sensor)]);
@@ -94,6 +97,7 @@ public final class ScenarioRun {
      *
      * @param sensor the id
      * @param seconds the time, in [0, duration], rounded up to the next tick
+     * @throws IllegalArgumentException if the run does not include the time, or the robot does not have the sensor
      */
     public Reading reading(String sensor, double seconds) {
         return new Reading(tickAt(seconds).readings[2 * sensorIndex(sensor) + 1]);
@@ -126,7 +130,7 @@ public final class ScenarioRun {
 
     private LoggedTick tickAt(double seconds) {
         long tick = scenario.setup().tickAt(seconds);
-        if (!(tick >= 0 && tick <= result.ticks())) {
+        if (Double.isNaN(seconds) || tick < 0 || tick > result.ticks()) {
             throw new IllegalArgumentException(
                     "there is no " + seconds + " s in a run of " + result.simulatedSeconds() + " s");
         }

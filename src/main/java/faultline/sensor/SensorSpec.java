@@ -70,7 +70,8 @@ public record SensorSpec(
     /**
      * {@return this sensor with another range, metres}
      *
-     * @param newRange the range, in metres
+     * @param newRange the range, in metres, from {@link SensorLimits#MIN_RANGE} to {@link SensorLimits#MAX_RANGE}
+     * @throws IllegalArgumentException if the range is outside its limits
      */
     public SensorSpec withRange(double newRange) {
         return new SensorSpec(id, mountPosition, bearing, newRange, cone, on, noise);
@@ -80,6 +81,7 @@ public record SensorSpec(
      * {@return this sensor with another field of view, radians}
      *
      * @param newCone the field of view, in radians, in (0, pi)
+     * @throws IllegalArgumentException if the field of view is outside its limits
      */
     public SensorSpec withCone(double newCone) {
         return new SensorSpec(id, mountPosition, bearing, range, newCone, on, noise);
@@ -88,7 +90,8 @@ public record SensorSpec(
     /**
      * {@return this sensor at another mounting position in the robot's frame}
      *
-     * @param newPosition the mounting position, in metres
+     * @param newPosition the mounting position, in metres ahead (x) and to the left (y) of the robot's centre
+     * @throws IllegalArgumentException if a coordinate is not finite
      */
     public SensorSpec withMountPosition(Vector2 newPosition) {
         return new SensorSpec(id, newPosition, bearing, range, cone, on, noise);
@@ -98,6 +101,7 @@ public record SensorSpec(
      * {@return this sensor with another bearing, radians}
      *
      * @param newBearing the bearing, in radians, positive to the left
+     * @throws IllegalArgumentException if the bearing is not finite
      */
     public SensorSpec withBearing(double newBearing) {
         return new SensorSpec(id, mountPosition, newBearing, range, cone, on, noise);
@@ -106,7 +110,8 @@ public record SensorSpec(
     /**
      * {@return this sensor with another standard deviation of its noise, metres}
      *
-     * @param newNoise the standard deviation, in metres, not negative
+     * @param newNoise the standard deviation, in metres, from 0 to {@link SensorLimits#MAX_NOISE}
+     * @throws IllegalArgumentException if the standard deviation is outside its limits
      */
     public SensorSpec withNoise(double newNoise) {
         return new SensorSpec(id, mountPosition, bearing, range, cone, on, newNoise);
