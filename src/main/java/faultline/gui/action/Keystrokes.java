@@ -71,6 +71,17 @@ public final class Keystrokes {
         return KeyStroke.getKeyStroke(key, KeyBindings.menuMask() | InputEvent.SHIFT_DOWN_MASK);
     }
 
+    /** Returns a text that mentions Ctrl with the name of the platform's menu modifier in its place. */
+    public static String withMenuModifier(String text) {
+        return withModifier(text, KeyBindings.menuMask());
+    }
+
+    static String withModifier(String text, int menuMask) {
+        return menuMask == InputEvent.META_DOWN_MASK
+                ? text.replace(Messages.get("key.ctrl"), Messages.get("key.meta"))
+                : text;
+    }
+
     /** Returns a stroke in the language of the window, such as Ctrl+O or [. */
     public static String toText(KeyStroke stroke) {
         String modifiers = MODIFIERS.stream()

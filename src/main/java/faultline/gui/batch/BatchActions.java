@@ -67,7 +67,8 @@ public final class BatchActions {
         files.runIfChangesHandled(() -> {
             controllers.select(ControllerSelection.SCENARIO);
             // Opening removes the notes about the scenario before.
-            files.openGeneratedWithoutAsking(run, () -> note.accept(Messages.get("batch.opened")));
+            files.openGeneratedWithoutAsking(
+                    run, () -> note.accept(Keystrokes.withMenuModifier(Messages.get("batch.opened"))));
         });
     }
 

@@ -128,7 +128,7 @@ public final class Dialogs {
         return new TableDialog(
                 owner,
                 Messages.get("shortcuts.title"),
-                Messages.get("shortcuts.heading"),
+                Keystrokes.withMenuModifier(Messages.get("shortcuts.heading")),
                 Glyph.NOTE.icon(),
                 columns,
                 SHORTCUT_COLUMN_WIDTHS,

@@ -1,5 +1,6 @@
 package faultline.gui.dialog;
 
+import faultline.gui.action.Keystrokes;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
@@ -28,7 +29,7 @@ record GuidePage(HTMLEditorKit kit, Document document) {
         HTMLEditorKit kit = new HTMLEditorKit();
         kit.setStyleSheet(createStyleSheet(kit));
         Document document = kit.createDefaultDocument();
-        String text = Messages.loadPage("guide");
+        String text = Keystrokes.withMenuModifier(Messages.loadPage("guide"));
         layOut(text);
         try {
             kit.read(new StringReader(text), document, 0);

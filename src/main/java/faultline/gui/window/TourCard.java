@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.action.Keystrokes;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.ScreenFit;
@@ -126,7 +127,7 @@ final class TourCard extends JPanel {
         TourStep now = steps.get(shown);
         String name = Messages.get("tour." + now.key());
         title.setText(Messages.get("tour.title", Integer.toString(shown + 1), Integer.toString(steps.size()), name));
-        text.setText(Messages.get("tour." + now.key() + ".text"));
+        text.setText(Keystrokes.withMenuModifier(Messages.get("tour." + now.key() + ".text")));
         text.setCaretPosition(0);
         getAccessibleContext().setAccessibleName(title.getText());
         getAccessibleContext().setAccessibleDescription(text.getText());

@@ -40,6 +40,13 @@ class KeystrokesTest {
     }
 
     @Test
+    void aTextNamesTheModifierOfThePlatformsMenus() {
+        String tour = "Undo with Ctrl+Z and restart with Ctrl+R";
+        assertEquals(tour, Keystrokes.withModifier(tour, InputEvent.CTRL_DOWN_MASK));
+        assertEquals("Undo with ⌘+Z and restart with ⌘+R", Keystrokes.withModifier(tour, InputEvent.META_DOWN_MASK));
+    }
+
+    @Test
     void aStrokeIsTypedIntoATextAndNotIntoAButton() {
         KeyStroke space = Keystrokes.unmodified(KeyEvent.VK_SPACE);
         assertTrue(Keystrokes.isTypedInto(new JTextField(), space));
