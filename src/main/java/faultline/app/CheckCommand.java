@@ -20,7 +20,7 @@ final class CheckCommand {
         Arguments given = new Arguments(arguments, List.of("--jar"));
         List<String> files = given.files();
         if (files.isEmpty()) {
-            throw new UsageException("check takes one or more scenario files, not none");
+            throw new UsageException("check takes one or more scenario files or plans, not none");
         }
         ControllerOptions.addJar(given);
         int code = ExitCode.SUCCESS;

@@ -16,8 +16,8 @@ public enum RunProblem implements Message.Template {
     /** The controller does not answer. */
     NO_ANSWER("the controller has not answered for {0} s at tick {1}"),
     /** The controller does not answer, and its thread does not end. */
-    NO_END("the controller has not answered for {0} s at tick {1}; it ignores interruption, so its thread goes on until"
-            + " the program ends"),
+    NO_END("the controller has not answered for {0} s at tick {1}; it ignores interruption, so its thread continues"
+            + " until the program ends"),
     /** No controller was chosen for a scenario that needs one. */
     NOT_CHOSEN("the scenario is driven by a controller from outside, and none was chosen"),
     /** A controller in Java does not exist. */
@@ -26,7 +26,7 @@ public enum RunProblem implements Message.Template {
     NOT_CREATED("the controller \"{0}\" cannot be created: {1}"),
     /** A class of a controller in Java cannot be loaded. */
     NOT_LOADED("a controller in Java cannot be loaded: {0}"),
-    /** A controller in Java does not tell its name. */
+    /** A controller in Java has no name. */
     NAMELESS("the controller in Java {0} has no name: {1}");
 
     private final String english;

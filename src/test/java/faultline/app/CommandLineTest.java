@@ -233,7 +233,7 @@ class CommandLineTest {
             none.faultline b.xml            | the window takes one scenario file, not also "b.xml"
             run                             | run takes one scenario file, not none
             run a.xml b.xml                 | run takes one scenario file, not 2
-            check                           | check takes one or more scenario files, not none
+            check                           | check takes one or more scenario files or plans, not none
             check --all a.xml               | there is no option "--all" here; expected --jar
             run a.xml --sed 1               | there is no option "--sed" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
             run a.xml -x                    | there is no option "-x" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json

@@ -90,8 +90,8 @@ class ControllerHostTest {
             submit(host);
             RunFailedException failure = assertThrows(RunFailedException.class, host::await);
             assertEquals(
-                    "the controller has not answered for 0.05 s at tick 7; it ignores interruption, so its thread goes"
-                            + " on until the program ends",
+                    "the controller has not answered for 0.05 s at tick 7; it ignores interruption, so its thread"
+                            + " continues until the program ends",
                     failure.getMessage());
         }
         assertTrue(busy.get().isAlive() && busy.get().isDaemon(), "the process can end all the same");

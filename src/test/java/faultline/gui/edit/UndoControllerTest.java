@@ -63,7 +63,7 @@ class UndoControllerTest {
                         "Rotate desk",
                         "Add lamp",
                         "Change lamp",
-                        "Turn left off",
+                        "Switch left off",
                         "Range of front",
                         "Cone of front",
                         "Fault in front",

@@ -44,9 +44,9 @@ class EventLogViewTest {
     void whatHappenedStandsInItsOrder() {
         runOnEdt(() -> view.setFrame(SampleRuns.frame(310)));
         List<String> rows = rows();
-        assertEquals("0.000 Command rear turned off", rows.get(0));
+        assertEquals("0.000 Command rear switched off", rows.get(0));
         assertTrue(rows.contains("2.000 Fault rear-right: stuck 0.40 m"));
-        assertTrue(rows.contains("3.000 Refused nose turned on: the robot has no sensor nose"));
+        assertTrue(rows.contains("3.000 Refused nose switched on: the robot has no sensor nose"));
     }
 
     @Test
@@ -58,7 +58,7 @@ class EventLogViewTest {
         runOnEdt(() -> view.setFrame(SampleRuns.frame(100)));
         assertEquals(
                 List.of(
-                        "0.000 Command rear turned off",
+                        "0.000 Command rear switched off",
                         "0.010 Health rear is not trusted: it gives no answer",
                         "0.010 Rung All sensors → Side and front"),
                 rows());

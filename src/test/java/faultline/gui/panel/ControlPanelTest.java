@@ -455,7 +455,7 @@ class ControlPanelTest {
     }
 
     private JCheckBox switchOf(String id) {
-        return ComponentFinder.find(panel, JCheckBox.class, "Turn " + id + " on or off");
+        return ComponentFinder.find(panel, JCheckBox.class, "Switch " + id + " on or off");
     }
 
     private NumberSpinner spinner(String name) {

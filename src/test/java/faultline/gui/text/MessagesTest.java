@@ -3,15 +3,18 @@ package faultline.gui.text;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.FollowerState;
 import faultline.control.SensorFinding;
 import faultline.gui.document.TaskKind;
 import faultline.sensor.FaultKind;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -73,6 +76,20 @@ class MessagesTest {
                     .toList();
             assertEquals(new TreeSet<>(keys).size(), keys.size(), file);
         }
+    }
+
+    @Test
+    void noTextNamesAStateByItsIdentifier() throws IOException {
+        String states =
+                Stream.of(FollowerState.values()).map(FollowerState::name).collect(Collectors.joining("|"));
+        Pattern identifier = Pattern.compile("[\\w.]+=.*\\b(" + states + ")\\b.*");
+        List<String> named = new ArrayList<>();
+        for (String file : List.of("Messages.properties", "Messages_pl.properties")) {
+            Files.readAllLines(Path.of("src/main/resources/faultline/gui").resolve(file)).stream()
+                    .filter(line -> identifier.matcher(line).matches())
+                    .forEach(named::add);
+        }
+        assertEquals(List.of(), named);
     }
 
     @Test

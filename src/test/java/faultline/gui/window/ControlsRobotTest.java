@@ -62,7 +62,7 @@ class ControlsRobotTest {
         List<String> ids = robot().sensors().stream().map(SensorSpec::id).toList();
         assertEquals(8, ids.size());
         for (String id : ids) {
-            driver.click(ComponentFinder.find(driver.window(), JCheckBox.class, "Turn " + id + " on or off"));
+            driver.click(ComponentFinder.find(driver.window(), JCheckBox.class, "Switch " + id + " on or off"));
             driver.waitForFrame(
                     id + " is off",
                     frame -> !frame.snapshot().robot().sensor(id).orElseThrow().on());

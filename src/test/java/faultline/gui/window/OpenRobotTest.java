@@ -105,7 +105,7 @@ class OpenRobotTest {
                                 "<timeline><switch at=\"0\" sensor=\"left\" on=\"false\"/></timeline>"));
         runOnEdt(() -> driver.window().open(off));
         driver.waitForTitle("off.xml");
-        JCheckBox left = ComponentFinder.find(driver.window(), JCheckBox.class, "Turn left on or off");
+        JCheckBox left = ComponentFinder.find(driver.window(), JCheckBox.class, "Switch left on or off");
         driver.robot().waitFor("the switch is off", () -> !left.isSelected());
         assertEquals(0, driver.frame().snapshot().tick());
     }
