@@ -246,7 +246,7 @@ class KeysPageRobotTest {
     /** Returns a name without the id of its sensor. */
     private static String generalised(String name) {
         return name.replaceAll("\\b(front|rear)-(left|right)\\b", "SENSOR")
-                .replaceAll("(of|Turn) (front|rear|left|right)\\b", "$1 SENSOR");
+                .replaceAll("(of|Switch) (front|rear|left|right)\\b", "$1 SENSOR");
     }
 
     /** Returns what Tab reaches in the window, wherever it starts. */
