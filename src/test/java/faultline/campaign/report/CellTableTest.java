@@ -1,0 +1,130 @@
+package faultline.campaign.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.SamplePlan;
+import faultline.scenario.xml.ScenarioException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** The numbers of the cells of a campaign; all expected ones can be counted by hand. */
+class CellTableTest {
+
+    private static final String PLAN =
+            """
+            <worlds><scenario file="a.xml"/></worlds>
+            <seeds count="10"/>
+            <faults><healthy/><fault kind="off" sensor="front" at="1"/></faults>
+            """;
+
+    private CampaignPlan plan;
+    private final List<List<String>> lines = new ArrayList<>();
+
+    @BeforeEach
+    void readThePlan() throws ScenarioException {
+        plan = SamplePlan.read(SamplePlan.text("", PLAN));
+        lines.add(List.of(
+                "run",
+                "block",
+                "world",
+                "fault_kind",
+                "fault_sensor",
+                "outcome",
+                "carried_on",
+                "collided",
+                "coverage",
+                "distance_rms_m",
+                "detection_delay_s",
+                "false_alarms",
+                "detection_view_s",
+                "detection_error_m"));
+    }
+
+    private void addRun(String outcome, String carriedOn, String collided, String coverage, String delay, int alarms) {
+        String number = Integer.toString(lines.size() - 1);
+        lines.add(List.of(
+                number,
+                number,
+                "a",
+                "off",
+                "front",
+                outcome,
+                carriedOn,
+                collided,
+                coverage,
+                "",
+                delay,
+                Integer.toString(alarms),
+                delay.isEmpty() ? "" : "0.25",
+                delay.isEmpty() ? "" : "0.5"));
+    }
+
+    /** Seven of nine runs with a verdict carry on; the delays are 1 to 8 s. */
+    private void addTenRuns() {
+        addRun("collided", "0", "1", "0.5", "8", 0);
+        addRun("lost", "0", "0", "0.1", "1", 2);
+        addRun("undecided", "", "0", "", "2", 1);
+        for (int delay = 3; delay <= 7; delay++) {
+            addRun("carried_on", "1", "0", "0.9", Integer.toString(delay), 0);
+        }
+        addRun("carried_on", "1", "0", "0.9", "", 0);
+        addRun("carried_on", "1", "0", "0.9", "", 0);
+    }
+
+    private RunData data() {
+        return new RunData(plan, lines);
+    }
+
+    /** The interval is Wilson's for 7 of 9; of eight delays the fourth is the median, and the eighth the quantile. */
+    @Test
+    void aRowCountsTheRunsOfItsCell() {
+        addTenRuns();
+        List<String> rows = new CellTable(data()).csv().lines().toList();
+        assertEquals(
+                "fault_kind,fault_sensor,final_rung,runs,carried_on,share,share_low,share_high,collided,lost,stopped,"
+                        + "undecided,broken,detected,delay_median_s,delay_90_s,false_alarm_runs,view_median_s,"
+                        + "error_median_m",
+                rows.get(0));
+        String numbers = "all,10,7,0.7778,0.4526,0.9368,1,1,0,1,0,8,4.0000,8.0000,2,0.2500,0.5000";
+        assertEquals(
+                List.of("off,front," + numbers, "off,all," + numbers, "all,front," + numbers, "all,all," + numbers),
+                rows.subList(1, rows.size()));
+    }
+
+    @Test
+    void aCellHasTheMeansOfThoseRunsThatHaveNumbers() {
+        addTenRuns();
+        CampaignCell cell = CampaignCell.allOf(plan, lines).get(0);
+        assertEquals(List.of("off", "front"), cell.labels());
+        assertEquals(
+                IntStream.range(0, 10).mapToObj(run -> (long) run).toList(), cell.runs());
+        assertEquals(7.0 / 9, cell.carriedOn().share());
+        assertEquals(9.0 / 10, cell.withoutContact().share());
+        assertEquals((0.5 + 0.1 + 7 * 0.9) / 9, cell.coverageOrNaN(), 1e-12);
+        assertTrue(Double.isNaN(cell.distanceRmsOrNaN()));
+    }
+
+    private OptionalDouble delayQuantile(double share) {
+        return FaultSections.quantile(data().rows(), FaultSections.DELAY, share);
+    }
+
+    @Test
+    void aQuantileIsTheSmallestValueThatEnoughValuesDoNotExceed() {
+        addRun("carried_on", "1", "0", "", "", 0);
+        assertEquals(OptionalDouble.empty(), delayQuantile(0.5));
+        addRun("carried_on", "1", "0", "", "6", 0);
+        assertEquals(OptionalDouble.of(6), delayQuantile(0.5));
+        assertEquals(OptionalDouble.of(6), delayQuantile(0.9));
+        addRun("carried_on", "1", "0", "", "4", 0);
+        assertEquals(OptionalDouble.of(4), delayQuantile(0.5));
+        assertEquals(OptionalDouble.of(6), delayQuantile(0.9));
+        addRun("carried_on", "1", "0", "", "6", 0);
+        assertEquals(OptionalDouble.of(6), delayQuantile(0.5));
+    }
+}
