@@ -78,6 +78,22 @@ public final class ControllerFactory {
         return observation -> decision;
     }
 
+    /**
+     * Closes a controller that can be closed.
+     *
+     * @param controller a controller that this class has created
+     * @throws RunFailedException if it throws an exception
+     */
+    public static void close(Controller controller) {
+        if (controller instanceof PeriodicController closeable) {
+            try {
+                closeable.close();
+            } catch (IllegalStateException e) {
+                throw new RunFailedException(e.getMessage(), e.getCause());
+            }
+        }
+    }
+
     private static Decision failNotChosen() {
         throw new RunFailedException(RunProblem.NOT_CHOSEN.with(), null);
     }

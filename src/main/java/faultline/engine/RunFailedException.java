@@ -39,8 +39,13 @@ public class RunFailedException extends RuntimeException {
         return reason;
     }
 
-    /** Returns the exception for a run whose controller threw another one at a tick. */
-    static RunFailedException ofController(long tick, Throwable cause) {
+    /**
+     * {@return the exception for a run whose controller threw another one; the same if it is of this type}
+     *
+     * @param tick the tick of the observation
+     * @param cause the exception of the controller
+     */
+    public static RunFailedException ofController(long tick, Throwable cause) {
         if (cause instanceof RunFailedException failed) {
             return failed;
         }

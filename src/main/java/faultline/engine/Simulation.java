@@ -4,7 +4,6 @@ import faultline.control.Controller;
 import faultline.control.ControllerSpec;
 import faultline.control.Decision;
 import faultline.control.DecisionLog;
-import faultline.control.PeriodicController;
 import faultline.control.Telemetry;
 import faultline.geometry.Pose;
 import faultline.robot.MotorFaults;
@@ -379,12 +378,8 @@ public final class Simulation implements AutoCloseable {
     @Override
     public void close() {
         controllerHost.close();
-        if (foreignController instanceof PeriodicController closeable) {
-            try {
-                closeable.close();
-            } catch (IllegalStateException e) {
-                throw new RunFailedException(e.getMessage(), e.getCause());
-            }
+        if (foreignController != null) {
+            ControllerFactory.close(foreignController);
         }
     }
 }

@@ -11,6 +11,7 @@ import faultline.io.JsonWriter;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.io.BufferedReader;
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -38,41 +39,54 @@ public final class BuiltInChild {
     }
 
     /**
-     * Answers until the end of the run or of the input.
+     * Answers until the end of the run or of the input, and closes the controller if it can be closed.
      *
      * @param spec the controller
      * @throws IOException if a message cannot be read or written
-     * @throws RunFailedException if the simulator violates the protocol
+     * @throws RunFailedException if the simulator violates the protocol, or the controller throws an exception
      */
     public void run(ControllerSpec spec) throws IOException {
-        try {
-            Controller controller = ControllerFactory.create(spec);
-            RobotSpec robot = null;
-            double dt = 0;
-            for (String line = in.readLine(); line != null; line = in.readLine()) {
-                MessageReader message = MessageReader.of(line);
-                String type = message.string("type");
-                if (type.equals("end")) {
-                    return;
-                }
-                if (type.equals("hello")) {
-                    dt = checkHello(message);
-                }
-                if (message.has("robot")) {
-                    robot = ProtocolMessages.readRobot(message.object("robot"));
-                }
-                if (type.equals("hello")) {
-                    send(new JsonWriter()
-                            .member("type", "ready")
-                            .member("protocol", ProtocolMessages.PROTOCOL)
-                            .member("name", ControllerFactory.initialState(spec).name()));
-                } else if (type.equals("observe")) {
-                    Observation observation = observation(message, dt, robot);
-                    send(answer(controller.decide(observation), observation.tick()));
-                }
-            }
+        Controller controller = ControllerFactory.create(spec);
+        Closeable closing = () -> ControllerFactory.close(controller);
+        try (closing) {
+            answerAll(controller, ControllerFactory.initialState(spec).name());
         } catch (ProtocolException e) {
             throw new RunFailedException("the simulator " + e.getMessage(), e);
+        }
+    }
+
+    private void answerAll(Controller controller, String name) throws IOException, ProtocolException {
+        RobotSpec robot = null;
+        double dt = 0;
+        for (String line = in.readLine(); line != null; line = in.readLine()) {
+            MessageReader message = MessageReader.of(line);
+            String type = message.string("type");
+            if (type.equals("end")) {
+                return;
+            }
+            if (type.equals("hello")) {
+                dt = checkHello(message);
+            }
+            if (message.has("robot")) {
+                robot = ProtocolMessages.readRobot(message.object("robot"));
+            }
+            if (type.equals("hello")) {
+                send(new JsonWriter()
+                        .member("type", "ready")
+                        .member("protocol", ProtocolMessages.PROTOCOL)
+                        .member("name", name));
+            } else if (type.equals("observe")) {
+                Observation observation = observation(message, dt, robot);
+                send(answer(decide(controller, observation), observation.tick()));
+            }
+        }
+    }
+
+    private static Decision decide(Controller controller, Observation observation) {
+        try {
+            return controller.decide(observation);
+        } catch (RuntimeException | Error broken) {
+            throw RunFailedException.ofController(observation.tick(), broken);
         }
     }
 

@@ -3,18 +3,30 @@ package faultline.external;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import faultline.control.ControllerProvider;
+import faultline.control.ControllerSpec;
+import faultline.control.Observation;
 import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
 import faultline.scenario.Scenario;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A built-in controller as the child of a simulator that violates the protocol. */
+/** A controller as the child of another simulator, which may violate the protocol. */
 class BuiltInChildTest {
+
+    @TempDir
+    private Path folder;
 
     /** The other simulator's greeting is ours with a replaced part; its observation follows. */
     @ParameterizedTest
@@ -41,5 +53,50 @@ class BuiltInChildTest {
         BuiltInChild child = new BuiltInChild(new ByteArrayInputStream(in), new ByteArrayOutputStream());
         RunFailedException e = assertThrows(RunFailedException.class, () -> child.run(setup.controller()));
         assertEquals("the simulator " + sentence, e.getMessage());
+    }
+
+    /** Runs the child with a controller of a test against a simulator that sends observations up to a tick. */
+    private void run(Map<String, String> settings, int lastTick) throws Exception {
+        SimulationSetup setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
+        StringBuilder in = new StringBuilder(ProtocolMessages.hello(RunDescription.of("test", "Office", setup, 1)));
+        double[] readings = new double[setup.robot().sensors().size()];
+        for (int tick = 0; tick <= lastTick; tick++) {
+            Observation observation = new Observation(tick, setup.dt(), setup.robot(), readings);
+            in.append('\n').append(ProtocolMessages.observe(observation, false).finish());
+        }
+        BuiltInChild child = new BuiltInChild(
+                new ByteArrayInputStream(in.toString().getBytes(StandardCharsets.UTF_8)), new ByteArrayOutputStream());
+        Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+        Files.writeString(services.resolve(ControllerProvider.class.getName()), RightTurner.class.getName());
+        Thread thread = Thread.currentThread();
+        ClassLoader before = thread.getContextClassLoader();
+        try (URLClassLoader loader =
+                new URLClassLoader(new URL[] {folder.toUri().toURL()}, before)) {
+            thread.setContextClassLoader(loader);
+            child.run(new ControllerSpec.Provided("right-turner", setup.dt(), settings));
+        } finally {
+            thread.setContextClassLoader(before);
+        }
+    }
+
+    @Test
+    void aControllerIsClosedAtTheEnd() throws Exception {
+        int before = RightTurner.CLOSED.get();
+        run(Map.of(), 3);
+        assertEquals(before + 1, RightTurner.CLOSED.get());
+    }
+
+    @Test
+    void aControllerThatCannotBeClosedIsReported() {
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(Map.of("deed", "close"), 3));
+        assertEquals("the controller cannot be closed: java.io.IOException: still in use", e.getMessage());
+    }
+
+    @Test
+    void aControllerThatThrowsIsClosedAndNamedWithItsTick() {
+        int before = RightTurner.CLOSED.get();
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(Map.of("deed", "error"), 9));
+        assertEquals("the controller broke at tick 7: java.lang.StackOverflowError: too deep", e.getMessage());
+        assertEquals(before + 1, RightTurner.CLOSED.get());
     }
 }
