@@ -145,6 +145,30 @@ class FloorsTest {
     }
 
     @Test
+    void noTextDependsOnTheLanguageOfTheMachine() throws IOException {
+        assertEquals(List.of(), SourceMetrics.localizedCalls(sources()));
+    }
+
+    @Test
+    void aTextThatDependsOnTheLanguageOfTheMachineIsFound(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("Text.java");
+        Files.writeString(
+                file,
+                """
+                class Text {
+                    String a = String.format("%d", 1);
+                    String b = String.format(Locale.ROOT, "%d", 1);
+                    String c = "%d".formatted(1);
+                    String d = a.toLowerCase();
+                    String e = a.toLowerCase(Locale.ROOT);
+                }
+                """);
+        assertEquals(
+                List.of(file + ":2 format", file + ":4 formatted", file + ":5 toLowerCase"),
+                SourceMetrics.localizedCalls(List.of(file)));
+    }
+
+    @Test
     void typesAreImported() throws IOException {
         assertEquals(List.of(), SourceMetrics.qualifiedTypes(allSources()));
     }

@@ -4,6 +4,7 @@ import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.ImportTree;
 import com.sun.source.tree.LineMap;
 import com.sun.source.tree.MemberSelectTree;
+import com.sun.source.tree.MethodInvocationTree;
 import com.sun.source.tree.MethodTree;
 import com.sun.source.tree.PackageTree;
 import com.sun.source.util.JavacTask;
@@ -27,6 +28,10 @@ import javax.tools.ToolProvider;
 final class SourceMetrics {
 
     private static final Pattern QUALIFIED_TYPE = Pattern.compile("(?:javax?|faultline)(?:\\.[a-z]\\w*)+\\.[A-Z]\\w*");
+
+    private static final List<String> CASE_CHANGES = List.of("toLowerCase", "toUpperCase");
+
+    private static final List<String> NEVER_WITH_LOCALE = List.of("formatted", "printf");
 
     private SourceMetrics() {}
 
@@ -53,6 +58,19 @@ final class SourceMetrics {
     static List<String> qualifiedTypes(Collection<Path> files) throws IOException {
         List<String> found = new ArrayList<>();
         scan(files, (unit, positions) -> new QualifiedTypeFinder(unit, positions, found));
+        return found;
+    }
+
+    /**
+     * Returns the calls of methods that depend on the language of the machine although an argument could give another:
+     * {@code String.format} would write the digits of that language, and {@code toLowerCase} its letters.
+     *
+     * @param files source files
+     * @return "file:line call" for each
+     */
+    static List<String> localizedCalls(Collection<Path> files) throws IOException {
+        List<String> found = new ArrayList<>();
+        scan(files, (unit, positions) -> new LocalizedCallFinder(unit, positions, found));
         return found;
     }
 
@@ -120,6 +138,35 @@ final class SourceMetrics {
                 }
             }
             return super.visitMethod(method, none);
+        }
+    }
+
+    /** Adds a line for each call that depends on the language of the machine. */
+    private static final class LocalizedCallFinder extends TreeScanner<Void, Void> {
+
+        private final CompilationUnitTree unit;
+        private final SourcePositions positions;
+        private final List<String> found;
+
+        LocalizedCallFinder(CompilationUnitTree unit, SourcePositions positions, List<String> found) {
+            this.unit = unit;
+            this.positions = positions;
+            this.found = found;
+        }
+
+        @Override
+        public Void visitMethodInvocation(MethodInvocationTree call, Void none) {
+            String select = call.getMethodSelect().toString();
+            String method = select.substring(select.lastIndexOf('.') + 1);
+            boolean takesLocale = select.equals("String.format") || CASE_CHANGES.contains(method);
+            boolean needsLocale = takesLocale && !select.startsWith("Character.") || NEVER_WITH_LOCALE.contains(method);
+            if (needsLocale
+                    && call.getArguments().stream()
+                            .noneMatch(argument -> argument.toString().startsWith("Locale."))) {
+                long line = unit.getLineMap().getLineNumber(positions.getStartPosition(unit, call));
+                found.add(unit.getSourceFile().getName() + ":" + line + " " + method);
+            }
+            return super.visitMethodInvocation(call, none);
         }
     }
 

@@ -14,6 +14,7 @@ import faultline.studies.figure.SortedSample;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 
 /**
@@ -103,7 +104,7 @@ final class AlignmentErrors implements Figure {
                         new Series.Band("5 % to 95 %", high, low, 0),
                         new Series.Line("", rms, 0),
                         new Series.Points("RMS", rms, 0)));
-        folder.writeChart("eq4-noise-seeds", table, chart, 480, 360, String.format(CAPTION, SEEDS));
+        folder.writeChart("eq4-noise-seeds", table, chart, 480, 360, String.format(Locale.ROOT, CAPTION, SEEDS));
     }
 
     private static void addRow(CsvTable table, Setting setting, SortedSample errors) {

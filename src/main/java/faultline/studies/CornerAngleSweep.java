@@ -11,6 +11,7 @@ import faultline.studies.figure.SortedSample;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** Fig. 6: the angles between the walls at which two sensors suffice, over many starts. */
 final class CornerAngleSweep implements Figure {
@@ -44,7 +45,7 @@ final class CornerAngleSweep implements Figure {
                 Axis.linear("angle between the walls (degrees)", 30, 150),
                 Axis.linear("distance error at the hand-over (mm)", -160, 40),
                 series);
-        folder.writeChart("fig6-angles", table, chart, 520, 380, String.format(CAPTION, STARTS));
+        folder.writeChart("fig6-angles", table, chart, 520, 380, String.format(Locale.ROOT, CAPTION, STARTS));
     }
 
     private static void addSeries(CornerRun.SensorSelection sensors, CsvTable table, List<Series> series) {

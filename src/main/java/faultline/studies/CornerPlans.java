@@ -16,6 +16,7 @@ import faultline.studies.figure.FigureNumbers;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Fig. 6: corners of three angles, each with two sensors and with either of the third sensors, at the same scale, with
@@ -47,7 +48,7 @@ final class CornerPlans implements Figure {
         FigureCanvas canvas = new FigureCanvas(
                 ANGLES.size() * COLUMN_WIDTH,
                 ROWS.size() * ROW_HEIGHT + 22,
-                String.format(CAPTION, CornerAngleSweep.STARTS));
+                String.format(Locale.ROOT, CAPTION, CornerAngleSweep.STARTS));
         for (int column = 0; column < ANGLES.size(); column++) {
             for (int row = 0; row < ROWS.size(); row++) {
                 draw(canvas, ANGLES.get(column), ROWS.get(row), COLUMN_WIDTH * column, ROW_HEIGHT * row);

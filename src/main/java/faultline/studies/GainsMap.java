@@ -13,6 +13,7 @@ import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.DoubleUnaryOperator;
 
 /**
@@ -60,7 +61,7 @@ final class GainsMap implements Figure {
                 new Chart("Gains of the PD controller at 0.3 m/s", KP, KD, series),
                 520,
                 420,
-                String.format(CAPTION, COLUMNS * ROWS));
+                String.format(Locale.ROOT, CAPTION, COLUMNS * ROWS));
     }
 
     private static List<Integer> computeRow(double kd, CsvTable table) {

@@ -13,6 +13,7 @@ import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
 
@@ -80,7 +81,7 @@ final class HypercubeStudy implements Figure {
                 Axis.linear("heading error by theory (degrees)", -18, 1),
                 Axis.linear("heading error (degrees)", -18, 2),
                 series);
-        folder.writeChart("eq4-hypercube", table, chart, 480, 400, String.format(CAPTION, TRIALS));
+        folder.writeChart("eq4-hypercube", table, chart, 480, 400, String.format(Locale.ROOT, CAPTION, TRIALS));
     }
 
     /** Returns the values of all quantities for each trial. */

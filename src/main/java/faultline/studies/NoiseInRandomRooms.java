@@ -12,6 +12,7 @@ import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.DoubleStream;
 
 /** Following with noisy sensors in random rooms: the distance error, coverage and collisions. */
@@ -56,7 +57,8 @@ final class NoiseInRandomRooms implements Figure {
                 List.of(
                         new Series.Line("half of the noise", List.of(Vector2.ZERO, new Vector2(10, 5)), 1),
                         new Series.Points("runs", errors, 0)));
-        folder.writeChart("noise-rooms", table, chart, 480, 360, String.format(CAPTION, ROOMS, errors.size()));
+        folder.writeChart(
+                "noise-rooms", table, chart, 480, 360, String.format(Locale.ROOT, CAPTION, ROOMS, errors.size()));
     }
 
     private static RunTrace run(long seed, double noise) {

@@ -14,6 +14,7 @@ import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.DoubleStream;
 
 /** The noise study: following with noisy sensors in the room of a shipped scenario. */
@@ -57,7 +58,12 @@ final class NoiseWhileFollowing implements Figure {
                         new Series.Line("half of the noise", List.of(Vector2.ZERO, new Vector2(STEPS, STEPS / 2.0)), 1),
                         new Series.Points("runs", errors, 0)));
         folder.writeChart(
-                "noise-following", table, chart, 480, 360, String.format(CAPTION, SCENARIO, errors.size(), SEEDS));
+                "noise-following",
+                table,
+                chart,
+                480,
+                360,
+                String.format(Locale.ROOT, CAPTION, SCENARIO, errors.size(), SEEDS));
     }
 
     private static SimulationSetup withNoise(double deviation) {

@@ -11,6 +11,7 @@ import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 
@@ -125,7 +126,12 @@ record ParameterSweep(
                 Axis.covering("heading error (degrees)", errors),
                 series);
         folder.writeChart(
-                name, createTable(points), chart, WIDTH, HEIGHT, String.format(CAPTION, exact.size(), equal.size()));
+                name,
+                createTable(points),
+                chart,
+                WIDTH,
+                HEIGHT,
+                String.format(Locale.ROOT, CAPTION, exact.size(), equal.size()));
     }
 
     /** Returns the theory at each value: the mean over its trials. */

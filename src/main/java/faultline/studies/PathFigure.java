@@ -10,6 +10,7 @@ import faultline.studies.figure.FigureNumbers;
 import faultline.world.Collision;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
+import java.util.Locale;
 
 /** Fig. 5: the path of the robot in an environment, of which a part is shown, metres. */
 record PathFigure(String name, String title, String scenario, Rectangle2D bounds) implements Figure {
@@ -43,7 +44,8 @@ record PathFigure(String name, String title, String scenario, Rectangle2D bounds
 
     private String caption(RunTrace trace) {
         String ring = trace.result().collision().isPresent() ? "; ring: the contact" : "";
-        return String.format(CAPTION, title, scenario, trace.setup().seed(), ring, resultText(trace));
+        return String.format(
+                Locale.ROOT, CAPTION, title, scenario, trace.setup().seed(), ring, resultText(trace));
     }
 
     private static String resultText(RunTrace trace) {

@@ -15,6 +15,7 @@ import faultline.world.Obstacle;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** Specular reflection: the slants and surfaces at which the robot detects a glossy wall in time. */
 final class SpecularMap implements Figure {
@@ -59,7 +60,7 @@ final class SpecularMap implements Figure {
                 new Chart("Glossy walls", SLANT, SPECULAR, series),
                 520,
                 420,
-                String.format(CAPTION, COLUMNS * ROWS));
+                String.format(Locale.ROOT, CAPTION, COLUMNS * ROWS));
     }
 
     /**

@@ -20,6 +20,7 @@ import faultline.world.ObstacleShape;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** Thin objects: the number of collisions with a pole beside a wall, by its thickness and the cones of the sensors. */
 final class ThinObjects implements Figure {
@@ -57,7 +58,7 @@ final class ThinObjects implements Figure {
                 new Axis("diameter (mm)", 0.4, 60, true),
                 Axis.linear("runs that end at it (%)", 0, 40),
                 series);
-        folder.writeChart("thin-objects", table, chart, 480, 360, String.format(CAPTION, POSITIONS));
+        folder.writeChart("thin-objects", table, chart, 480, 360, String.format(Locale.ROOT, CAPTION, POSITIONS));
     }
 
     private static long collisions(double cone, double diameter) {

@@ -24,6 +24,7 @@ import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 
 /**
@@ -58,7 +59,7 @@ final class WallPositioning implements Figure {
         FigureCanvas canvas = new FigureCanvas(
                 5 * COLUMN_WIDTH,
                 540,
-                String.format(CAPTION, SCENARIO, scenario.setup().seed()));
+                String.format(Locale.ROOT, CAPTION, SCENARIO, scenario.setup().seed()));
         for (int i = 0; i < moments.size(); i++) {
             draw(canvas, trace, moments.get(i), i);
         }

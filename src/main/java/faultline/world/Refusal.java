@@ -1,5 +1,7 @@
 package faultline.world;
 
+import java.util.Locale;
+
 /**
  * Why the world refuses a command.
  *
@@ -38,6 +40,6 @@ public record Refusal(Reason reason, String subject) {
 
     /** {@return the refusal as one English sentence, as reports and the command line print it} */
     public String message() {
-        return reason.sentence.formatted(subject);
+        return String.format(Locale.ROOT, reason.sentence, subject);
     }
 }
