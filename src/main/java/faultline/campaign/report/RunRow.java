@@ -13,11 +13,12 @@ record RunRow(RunData data, List<String> cells) {
         return index < 0 ? "" : cells.get(index);
     }
 
-    /** Returns a cell as a number, empty if it holds none. */
+    /** Returns a cell as a number, empty if it holds no finite one: some programs write NaN for a missing number. */
     OptionalDouble number(String column) {
         String text = text(column);
         try {
-            return text.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(Double.parseDouble(text));
+            double number = text.isEmpty() ? Double.NaN : Double.parseDouble(text);
+            return Double.isFinite(number) ? OptionalDouble.of(number) : OptionalDouble.empty();
         } catch (NumberFormatException e) {
             return OptionalDouble.empty();
         }

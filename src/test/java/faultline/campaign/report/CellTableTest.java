@@ -1,5 +1,6 @@
 package faultline.campaign.report;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -12,6 +13,8 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The numbers of the cells of a campaign; all expected ones can be counted by hand. */
 class CellTableTest {
@@ -65,23 +68,21 @@ class CellTableTest {
                 delay.isEmpty() ? "" : "0.5"));
     }
 
-    /** Seven of nine runs with a verdict carry on; the delays are 1 to 8 s. */
+    /** Seven of nine runs with a verdict carry on; the delays are 1 to 10 s. */
     private void addTenRuns() {
-        addRun("collided", "0", "1", "0.5", "8", 0);
+        addRun("collided", "0", "1", "0.5", "10", 0);
         addRun("lost", "0", "0", "0.1", "1", 2);
         addRun("undecided", "", "0", "", "2", 1);
-        for (int delay = 3; delay <= 7; delay++) {
+        for (int delay = 3; delay <= 9; delay++) {
             addRun("carried_on", "1", "0", "0.9", Integer.toString(delay), 0);
         }
-        addRun("carried_on", "1", "0", "0.9", "", 0);
-        addRun("carried_on", "1", "0", "0.9", "", 0);
     }
 
     private RunData data() {
         return new RunData(plan, lines);
     }
 
-    /** The interval is Wilson's for 7 of 9; of eight delays the fourth is the median, and the eighth the quantile. */
+    /** The interval is Wilson's for 7 of 9; the fifth of ten delays is their median, the ninth their 90 % quantile. */
     @Test
     void aRowCountsTheRunsOfItsCell() {
         addTenRuns();
@@ -91,7 +92,7 @@ class CellTableTest {
                         + "undecided,broken,detected,delay_median_s,delay_90_s,false_alarm_runs,view_median_s,"
                         + "error_median_m",
                 rows.get(0));
-        String numbers = "all,10,7,0.7778,0.4526,0.9368,1,1,0,1,0,8,4.0000,8.0000,2,0.2500,0.5000";
+        String numbers = "all,10,7,0.7778,0.4526,0.9368,1,1,0,1,0,10,5.0000,9.0000,2,0.2500,0.5000";
         assertEquals(
                 List.of("off,front," + numbers, "off,all," + numbers, "all,front," + numbers, "all,all," + numbers),
                 rows.subList(1, rows.size()));
@@ -108,6 +109,18 @@ class CellTableTest {
         assertEquals(9.0 / 10, cell.withoutContact().share());
         assertEquals((0.5 + 0.1 + 7 * 0.9) / 9, cell.coverageOrNaN(), 1e-12);
         assertTrue(Double.isNaN(cell.distanceRmsOrNaN()));
+    }
+
+    /** Other programs write a missing number in these ways. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "NA", "NaN", "nan", "Infinity", "-Infinity", "1e999"})
+    void aNumberThatIsNotFiniteIsMissing(String text) {
+        addRun("carried_on", "1", "0", text, text, 0);
+        addRun("carried_on", "1", "0", "0.5", "3", 0);
+        assertArrayEquals(new double[] {0.5}, RunData.values(data().rows(), "coverage"));
+        assertEquals(OptionalDouble.of(3), delayQuantile(0.9));
+        String charts = new VariantSections(data()).distributions();
+        assertTrue(charts.contains("coverage, n 1"), charts);
     }
 
     private OptionalDouble delayQuantile(double share) {
