@@ -42,6 +42,8 @@ class ValueSyntaxTest {
         assertEquals(List.of("0.25"), texts("0.1..0.4", 0.5));
         assertEquals(List.of("0.4"), texts("0.1..0.4", Math.nextDown(1.0)));
         assertEquals(List.of("0.199999"), texts("0.1..0.4", 0.33333), "six digits are enough");
+        assertEquals(List.of("1.2345612"), texts("1.2345612..1.2345698", 0), "rounded to 1.23456");
+        assertEquals(List.of("1.2345698"), texts("1.2345612..1.2345698", Math.nextDown(1.0)), "rounded to 1.23457");
     }
 
     @Test

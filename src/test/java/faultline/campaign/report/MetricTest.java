@@ -1,0 +1,65 @@
+package faultline.campaign.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.campaign.report.ControllerRuns.ComparedRun;
+import faultline.campaign.report.ControllerRuns.RunPair;
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.geometry.Pose;
+import faultline.world.WorldSpec;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** The numbers by which controllers are compared, and their intervals. */
+class MetricTest {
+
+    private static final ComparedRun RESTING = run(0);
+    private static final ComparedRun COLLIDING = run(6);
+
+    /** A run at some volts towards a wall at a distance of 0.275 m. */
+    private static ComparedRun run(double volts) {
+        SimulationSetup setup = SimulationSetup.of(
+                        new WorldSpec(3, 2, true, 0, List.of()), new Pose(2.6, 1, 0))
+                .withController(new ControllerSpec.Drive(volts, volts))
+                .withDuration(1);
+        RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());
+        return new ComparedRun(result, null, volts / 10);
+    }
+
+    @Test
+    void aShareHasTheIntervalOfWilson() {
+        assertEquals("0.67 [0.21, 0.94]", Metric.COLLISION.summary(new double[] {1, 0, 1}));
+    }
+
+    /** The deviation of 1 and 3 is the square root of 2, so half the interval is Student's quantile itself, 12.706. */
+    @Test
+    void aMeanHasTheIntervalOfStudent() {
+        assertEquals("2.00 [-10.71, 14.71]", Metric.PATH.summary(new double[] {1, 3}));
+        assertEquals("3.00", Metric.PATH.summary(new double[] {3}));
+        assertEquals("none", Metric.PATH.summary(new double[] {}));
+    }
+
+    @Test
+    void aDifferenceIsThatOfTheRunFromThePartner() {
+        RunPair worse = new RunPair(COLLIDING, RESTING);
+        RunPair equal = new RunPair(RESTING, RESTING);
+        assertEquals("0.75 [0.09, 0.95]", Metric.COLLISION.difference(List.of(worse, worse, worse, equal)));
+        RunPair better = new RunPair(RESTING, COLLIDING);
+        assertEquals("-0.75 [-0.95, -0.09]", Metric.COLLISION.difference(List.of(better, better, better, equal)));
+        assertEquals("0.60 [0.60, 0.60]", Metric.PATH.difference(List.of(worse, worse)));
+        assertEquals("none", Metric.COVERAGE.difference(List.of(worse, worse)));
+    }
+
+    @Test
+    void seedsMakeNoDifferenceIfSeveralRunsAreEqual() {
+        assertTrue(new ControllerRuns("drive", List.of(RESTING, RESTING), List.of()).areAllEqual());
+        assertFalse(new ControllerRuns("drive", List.of(RESTING, COLLIDING), List.of()).areAllEqual());
+        assertFalse(new ControllerRuns("drive", List.of(RESTING), List.of()).areAllEqual());
+    }
+}
