@@ -55,6 +55,25 @@ class CampaignCommandTest {
         return err.toString(StandardCharsets.UTF_8).replace(folder.toString(), "@");
     }
 
+    /** Comments of a file may be long, and may name the other format. */
+    @Test
+    void checkRecognisesAPlanByItsRootElement() throws IOException {
+        Path plan = folder.resolve("plan.xml");
+        String text = Files.readString(plan).replaceFirst("<campaign", "<!-- " + "-x".repeat(9000) + " --><campaign");
+        Files.writeString(plan, text);
+        assertEquals(0, command("check @/plan.xml"), errors());
+        assertTrue(out.toString(StandardCharsets.UTF_8).endsWith("good, 6 runs\n"), out::toString);
+        Files.write(plan, text.getBytes(StandardCharsets.UTF_16));
+        assertEquals(0, command("check @/plan.xml"), errors());
+        Path room = folder.resolve("room.xml");
+        Files.writeString(
+                room, SamplePlan.ROOM.replaceFirst("<scenario", "<!-- for urn:faultline:campaign:1 --><scenario"));
+        assertEquals(0, command("check @/room.xml"), errors());
+        Files.writeString(plan, "<campaign xmlns=\"urn:faultline:campaign:1\" name=x>");
+        assertEquals(2, command("check @/plan.xml"));
+        assertTrue(errors().startsWith("@/plan.xml:1:49: this is not well-formed XML"), errors());
+    }
+
     @Test
     void aCampaignIsMadeInPartsMergedAndReported() throws IOException {
         assertEquals(0, command("campaign @/plan.xml --out @/whole"), errors());

@@ -25,7 +25,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
 
     private static final String KIND = "campaign plan";
 
-    /** The number of bytes within which the root element must begin. */
+    /** The number of bytes within which a root element that is not well-formed must begin. */
     private static final int HEAD = 8192;
 
     /** The plan's name in a folder that holds a copy of all files. */
@@ -37,11 +37,18 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
     }
 
     /**
-     * {@return whether a file is probably a plan: its beginning contains the namespace}
+     * {@return whether a file is a plan by the namespace of its root element, or by its text if that is not
+     * well-formed}
      *
      * @param file the file
      */
     public static boolean isPlan(Path file) {
+        return XmlFile.rootNamespace(file)
+                .map(PlanReader.FORMAT.namespace()::equals)
+                .orElseGet(() -> mentionsPlans(file));
+    }
+
+    private static boolean mentionsPlans(Path file) {
         if (!Files.isRegularFile(file)) {
             return false;
         }

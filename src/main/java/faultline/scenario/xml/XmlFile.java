@@ -2,14 +2,53 @@ package faultline.scenario.xml;
 
 import faultline.io.ByteCount;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Optional;
+import org.xml.sax.Attributes;
+import org.xml.sax.SAXException;
+import org.xml.sax.helpers.DefaultHandler;
 
 /** Reads the bytes of a file, or reports why it cannot be read. */
 public final class XmlFile {
 
     private XmlFile() {}
+
+    /** Ends a pass at the root element. */
+    private static final class RootReader extends DefaultHandler {
+
+        /** Null until the root element is read. */
+        private String namespace;
+
+        @Override
+        public void startElement(String uri, String localName, String qName, Attributes attributes)
+                throws SAXException {
+            namespace = uri;
+            throw new SAXException("the rest of the file is not needed");
+        }
+    }
+
+    /**
+     * {@return the namespace of the root element of a file, an empty text if it has none; empty if the file cannot be
+     * read up to there}
+     *
+     * @param file the file
+     */
+    public static Optional<String> rootNamespace(Path file) {
+        RootReader root = new RootReader();
+        try {
+            if (Files.isRegularFile(file) && Files.size(file) <= ScenarioLimits.MAX_BYTES) {
+                try (InputStream in = Files.newInputStream(file)) {
+                    XmlParser.newParser().parse(in, root);
+                }
+            }
+        } catch (SAXException | IOException e) {
+            // The root element has been read, or the file is reported when all of it is read.
+        }
+        return Optional.ofNullable(root.namespace);
+    }
 
     /**
      * {@return the bytes of a file}
