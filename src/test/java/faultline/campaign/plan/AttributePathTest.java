@@ -33,6 +33,21 @@ class AttributePathTest {
         assertEquals(Optional.empty(), AttributePath.parse(path));
     }
 
+    /** Ids and settings are texts: 1 and 01 are two of them. */
+    @ParameterizedTest
+    @CsvSource({
+        "robot/sensor[front]/@id, true",
+        "@name, true",
+        "timeline/fault[1]/@sensor, true",
+        "timeline/move[1]/@obstacle, true",
+        "controller/setting[gain]/@value, true",
+        "timeline/fault[1]/@value, false",
+        "robot/@speed, false"
+    })
+    void theValuesOfSomeAttributesAreTexts(String path, boolean text) {
+        assertEquals(text, AttributePath.parse(path).orElseThrow().isText());
+    }
+
     @Test
     void aPathIsWrittenAsItIsRead() {
         String path = "robot/sensor[front]/@cone";

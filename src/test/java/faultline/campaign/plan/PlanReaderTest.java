@@ -2,6 +2,7 @@ package faultline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.RoomRules;
 import faultline.scenario.xml.ScenarioException;
@@ -98,6 +99,17 @@ class PlanReaderTest {
                         <set attribute="world/circle[pole]/@x" value="2 2.2"/>
                         <set attribute="world/circle[1]/@y" value="0.5 0.6" name="other"/>
                         """));
+    }
+
+    @Test
+    void everyWordOfAChoiceIsChecked() {
+        List<String> problems =
+                SamplePlan.problems("<set attribute=\"controller/@timing\" value=\"any of range nonsense range\"/>");
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains("timing of <controller> is \"nonsense\""), problems::toString);
+        problems = SamplePlan.problems(
+                "<set attribute=\"controller/@timing\" value=\"any of range nonsense equal-readings\"/>");
+        assertEquals(1, problems.size(), problems::toString);
     }
 
     @Test

@@ -38,7 +38,11 @@ class CampaignReportTest {
     private String report(String elements) throws Exception {
         String worlds = "<worlds><scenario file=\"a.xml\"/><scenario file=\"b.xml\"/></worlds>"
                 + (elements.contains("<seeds") ? "" : "<seeds count=\"2\"/>");
-        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", worlds + elements));
+        return reportOf(worlds + elements);
+    }
+
+    private String reportOf(String elements) throws Exception {
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", elements));
         new CampaignRunner(plan, new CampaignFolder(folder), Shard.ALL, 2).run(true, (made, runs) -> {}, () -> false);
         return new CampaignReport(folder).html();
     }
@@ -71,6 +75,21 @@ class CampaignReportTest {
         String html = report("");
         String command = "java -jar target/faultline.jar \"" + folder.resolve("replays/run-0000000.xml") + "\"";
         assertTrue(html.contains("<code>" + Html.escape(command) + "</code>"), html);
+    }
+
+    @Test
+    void namesInAPlanAreNoMarkup() throws Exception {
+        String html = reportOf(
+                """
+                <worlds><scenario file="a.xml" name="&lt;i>"/></worlds><seeds count="2"/>
+                <variants><variant name="&lt;u>"/>
+                  <variant name="&lt;em>"><set attribute="robot/@speed" value="0.2"/></variant></variants>
+                <faults><healthy/><fault label="&lt;s>" kind="off" sensor="front" at="1"/></faults>
+                """);
+        for (String name : List.of("i", "u", "em", "s")) {
+            assertFalse(html.contains("<" + name + ">"), name);
+            assertTrue(html.contains("&lt;" + name + "&gt;"), name);
+        }
     }
 
     @Test

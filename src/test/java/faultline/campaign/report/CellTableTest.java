@@ -103,8 +103,7 @@ class CellTableTest {
         addTenRuns();
         CampaignCell cell = CampaignCell.allOf(plan, lines).get(0);
         assertEquals(List.of("off", "front"), cell.labels());
-        assertEquals(
-                IntStream.range(0, 10).mapToObj(run -> (long) run).toList(), cell.runs());
+        assertEquals(IntStream.range(0, 10).mapToObj(run -> (long) run).toList(), cell.runs());
         assertEquals(7.0 / 9, cell.carriedOn().share());
         assertEquals(9.0 / 10, cell.withoutContact().share());
         assertEquals((0.5 + 0.1 + 7 * 0.9) / 9, cell.coverageOrNaN(), 1e-12);

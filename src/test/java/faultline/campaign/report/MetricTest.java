@@ -24,8 +24,7 @@ class MetricTest {
 
     /** A run at some volts towards a wall at a distance of 0.275 m. */
     private static ComparedRun run(double volts) {
-        SimulationSetup setup = SimulationSetup.of(
-                        new WorldSpec(3, 2, true, 0, List.of()), new Pose(2.6, 1, 0))
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(3, 2, true, 0, List.of()), new Pose(2.6, 1, 0))
                 .withController(new ControllerSpec.Drive(volts, volts))
                 .withDuration(1);
         RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());

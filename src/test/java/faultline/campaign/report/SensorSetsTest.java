@@ -52,6 +52,13 @@ class SensorSetsTest {
     }
 
     @Test
+    void theBestSetOfASizeIsTheOneWithTheGreatestShare() {
+        addRuns("front", 5, 20);
+        addRuns("left", 15, 20);
+        assertTrue(section().contains(row("1") + "<td>2</td><td>0</td><td>left</td>"), section());
+    }
+
+    @Test
     void aSetIsSufficientFromEightyFivePerCentOn() {
         addRuns("front", 17, 20);
         addRuns("left", 16, 20);

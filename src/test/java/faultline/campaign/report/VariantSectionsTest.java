@@ -47,7 +47,7 @@ class VariantSectionsTest {
         assertFalse(comparison(5, 6).contains("<b>+10</b>"), comparison(5, 6));
     }
 
-    /** Of ten parts of the range from 0 to 0.8, the runs are in the first two; the greatest value is in the last one. */
+    /** Of ten parts of the range from 0 to 0.8, runs are in the first two; the greatest value is in the last one. */
     @Test
     void theGreatestValueBelongsToTheLastPartOfItsRange() throws ScenarioException {
         lines.add(List.of("run", "block", "world", "fault_value", "carried_on"));
