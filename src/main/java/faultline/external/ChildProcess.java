@@ -40,7 +40,7 @@ final class ChildProcess implements AutoCloseable {
     private static final long GRACE_SECONDS = 2;
 
     private final Process process;
-    private final DescendantMarker marker = DescendantMarker.create();
+    private final DetachedProcesses detached = new DetachedProcesses();
     private final OutputStream input;
     private final ChildOutput output;
     private final Deque<String> errorLines = new ArrayDeque<>();
@@ -64,8 +64,9 @@ final class ChildProcess implements AutoCloseable {
     ChildProcess(List<String> command, double writeSeconds, Consumer<String> errors) throws IOException {
         this.errors = errors;
         ProcessBuilder builder = new ProcessBuilder(command);
-        builder.environment().put(DescendantMarker.VARIABLE, marker.value());
+        builder.environment().put(DetachedProcesses.VARIABLE, detached.mark());
         process = builder.start();
+        detached.follow(process);
         input = process.getOutputStream();
         output = new ChildOutput(process.getInputStream());
         exitHook = new Thread(this::killTree);
@@ -245,7 +246,7 @@ final class ChildProcess implements AutoCloseable {
             }
         }
         descendants.forEach(ProcessHandle::destroyForcibly);
-        marker.killAll();
+        detached.killAll();
         joinBriefly(errorReader);
         writeGuard.interrupt();
         try {
@@ -286,6 +287,6 @@ final class ChildProcess implements AutoCloseable {
     private void killTree() {
         process.descendants().forEach(ProcessHandle::destroyForcibly);
         process.destroyForcibly();
-        marker.killAll();
+        detached.killAll();
     }
 }

@@ -225,16 +225,36 @@ class ExternalControllerTest {
 
     @Test
     void aProcessThatHasLeftTheChildsFamilyEndsToo() {
-        assumeTrue(OS.current() == OS.LINUX, "found by the environment in /proc");
         String length = Long.toString(1_000_000 + ProcessHandle.current().pid());
         String script = "(sleep " + length + " &); (setsid sleep " + length + " &); read l; sleep 0.2; exit 1";
+        assertEquals(List.of(), leftWith("sleep " + length, script));
+    }
+
+    @Test
+    void aProcessThatHasLeftTheFamilyAndLostItsEnvironmentEndsToo() {
+        String length = Long.toString(2_000_000 + ProcessHandle.current().pid());
+        String script = "(setsid env -i sleep " + length + " &); read l; sleep 0.2; exit 1";
+        assertEquals(List.of(), leftWith("sleep " + length, script));
+    }
+
+    /** Each process of a chain starts the next one and ends, so a search of all processes may just miss it. */
+    @Test
+    void processesThatStartOthersMeanwhileEndToo() {
+        String token = "chain-" + ProcessHandle.current().pid();
+        String link = "sleep 0.01; [ $n -lt 1000 ] && n=$((n+1)) sh -c \"$link\" " + token + " &";
+        String script = "export n=0 link='" + link + "'; for i in 1 2 3 4 5 6 7 8; do (setsid sh -c \"$link\" " + token
+                + " &); done; read l; sleep 0.2; exit 1";
+        assertEquals(List.of(), leftWith(token, script));
+    }
+
+    /** Runs a child that breaks the run, and returns the processes that are left and whose last argument is given. */
+    private List<String> leftWith(String ending, String script) {
+        assumeTrue(OS.current() == OS.LINUX, "found by /proc");
         assertThrows(RunFailedException.class, () -> run(shell(script), office(), PATIENCE));
-        assertEquals(
-                List.of(),
-                ProcessHandle.allProcesses()
-                        .filter(process ->
-                                process.info().commandLine().orElse("").endsWith("sleep " + length))
-                        .toList());
+        return ProcessHandle.allProcesses()
+                .map(process -> process.info().commandLine().orElse(""))
+                .filter(command -> command.endsWith(ending))
+                .toList();
     }
 
     @Test

@@ -1,0 +1,103 @@
+package faultline.external;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/**
+ * The descendants of a child that are no longer below it because the process that started them has ended. On Linux they
+ * are identified by an environment variable that the child passes on to the processes that it starts, and by the pipes
+ * of its standard streams, because a process can lose its environment: {@code env -i} clears it, and a Perl program
+ * that changes its name overwrites it.
+ */
+final class DetachedProcesses {
+
+    /** The name of the environment variable. */
+    static final String VARIABLE = "FAULTLINE_CHILD";
+
+    /** The time for which processes are searched again because new ones were found, nanoseconds. */
+    private static final long LONGEST_SEARCH = TimeUnit.SECONDS.toNanos(2);
+
+    private static final int STANDARD_STREAMS = 3;
+    private static final AtomicLong SEQUENCE = new AtomicLong();
+
+    private final String mark;
+    private volatile Set<String> pipes = Set.of();
+
+    /** Creates a mark that no other child has. */
+    DetachedProcesses() {
+        ProcessHandle own = ProcessHandle.current();
+        long start = own.info().startInstant().map(Instant::toEpochMilli).orElse(0L);
+        mark = own.pid() + "-" + start + "-" + SEQUENCE.incrementAndGet();
+    }
+
+    /** {@return the value of the environment variable, different for each child} */
+    String mark() {
+        return mark;
+    }
+
+    /** Notes the pipes of a child that was just started with the mark. */
+    void follow(Process child) {
+        pipes = IntStream.range(0, STANDARD_STREAMS)
+                .mapToObj(stream -> pipe(child.pid(), stream))
+                .flatMap(Optional::stream)
+                .collect(Collectors.toSet());
+    }
+
+    /** Returns the pipe that is a standard stream of a process. */
+    private static Optional<String> pipe(long pid, int stream) {
+        try {
+            return Optional.of(Files.readSymbolicLink(Path.of("/proc", pid + "/fd/" + stream)))
+                    .map(Path::toString)
+                    .filter(target -> target.startsWith("pipe:"));
+        } catch (IOException notThere) {
+            return Optional.empty();
+        }
+    }
+
+    /** Ends the processes, and those that they start meanwhile. */
+    void killAll() {
+        long start = System.nanoTime();
+        boolean found = true;
+        while (found && System.nanoTime() - start < LONGEST_SEARCH) {
+            found = ProcessHandle.allProcesses()
+                            .filter(process -> belongs(process) && process.destroyForcibly())
+                            .count()
+                    > 0;
+        }
+    }
+
+    private boolean belongs(ProcessHandle process) {
+        return isMarked(process) || hasPipe(process);
+    }
+
+    private boolean isMarked(ProcessHandle process) {
+        Path environment = Path.of("/proc", Long.toString(process.pid()), "environ");
+        try {
+            return Files.isReadable(environment)
+                    && new String(Files.readAllBytes(environment), StandardCharsets.ISO_8859_1)
+                            .contains(VARIABLE + "=" + mark + "\0");
+        } catch (IOException ended) {
+            return false;
+        }
+    }
+
+    /** The program itself has the other ends, and a process that it is just starting may still have them. */
+    private boolean hasPipe(ProcessHandle process) {
+        ProcessHandle own = ProcessHandle.current();
+        return IntStream.range(0, STANDARD_STREAMS)
+                        .mapToObj(stream -> pipe(process.pid(), stream))
+                        .flatMap(Optional::stream)
+                        .anyMatch(pipes::contains)
+                && !process.equals(own)
+                && !process.parent().equals(Optional.of(own));
+    }
+}
