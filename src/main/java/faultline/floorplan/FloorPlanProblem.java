@@ -49,6 +49,8 @@ public enum FloorPlanProblem implements Message.Template {
     ENDS_TOO_EARLY("the file ends too early"),
     /** The reason why a damaged image cannot be read. */
     DAMAGED("the file is damaged"),
+    /** A chunk of a PNG file does not match its checksum. */
+    CHECKSUM("the checksum of the chunk {0} at byte {1} is wrong; the image is damaged"),
     /** The file is no image. */
     IMAGE_FORMAT("the format of the image is not known; expected PGM (P2, P5), PNG, BMP, GIF or TIFF"),
     /** The image has too many pixels or none. */

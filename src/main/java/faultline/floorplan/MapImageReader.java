@@ -60,6 +60,9 @@ final class MapImageReader {
                     return new PgmReader(file, in).read();
                 }
             }
+            if (start.length == 2 && start[0] == (byte) 0x89 && start[1] == 'P') {
+                return readPng(file);
+            }
             return start.length == 2 && start[0] == 'G' && start[1] == 'I' ? readGif(file) : readOther(file);
         } catch (FloorPlanException e) {
             throw e;
@@ -97,6 +100,13 @@ final class MapImageReader {
         }
     }
 
+    private static MapImage readPng(Path file) throws IOException {
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(file), BUFFER_BYTES)) {
+            PngChecksums.check(file, in);
+        }
+        return readOther(file);
+    }
+
     private static MapImage readOther(Path file) throws IOException {
         try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
             return readWithImageIo(file, in);
@@ -111,7 +121,8 @@ final class MapImageReader {
         ImageReader reader = readers.next();
         try {
             reader.setInput(in, true, true);
-            requireSize(file, reader.getWidth(0), reader.getHeight(0));
+            // A size that is stored in 32 bits without a sign is negative here.
+            requireSize(file, Integer.toUnsignedLong(reader.getWidth(0)), Integer.toUnsignedLong(reader.getHeight(0)));
             return toMapImage(file, reader.read(0));
         } finally {
             reader.dispose();

@@ -20,6 +20,8 @@ import java.awt.image.Raster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.math.BigDecimal;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -440,6 +442,19 @@ class FloorPlanTest {
         assertTrue(ImageIO.write(image, "tiff", file.toFile()));
         IOException e = assertThrows(FloorPlanException.class, () -> read(file, ""));
         assertEquals(file + ": a pixel of the image has 32 bits; expected at most 16", e.getMessage());
+    }
+
+    @Test
+    void theSizeOfATiffIsReportedAsTheFileHasIt() throws IOException {
+        int[][] tags = {{256, -1}, {257, -1}, {258, 8}, {259, 1}, {262, 1}, {273, 8}, {277, 1}, {278, 5}, {279, 25}};
+        ByteBuffer tiff = ByteBuffer.allocate(14 + 12 * tags.length).order(ByteOrder.LITTLE_ENDIAN);
+        tiff.put("II*\0".getBytes(StandardCharsets.ISO_8859_1)).putInt(8).putShort((short) tags.length);
+        for (int[] tag : tags) {
+            tiff.putShort((short) tag[0]).putShort((short) 4).putInt(1).putInt(tag[1]);
+        }
+        Path file = Files.write(folder.resolve("wide.tiff"), tiff.array());
+        IOException e = assertThrows(FloorPlanException.class, () -> read(file, ""));
+        assertEquals(file + ": the image has 4294967295 x 4294967295 pixels; expected 1 to 64000000", e.getMessage());
     }
 
     private FloorPlan read(Path image, String more) throws IOException {
