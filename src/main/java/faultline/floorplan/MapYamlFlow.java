@@ -20,7 +20,7 @@ final class MapYamlFlow {
     static boolean begins(String line) {
         String content = line.strip();
         String value = content.substring(content.indexOf(':') + 1).strip();
-        return content.startsWith("{") || value.startsWith("[");
+        return content.startsWith("{") || MapYamlScalar.withoutProperties(value).startsWith("[");
     }
 
     /** Returns how many more brackets and braces a line opens than it closes. */

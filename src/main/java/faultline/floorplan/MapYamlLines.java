@@ -32,7 +32,7 @@ final class MapYamlLines {
     record YamlLine(int number, String text) {}
 
     private MapYamlLines(String text, List<String> keys) {
-        this.source = text.replaceFirst("^\uFEFF", "").split("\\R", -1);
+        this.source = text.replaceFirst("^\uFEFF", "").split("\r\n|[\r\n]", -1);
         this.keys = keys;
     }
 
@@ -107,7 +107,9 @@ final class MapYamlLines {
         if (!isItem(line) && !keys.contains(key(line))) {
             return line;
         }
-        boolean isEmpty = line.strip().endsWith(":");
+        boolean isEmpty = MapYamlScalar.withoutProperties(
+                        line.substring(line.indexOf(':') + 1).strip())
+                .isEmpty();
         StringBuilder joined = new StringBuilder(line);
         while (next < source.length) {
             int before = next;
@@ -116,7 +118,7 @@ final class MapYamlLines {
                 next = before;
                 break;
             }
-            if (isEmpty && more.strip().startsWith("[")) {
+            if (isEmpty && MapYamlFlow.begins(more)) {
                 return joinFlow(line + " " + more.strip());
             }
             if (!more.isBlank()) {

@@ -144,13 +144,14 @@ final class MapYamlReader {
 
     private static List<String> splitValue(String value) {
         List<String> values = new ArrayList<>();
-        if (value.startsWith("[") && value.endsWith("]")) {
+        String content = MapYamlScalar.withoutProperties(value);
+        if (content.startsWith("[") && content.endsWith("]")) {
             // YAML allows a comma after the last item.
-            String items = value.substring(1, value.length() - 1).strip().replaceFirst(",$", "");
+            String items = content.substring(1, content.length() - 1).strip().replaceFirst(",$", "");
             for (String part : items.split(",", -1)) {
                 values.add(MapYamlScalar.read(part.strip()));
             }
-        } else if (!value.isEmpty()) {
+        } else if (!content.isEmpty()) {
             values.add(MapYamlScalar.read(value));
         }
         return values;

@@ -36,6 +36,13 @@ final class MapYamlScalar {
         };
     }
 
+    /** Returns a value without the tags and anchors before it. */
+    static String withoutProperties(String value) {
+        String text = value + ' ';
+        Matcher properties = PROPERTIES.matcher(text);
+        return properties.lookingAt() ? text.substring(properties.end()).strip() : value;
+    }
+
     /** Joins lines with single blanks, or without one if a backslash in double quotes ends the line. */
     private static String fold(String text) {
         StringBuilder joined = new StringBuilder();

@@ -231,6 +231,11 @@ class FloorPlanTest {
                         + "origin: [-10, 2.5, '0.5'], negate: 1}\n",
                 "note: of \"Bob\nwho: - 'Bob\nimage: 'm.pgm'\nresolution: \"0.05\"\nnegate: 1\n"
                         + "origin:\n- |-\n  -10\n- !!float \"2.5\"\n- '0.5'\n",
+                "image: m.pgm\nresolution: &r 0.05\norigin: &o !!seq [-10,\n 2.5, 0.5]\nnegate: 1\n",
+                "image: m.pgm\nresolution: 0.05\norigin:\n  !!seq [-10, 2.5, 0.5]\nnegate: 1\n",
+                "image: m.pgm\nresolution: 0.05\norigin: &o\n  - -10\n  - 2.5\n  - &yaw 0.5\nnegate: 1\n",
+                "{image: m.pgm, resolution: 0.05, origin: !!seq [-10, 2.5, 0.5], negate: 1}",
+                "image: m.pgm # a hall\u2028\u0085\fof Bob\nresolution: 0.05\norigin: [-10, 2.5, 0.5]\rnegate: 1\n",
                 "about: |\n  A hall [1\n  with: walls\n\n  # 7\nmeta:\n  image: b.pgm\n  resolution: 7\n"
                         + "image: m.pgm\nresolution: 0.05\nrooms:\n- name: a\n  image: c\n-\n  name: b\n"
                         + "  image: d\norigin: [-10, 2.5, 0.5]\nnegate: 1\nwhy: some words\n  and more\n"
