@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 
 /**
@@ -19,8 +20,8 @@ record DriveMessage(double leftVolts, double rightVolts, String state, String wh
      * velocities are converted to voltages by the robot's track and motors.
      */
     static DriveMessage read(MessageReader message, RobotSpec robot) throws ProtocolException {
-        String state = limit(message.string("state", ""));
-        String why = limit(message.string("why", ""));
+        String state = MessageText.start(message.string("state", ""), MAX_TEXT);
+        String why = MessageText.start(message.string("why", ""), MAX_TEXT);
         boolean volts = message.has("left_v") || message.has("right_v");
         boolean velocities = message.has("v_m_s") || message.has("omega_rad_s");
         if (volts == velocities) {
@@ -37,9 +38,5 @@ record DriveMessage(double leftVolts, double rightVolts, String state, String wh
             throw new ProtocolException(ControllerProblem.TOO_FAST);
         }
         return new DriveMessage(left, right, state, why);
-    }
-
-    private static String limit(String text) {
-        return text.length() > MAX_TEXT ? text.substring(0, MAX_TEXT) : text;
     }
 }

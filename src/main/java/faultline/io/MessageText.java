@@ -25,7 +25,20 @@ public final class MessageText {
      * @param text the text
      */
     public static String excerpt(String text) {
-        return oneLine(text.length() > MAX_EXCERPT_LENGTH ? text.substring(0, MAX_EXCERPT_LENGTH) + "..." : text);
+        return oneLine(text.length() > MAX_EXCERPT_LENGTH ? start(text, MAX_EXCERPT_LENGTH) + "..." : text);
+    }
+
+    /**
+     * {@return the start of a text, without the first half of a character whose second half is cut off}
+     *
+     * @param text the text
+     * @param length the greatest length of the start, in {@code char} values, positive
+     */
+    public static String start(String text, int length) {
+        if (text.length() <= length) {
+            return text;
+        }
+        return text.substring(0, Character.isHighSurrogate(text.charAt(length - 1)) ? length - 1 : length);
     }
 
     /**

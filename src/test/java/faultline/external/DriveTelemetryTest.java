@@ -29,6 +29,13 @@ class DriveTelemetryTest {
                 DriveMessage.read(message, RobotSpec.DEFAULT));
     }
 
+    @Test
+    void aCutTextEndsWithAWholeCharacter() throws ProtocolException {
+        String why = "w".repeat(199);
+        MessageReader message = MessageReader.of("{\"left_v\":1,\"right_v\":2,\"why\":\"" + why + "\ud83e\udd16\"}");
+        assertEquals(why, DriveMessage.read(message, RobotSpec.DEFAULT).why());
+    }
+
     private static Telemetry decide(DriveTelemetry states, String state, long tick) {
         return states.decide(new DriveMessage(0, 0, state, "why"), tick).telemetry();
     }

@@ -34,6 +34,15 @@ class MessageTextTest {
     }
 
     @Test
+    void aCharacterOfTwoHalvesIsNotSplit() {
+        String robot = Character.toString(0x1f916);
+        assertEquals("x".repeat(59) + "...", MessageText.excerpt("x".repeat(59) + robot));
+        assertEquals("x".repeat(58) + robot + "...", MessageText.excerpt("x".repeat(58) + robot + "x"));
+        assertEquals("x", MessageText.start("x" + robot, 2));
+        assertEquals("x" + robot, MessageText.start("x" + robot, 3));
+    }
+
+    @Test
     void aNameHasSingleBlanksAndNoneAtItsEnds() {
         assertEquals("my robot", MessageText.name(" my \n\t robot\u202e "));
         assertEquals("", MessageText.name(" \n"));

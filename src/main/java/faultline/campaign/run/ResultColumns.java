@@ -7,6 +7,7 @@ import faultline.engine.metrics.CarryOnMetrics;
 import faultline.engine.metrics.DiagnosisMetrics;
 import faultline.engine.metrics.RunResult;
 import faultline.io.DecimalText;
+import faultline.io.MessageText;
 import faultline.scenario.RunSummary;
 import java.util.ArrayList;
 import java.util.List;
@@ -169,7 +170,7 @@ public final class ResultColumns {
         List<String> cells = leadingCells(run);
         cells.add(Outcome.BROKEN);
         RESULTS.stream().skip(2).forEach(column -> cells.add(""));
-        cells.add(failure.substring(0, Math.min(failure.length(), FAILURE_LENGTH)));
+        cells.add(MessageText.start(failure, FAILURE_LENGTH));
         return Csv.row(cells);
     }
 
