@@ -6,7 +6,7 @@ import java.util.List;
 /**
  * Selects points of a path so that the lines between them stay within a tolerance of all omitted points. From each
  * selected point, it intersects the sectors of directions in which a line passes all following points closely enough,
- * and goes on until a point lies outside the intersection or the path turns back.
+ * until a point lies outside the intersection or the path turns back.
  */
 final class PathThinner {
 

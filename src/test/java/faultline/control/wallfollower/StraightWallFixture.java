@@ -42,7 +42,7 @@ public final class StraightWallFixture {
         this.pose = new Pose(0, -distance, Math.toRadians(headingDegrees));
     }
 
-    /** Goes on until the follower is in a state, for a minute at most. */
+    /** Runs until the follower is in a state, for a minute at most. */
     public StraightWallFixture runUntil(FollowerState state) {
         for (long end = tick + 6000; tick < end && telemetry.state() != state; ) {
             tick();

@@ -92,7 +92,7 @@ class JournalRobotTest {
         assertEquals(sensors(last), sensors(driver.frame()));
         driver.choose("run");
         driver.waitForFrame(
-                "it goes on if the user says so",
+                "it continues if the user says so",
                 frame -> frame.snapshot().tick() > last.snapshot().tick());
     }
 

@@ -67,7 +67,7 @@ class ProgressDialogRobotTest {
         assertEquals(1, driver.frame().snapshot().tick());
         driver.robot().waitFor("the line shows so", () -> line.getValue() == 1);
         driver.type(KeyEvent.VK_PERIOD);
-        driver.waitForFrame("the run goes on", frame -> frame.snapshot().tick() == 2);
+        driver.waitForFrame("the run continues", frame -> frame.snapshot().tick() == 2);
     }
 
     @Test

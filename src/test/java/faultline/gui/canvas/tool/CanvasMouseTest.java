@@ -147,7 +147,7 @@ class CanvasMouseTest {
         mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(5, 1)), MouseEvent.NOBUTTON);
         Command last = sent.get(sent.size() - 1);
         Obstacle placed = ((Command.PlaceObstacle) last).obstacle();
-        assertEquals(moved.pose(), placed.pose(), "the obstacle goes on from where it is");
+        assertEquals(moved.pose(), placed.pose(), "the obstacle continues from where it is");
         assertEquals(motion.waypoints().get(0), placed.motion().waypoints().get(0));
         assertEquals(0, placed.motion().waypoints().get(1).distanceTo(new Vector2(5, 1)), 0.02);
         mouse(MouseEvent.MOUSE_RELEASED, screen(new Vector2(5, 1)), MouseEvent.BUTTON1);
@@ -223,7 +223,7 @@ class CanvasMouseTest {
         mouse(MouseEvent.MOUSE_RELEASED, box, MouseEvent.BUTTON3);
         assertEquals(List.of(), menus);
         mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(20, 0)), MouseEvent.NOBUTTON);
-        assertEquals(1, callOnEdt(sent::size), "the drag goes on");
+        assertEquals(1, callOnEdt(sent::size), "the drag continues");
         mouse(MouseEvent.MOUSE_RELEASED, box.plus(new Vector2(20, 0)), MouseEvent.BUTTON1);
         mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(40, 0)), MouseEvent.NOBUTTON);
         assertEquals(1, callOnEdt(sent::size), "and is over");
