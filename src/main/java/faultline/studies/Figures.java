@@ -74,13 +74,13 @@ public final class Figures {
      * their places together when all are written.
      */
     public static void writeAll(Path path, SvgTheme appearance, FigureListener progress) throws IOException {
-        writeAll(path, appearance, allFigures(), progress);
+        writeAll(path, appearance, allFigures(), Runtime.getRuntime().availableProcessors(), progress);
     }
 
-    static void writeAll(Path path, SvgTheme appearance, List<Figure> figures, FigureListener progress)
+    /** Writes some figures, as many at the same time as there are threads. */
+    static void writeAll(Path path, SvgTheme appearance, List<Figure> figures, int threads, FigureListener progress)
             throws IOException {
-        ExecutorService workers =
-                Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
+        ExecutorService workers = Executors.newFixedThreadPool(threads);
         try (FigureFolder folder = FigureFolder.create(path, appearance)) {
             CompletionService<Void> written = new ExecutorCompletionService<>(workers);
             for (Figure figure : figures) {

@@ -2,7 +2,6 @@ package faultline.studies;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import faultline.paint.surface.SvgTheme;
 import faultline.studies.figure.CsvTable;
@@ -24,7 +23,7 @@ class FigureFailuresTest {
     private Path folder;
 
     private void write(Figure... figures) throws IOException {
-        Figures.writeAll(folder, SvgTheme.LIGHT, List.of(figures), (done, all) -> {});
+        Figures.writeAll(folder, SvgTheme.LIGHT, List.of(figures), 2, (done, all) -> {});
     }
 
     private static void await(CountDownLatch latch) throws IOException {
@@ -38,7 +37,6 @@ class FigureFailuresTest {
     @Test
     @Timeout(60)
     void aFailureIsReportedWhileASlowerFigureIsMade() {
-        assumeTrue(Runtime.getRuntime().availableProcessors() > 1);
         IOException failure = assertThrows(
                 IOException.class,
                 () -> write(out -> await(new CountDownLatch(1)), out -> {

@@ -56,7 +56,7 @@ class KilledFiguresTest {
                         || figure instanceof StateDiagramFigure
                         || figure instanceof StepResponse)
                 .toList();
-        Figures.writeAll(out, colours, figures, (done, all) -> {});
+        Figures.writeAll(out, colours, figures, 2, (done, all) -> {});
     }
 
     private static List<Path> files(Path out) throws IOException {
