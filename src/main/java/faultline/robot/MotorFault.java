@@ -27,6 +27,16 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.NoDrive, 
      * @param value the share
      */
     record Weak(double value) implements MotorFault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the share
+         * @throws IllegalArgumentException if the value is outside the limits of {@link MotorFaultKind#WEAK}
+         */
+        public Weak {
+            MotorFaultKind.WEAK.requireAllowed(value);
+        }
+
         @Override
         public double apply(double volts) {
             return value * volts;
@@ -58,6 +68,16 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.NoDrive, 
      * @param value half the width of the band, volts
      */
     record DeadBand(double value) implements MotorFault {
+        /**
+         * Creates the fault.
+         *
+         * @param value half the width of the band, volts
+         * @throws IllegalArgumentException if the value is outside the limits of {@link MotorFaultKind#DEAD_BAND}
+         */
+        public DeadBand {
+            MotorFaultKind.DEAD_BAND.requireAllowed(value);
+        }
+
         @Override
         public double apply(double volts) {
             return Math.copySign(Math.max(0, Math.abs(volts) - value), volts);

@@ -33,7 +33,6 @@ public enum MotorFaultKind implements FaultDescriptor<MotorFault> {
 
     @Override
     public MotorFault createFault(double value, double length) {
-        requireAllowed(value);
         return factory.apply(value);
     }
 }

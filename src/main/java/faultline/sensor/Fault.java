@@ -78,6 +78,16 @@ public sealed interface Fault
      * @param value the reported distance, metres, not negative; nothing if it is beyond the range
      */
     record Stuck(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the reported distance, metres, not negative; nothing if it is beyond the range
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#STUCK}
+         */
+        public Stuck {
+            FaultKind.STUCK.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             return value <= context.range() ? value : Reading.NOTHING;
@@ -91,6 +101,16 @@ public sealed interface Fault
      * @param value the error, metres, positive for too far
      */
     record Bias(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the error, metres, positive for too far
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#BIAS}
+         */
+        public Bias {
+            FaultKind.BIAS.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             double biased = Math.max(0, reading + value);
@@ -104,6 +124,16 @@ public sealed interface Fault
      * @param value the share of such ticks, in [0, 1]; the ticks are independent
      */
     record Dropout(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the share of ticks in which nothing is seen, in [0, 1]
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#DROPOUT}
+         */
+        public Dropout {
+            FaultKind.DROPOUT.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             return context.random().nextDouble() < value ? Reading.NOTHING : reading;

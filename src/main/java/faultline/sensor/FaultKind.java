@@ -111,7 +111,6 @@ public enum FaultKind implements FaultDescriptor<Fault> {
 
     @Override
     public Fault createFault(double value, double length) {
-        requireAllowed(value);
         return factory.create(value, length);
     }
 

@@ -13,6 +13,16 @@ public final class OpticalFault {
      * @param value that distance, metres
      */
     public record ShortRange(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the distance beyond which nothing is seen, metres
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#SHORT_RANGE}
+         */
+        public ShortRange {
+            FaultKind.SHORT_RANGE.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             return reading > value ? Reading.NOTHING : reading;
@@ -25,6 +35,16 @@ public final class OpticalFault {
      * @param value the full angle, degrees
      */
     public record Cone(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the full angle, degrees
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#CONE}
+         */
+        public Cone {
+            FaultKind.CONE.requireAllowed(value);
+        }
+
         @Override
         public SensorSpec optics(SensorSpec spec) {
             return spec.withCone(StrictMath.toRadians(value));
@@ -37,6 +57,16 @@ public final class OpticalFault {
      * @param value that angle from the normal, degrees
      */
     public record SpecularLoss(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the greatest angle of incidence that is seen, from the normal, degrees
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#SPECULAR_LOSS}
+         */
+        public SpecularLoss {
+            FaultKind.SPECULAR_LOSS.requireAllowed(value);
+        }
+
         @Override
         public double specularAngle() {
             return StrictMath.toRadians(value);
@@ -49,6 +79,16 @@ public final class OpticalFault {
      * @param value the error of its bearing, degrees, positive to the left
      */
     public record Misaligned(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the error of its bearing, degrees, positive to the left
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#MISALIGNED}
+         */
+        public Misaligned {
+            FaultKind.MISALIGNED.requireAllowed(value);
+        }
+
         @Override
         public SensorSpec optics(SensorSpec spec) {
             return spec.withBearing(Angles.normalize(spec.bearing() + StrictMath.toRadians(value)));

@@ -26,6 +26,16 @@ public final class SignalFault {
      * @param value the factor k, positive
      */
     public record Scale(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the factor k, positive
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#SCALE}
+         */
+        public Scale {
+            FaultKind.SCALE.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             return limited(value * reading, context.range());
@@ -38,6 +48,16 @@ public final class SignalFault {
      * @param value the rate c, metres per second
      */
     public record Drift(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the rate c, metres per second
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#DRIFT}
+         */
+        public Drift {
+            FaultKind.DRIFT.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             return limited(reading + value * context.age(), context.range());
@@ -50,6 +70,16 @@ public final class SignalFault {
      * @param value the standard deviation, metres
      */
     public record Noise(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the standard deviation, metres
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#NOISE}
+         */
+        public Noise {
+            FaultKind.NOISE.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             return limited(reading + value * context.random().nextGaussian(), context.range());
@@ -62,6 +92,16 @@ public final class SignalFault {
      * @param value the step q, metres, positive
      */
     public record Quantised(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the step q, metres, positive
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#QUANTISED}
+         */
+        public Quantised {
+            FaultKind.QUANTISED.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             return reading == Reading.NOTHING
@@ -82,9 +122,10 @@ public final class SignalFault {
          *
          * @param value the rate at which bursts begin, per second outside bursts
          * @param length the mean length of a burst, seconds, positive
-         * @throws IllegalArgumentException if the length is outside its limits
+         * @throws IllegalArgumentException if the rate or the length is outside the limits of {@link FaultKind#BURSTS}
          */
         public Bursts {
+            FaultKind.BURSTS.requireAllowed(value);
             if (!(length >= FaultKind.MIN_LENGTH && length <= FaultKind.MAX_LENGTH)) {
                 throw new IllegalArgumentException("the length of bursts is out of range: " + length);
             }
@@ -102,6 +143,16 @@ public final class SignalFault {
      * @param value the delay d, seconds
      */
     public record Delayed(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the delay d, seconds
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#DELAYED}
+         */
+        public Delayed {
+            FaultKind.DELAYED.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             return limited(context.delayed(reading, value), context.range());
@@ -114,6 +165,16 @@ public final class SignalFault {
      * @param value the share, in [0, 1]
      */
     public record Ghost(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the share, in [0, 1]
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#GHOST}
+         */
+        public Ghost {
+            FaultKind.GHOST.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             double chance = context.random().nextDouble();
@@ -128,6 +189,16 @@ public final class SignalFault {
      * @param value the share, in [0, 1]
      */
     public record CrossTalk(double value) implements Fault {
+        /**
+         * Creates the fault.
+         *
+         * @param value the share, in [0, 1]
+         * @throws IllegalArgumentException if the value is outside the limits of {@link FaultKind#CROSS_TALK}
+         */
+        public CrossTalk {
+            FaultKind.CROSS_TALK.requireAllowed(value);
+        }
+
         @Override
         public double apply(double reading, FaultContext context) {
             boolean mixed = context.random().nextDouble() < value;

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The models of docs/faults.md. */
 class MotorFaultTest {
@@ -37,6 +38,13 @@ class MotorFaultTest {
             assertThrows(IllegalArgumentException.class, () -> kind.createFault(Math.nextUp(kind.maxValue())));
             assertThrows(IllegalArgumentException.class, () -> kind.createFault(Double.NaN));
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {Double.NaN, -0.001, 10_001, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
+    void aFaultBeyondItsLimitsIsRefused(double value) {
+        assertThrows(IllegalArgumentException.class, () -> new MotorFault.Weak(value));
+        assertThrows(IllegalArgumentException.class, () -> new MotorFault.DeadBand(value));
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.reflect.InvocationTargetException;
 import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;
@@ -121,6 +122,38 @@ class FaultValuesTest {
             assertThrows(IllegalArgumentException.class, () -> kind.createFault(Double.NaN));
         }
         assertEquals(kind.name().toLowerCase(Locale.ROOT).replace('_', '-'), kind.fileName());
+    }
+
+    /** A caller of the library may create the records without the kinds. */
+    @ParameterizedTest
+    @EnumSource
+    void aFaultIsNeverOutsideTheLimitsOfItsKind(FaultKind kind) {
+        Class<? extends Fault> type = kind.createFault(kind.defaultValue()).getClass();
+        assertEquals(kind.takesValue(), type.getRecordComponents().length > 0, type.getName());
+        double[] wrong = {
+            Double.NaN,
+            Double.NEGATIVE_INFINITY,
+            Double.POSITIVE_INFINITY,
+            Math.nextDown(kind.minValue()),
+            Math.nextUp(kind.maxValue())
+        };
+        for (double value : kind.takesValue() ? wrong : new double[0]) {
+            assertThrows(IllegalArgumentException.class, () -> create(type, value), type + " of " + value);
+        }
+    }
+
+    /** Calls the canonical constructor of a fault, with the default for a length. */
+    private static void create(Class<? extends Fault> type, double value) throws Throwable {
+        boolean hasLength = type.getRecordComponents().length > 1;
+        try {
+            if (hasLength) {
+                type.getDeclaredConstructor(double.class, double.class).newInstance(value, FaultKind.DEFAULT_LENGTH);
+            } else {
+                type.getDeclaredConstructor(double.class).newInstance(value);
+            }
+        } catch (InvocationTargetException e) {
+            throw e.getCause();
+        }
     }
 
     @Test
