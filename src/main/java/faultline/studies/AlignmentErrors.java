@@ -1,5 +1,6 @@
 package faultline.studies;
 
+import faultline.campaign.report.Interval;
 import faultline.control.TimingRule;
 import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
@@ -109,7 +110,7 @@ final class AlignmentErrors implements Figure {
 
     private static void addRow(CsvTable table, Setting setting, SortedSample errors) {
         int gross = errors.countBeyond(GROSS_DEGREES);
-        double[] interval = wilson(gross, errors.size());
+        Interval interval = Interval.wilson(gross, errors.size());
         table.addRow(
                 setting.rule().fileName(),
                 setting.degreesPerSecond(),
@@ -122,22 +123,7 @@ final class AlignmentErrors implements Figure {
                 errors.quantile(0.95),
                 Math.max(-errors.min(), errors.max()),
                 gross,
-                interval[0],
-                interval[1]);
-    }
-
-    /**
-     * {@return the lower and the upper end, in [0, 1], of the 95 % interval of a probability by Wilson's score method}
-     *
-     * @param hits the number of hits
-     * @param trials the number of trials, positive
-     */
-    static double[] wilson(int hits, int trials) {
-        double z = 1.959964;
-        double share = (double) hits / trials;
-        double scale = 1 / (1 + z * z / trials);
-        double middle = scale * (share + z * z / (2 * trials));
-        double half = scale * z * Math.sqrt(share * (1 - share) / trials + z * z / (4.0 * trials * trials));
-        return new double[] {Math.max(0, middle - half), Math.min(1, middle + half)};
+                interval.low(),
+                interval.high());
     }
 }

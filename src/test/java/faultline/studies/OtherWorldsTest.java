@@ -3,6 +3,7 @@ package faultline.studies;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.campaign.report.Interval;
 import faultline.control.PdGains;
 import faultline.control.TimingRule;
 import faultline.geometry.Degrees;
@@ -159,8 +160,8 @@ class OtherWorldsTest {
     }
 
     private static String interval(int hits, int trials) {
-        double[] interval = AlignmentErrors.wilson(hits, trials);
-        return String.format(Locale.ROOT, "%.1f to %.1f %%", 100 * interval[0], 100 * interval[1]);
+        Interval interval = Interval.wilson(hits, trials);
+        return String.format(Locale.ROOT, "%.1f to %.1f %%", 100 * interval.low(), 100 * interval.high());
     }
 
     private static void assertSaid(String sentence, Object... numbers) throws IOException {

@@ -12,15 +12,21 @@ public record Interval(double low, double high) {
     private static final double Z = 1.959963984540054;
 
     /**
-     * Returns the interval of a share, given the successes, not necessarily whole, and the positive number of trials,
-     * by Wilson (1927). It is within [0, 1] and also valid for few runs.
+     * {@return the interval of a share by Wilson (1927)} It is within [0, 1] and also valid for few runs. That of no
+     * success begins at 0, and that of successes only ends at 1.
+     *
+     * @param successes the successes, not necessarily whole, in [0, n]
+     * @param n the number of trials, positive
      */
-    static Interval wilson(double successes, double n) {
+    public static Interval wilson(double successes, double n) {
         double p = successes / n;
         double centre = p + Z * Z / (2 * n);
         double half = Z * Math.sqrt(p * (1 - p) / n + Z * Z / (4 * n * n));
         double scale = 1 + Z * Z / n;
-        return new Interval(Math.max(0, (centre - half) / scale), Math.min(1, (centre + half) / scale));
+        // At these ends, the terms below cancel up to rounding.
+        double low = successes == 0 ? 0 : Math.max(0, (centre - half) / scale);
+        double high = successes == n ? 1 : Math.min(1, (centre + half) / scale);
+        return new Interval(low, high);
     }
 
     /**

@@ -19,6 +19,14 @@ class IntervalTest {
         assertEquals(high, interval.high(), 5e-5);
     }
 
+    @Test
+    void theIntervalOfNoneBeginsAtZeroAndThatOfAllEndsAtOne() {
+        for (int n = 1; n <= 400; n++) {
+            assertEquals(0, Interval.wilson(0, n).low());
+            assertEquals(1, Interval.wilson(n, n).high());
+        }
+    }
+
     /** From a numerical integration of the density. */
     @ParameterizedTest
     @CsvSource({
