@@ -14,7 +14,6 @@ import java.io.InputStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Collections;
 import java.util.Iterator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -108,13 +107,13 @@ final class MapImageReader {
     }
 
     private static MapImage readOther(Path file) throws IOException {
-        try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
+        try (ImageInputStream in = new BufferedImageInput(Files.newByteChannel(file))) {
             return readWithImageIo(file, in);
         }
     }
 
     private static MapImage readWithImageIo(Path file, ImageInputStream in) throws IOException {
-        Iterator<ImageReader> readers = in == null ? Collections.emptyIterator() : ImageIO.getImageReaders(in);
+        Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
         if (!readers.hasNext()) {
             throw new FloorPlanException(file, FloorPlanProblem.IMAGE_FORMAT.with());
         }
