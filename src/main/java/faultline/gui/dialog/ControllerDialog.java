@@ -7,6 +7,7 @@ import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
+import faultline.gui.panel.TextListener;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextWrap;
@@ -27,7 +28,10 @@ import javax.swing.JComboBox;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JRootPane;
 import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
 
 /** Asks for a controller: the scenario's own, the name of one in Java, or a command. */
 final class ControllerDialog {
@@ -43,7 +47,9 @@ final class ControllerDialog {
     private List<Path> jars;
     /** The number of times that names have been loaded; only the last ones are shown. */
     private int loads;
-    /** The jar whose controller is selected when it has been loaded, null for none. */
+    /**
+     * The jar whose controller is selected when it has been loaded, null for none or if the user no longer wants it.
+     */
     private Path awaited;
 
     /** Creates a dialog with a title that shows a selection, given the open file, null for none. */
@@ -54,7 +60,7 @@ final class ControllerDialog {
         // Its lines are as long as its sentences.
         help.setLineWrap(false);
         help.setRows(HELP_ROWS);
-        help.setText(Messages.get("chooseController.help", EXAMPLE));
+        showExample();
         field.setEditable(true);
         field.setRenderer(NamedChoice.rendererOf(ControllerDialog::nameOf));
         field.setPrototypeDisplayValue(EXAMPLE.repeat(2));
@@ -63,6 +69,9 @@ final class ControllerDialog {
             part.getAccessibleContext().setAccessibleName(Messages.get("chooseController.label"));
         }
         field.addItem(Messages.get("chooseController.scenarios"));
+        ((JTextComponent) field.getEditor().getEditorComponent())
+                .getDocument()
+                .addDocumentListener(new TextListener(this::stopAwaiting));
         field.setSelectedItem(now.isScenarios() ? Messages.get("chooseController.scenarios") : now.text());
         load(() -> ControllerNames.of(now.jars()), found -> showNames(found, text()));
     }
@@ -77,7 +86,33 @@ final class ControllerDialog {
                         onLoaded.accept(found);
                     }
                 },
-                this::showProblem);
+                failure -> {
+                    if (number == loads) {
+                        await(null);
+                        showProblem(failure);
+                    }
+                });
+    }
+
+    /** Awaits a jar, null for none. The dialog cannot be accepted before, because it does not show the choice yet. */
+    private void await(Path jar) {
+        awaited = jar;
+        JRootPane root = SwingUtilities.getRootPane(field);
+        if (root != null && root.getDefaultButton() != null) {
+            root.getDefaultButton().setEnabled(jar == null);
+        }
+    }
+
+    /** Stops awaiting a jar when the user enters something else. */
+    private void stopAwaiting() {
+        if (awaited != null) {
+            await(null);
+            showExample();
+        }
+    }
+
+    private void showExample() {
+        help.setText(Messages.get("chooseController.help", EXAMPLE));
     }
 
     private void showNames(ControllerNames found, String selected) {
@@ -160,13 +195,13 @@ final class ControllerDialog {
     void useFile(Path file) {
         String name = file.getFileName().toString();
         if (!name.endsWith(".jar")) {
-            awaited = null;
-            help.setText(Messages.get("chooseController.help", EXAMPLE));
+            await(null);
+            showExample();
             String quoted = ShellWords.quoted(file.toString());
             field.setSelectedItem(name.endsWith(".py") ? PythonCommand.text() + " " + quoted : quoted);
             return;
         }
-        awaited = file;
+        await(file);
         help.setText(Messages.get("chooseController.loading", MessageText.excerpt(name)));
         List<Path> others = jars.stream().filter(jar -> !jar.equals(file)).toList();
         load(() -> ControllerNames.of(others, file), found -> showJar(found, others, file));
@@ -176,12 +211,14 @@ final class ControllerDialog {
         jars = found.first() == null ? others : ControllerNames.with(others, file);
         boolean wanted = file.equals(awaited);
         if (wanted) {
-            help.setText(
-                    found.first() == null
-                            ? Messages.get(
-                                    "chooseController.none",
-                                    MessageText.excerpt(file.getFileName().toString()))
-                            : Messages.get("chooseController.help", EXAMPLE));
+            await(null);
+            if (found.first() == null) {
+                help.setText(Messages.get(
+                        "chooseController.none",
+                        MessageText.excerpt(file.getFileName().toString())));
+            } else {
+                showExample();
+            }
         }
         showNames(found, wanted && found.first() != null ? found.first() : text());
     }

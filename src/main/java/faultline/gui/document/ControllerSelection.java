@@ -5,6 +5,7 @@ import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
 import faultline.io.ProgramVersion;
+import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -30,9 +31,11 @@ public record ControllerSelection(String text, List<Path> jars) {
 
     /**
      * Returns a setup with this controller. A controller in another process gets the name of the scenario; each line
-     * that it writes to standard error is passed on, on a separate thread. Any thread may call this.
+     * that it writes to standard error is passed on, on a separate thread. This searches the jars, whose code may take
+     * any time, so it is no work for the event dispatch thread.
      */
     public SimulationSetup applyTo(SimulationSetup setup, String scenarioName, Consumer<String> errors) {
+        assert !EventQueue.isDispatchThread();
         if (isScenarios()) {
             return setup;
         }

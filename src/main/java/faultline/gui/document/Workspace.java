@@ -67,7 +67,7 @@ public final class Workspace implements AutoCloseable {
         controllerChoice = choice;
     }
 
-    /** Returns a setup with the chosen controller. Any thread may call it. */
+    /** Returns a setup with the chosen controller. Any thread but the event dispatch thread may call it. */
     SimulationSetup withChosenController(SimulationSetup setup) {
         return controllerChoice.apply(setup);
     }

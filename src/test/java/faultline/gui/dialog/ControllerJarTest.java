@@ -3,6 +3,7 @@ package faultline.gui.dialog;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Controller;
@@ -13,16 +14,23 @@ import faultline.external.ShellWords;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.ControllerSelection;
+import java.awt.BorderLayout;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JPanel;
+import javax.swing.JRootPane;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -93,18 +101,22 @@ class ControllerJarTest {
         Await.until("the reason", () -> reopened.help().startsWith("a controller in Java cannot be loaded: "));
     }
 
+    private static void await(CountDownLatch latch) {
+        try {
+            assertTrue(latch.await(60, TimeUnit.SECONDS), "the dialog waits for the jar");
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
     /** A controller whose class takes long to load. */
     public static final class SlowTurner implements ControllerProvider {
 
-        private static final CountDownLatch DIALOG_RESPONDS = new CountDownLatch(1);
+        private static volatile CountDownLatch dialogResponds;
 
         @Override
         public String name() {
-            try {
-                assertTrue(DIALOG_RESPONDS.await(60, TimeUnit.SECONDS), "the dialog waits for the jar");
-            } catch (InterruptedException e) {
-                throw new IllegalStateException(e);
-            }
+            await(dialogResponds);
             return "slow-turner";
         }
 
@@ -114,15 +126,101 @@ class ControllerJarTest {
         }
     }
 
+    /** A controller that gives its name only once; the second time, it takes long and then fails. */
+    public static final class SlowFailure implements ControllerProvider {
+
+        private static final CountDownLatch OTHER_LOADED = new CountDownLatch(1);
+        private static volatile Thread loader;
+
+        @Override
+        public String name() {
+            if (loader == null) {
+                loader = Thread.currentThread();
+                return "slow-failure";
+            }
+            await(OTHER_LOADED);
+            throw new IllegalStateException("the name is unknown");
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new UnsupportedOperationException();
+        }
+    }
+
+    @Test
+    void theFailureOfAJarThatAnotherOneHasReplacedIsNotShown() throws Exception {
+        Path failing = jar("failing.jar", SlowFailure.class.getName());
+        runOnEdt(() -> dialog.useFile(failing));
+        Await.until("the jar to be read", () -> SlowFailure.loader != null);
+        useJar(jar("turner.jar", RightTurner.class.getName()));
+        String shown = callOnEdt(dialog::help);
+        SlowFailure.OTHER_LOADED.countDown();
+        SlowFailure.loader.join();
+        assertEquals(shown, callOnEdt(dialog::help));
+        assertEquals("right-turner", callOnEdt(dialog::text));
+    }
+
+    /** Puts the dialog into a window's pane whose default button accepts it, and returns that button. */
+    private JButton acceptButton() {
+        return callOnEdt(() -> {
+            JButton accept = new JButton("OK");
+            JRootPane root = new JRootPane();
+            root.getContentPane().add(dialog.createPanel(), BorderLayout.CENTER);
+            root.getContentPane().add(accept, BorderLayout.SOUTH);
+            root.setDefaultButton(accept);
+            return accept;
+        });
+    }
+
+    @Test
+    void theDialogCannotBeAcceptedBeforeItShowsTheControllerOfTheJar() throws IOException {
+        JButton accept = acceptButton();
+        Path slow = jar("slow.jar", SlowTurner.class.getName());
+        SlowTurner.dialogResponds = new CountDownLatch(1);
+        assertTrue(callOnEdt(accept::isEnabled));
+        runOnEdt(() -> dialog.useFile(slow));
+        assertFalse(callOnEdt(accept::isEnabled));
+        SlowTurner.dialogResponds.countDown();
+        Await.until("the choice", accept::isEnabled);
+        assertEquals("slow-turner", callOnEdt(dialog::text));
+        useJar(jar("broken.jar", "no.such.Turner"));
+        assertTrue(callOnEdt(accept::isEnabled));
+    }
+
+    private static void type(String text, JPanel panel) {
+        Arrays.stream(panel.getComponents())
+                .filter(JComboBox.class::isInstance)
+                .map(field -> ((JComboBox<?>) field).getEditor().getEditorComponent())
+                .forEach(editor -> ((JTextField) editor).setText(text));
+    }
+
+    @Test
+    void aTextThatIsTypedWhileAJarIsLoadingIsKept() throws IOException {
+        JButton accept = acceptButton();
+        Path slow = jar("slow.jar", SlowTurner.class.getName());
+        SlowTurner.dialogResponds = new CountDownLatch(1);
+        runOnEdt(() -> {
+            dialog.useFile(slow);
+            type("none", (JPanel) accept.getParent().getComponent(0));
+            assertTrue(accept.isEnabled());
+            assertTrue(dialog.help().startsWith("For example"), dialog.help());
+        });
+        SlowTurner.dialogResponds.countDown();
+        Await.until("the controller of the jar", () -> dialog.names().contains("slow-turner"));
+        assertEquals("none", callOnEdt(dialog::text));
+    }
+
     @Test
     void aProgramCanBeChosenWhileAJarIsLoading() throws IOException {
+        SlowTurner.dialogResponds = new CountDownLatch(1);
         Path slow = jar("slow.jar", SlowTurner.class.getName());
         Path script = folder.resolve("robot.sh");
         runOnEdt(() -> {
             dialog.useFile(slow);
             dialog.useFile(script);
         });
-        SlowTurner.DIALOG_RESPONDS.countDown();
+        SlowTurner.dialogResponds.countDown();
         Await.until("the controller of the jar", () -> dialog.names().contains("slow-turner"));
         assertEquals(ShellWords.quoted(script.toString()), callOnEdt(dialog::text));
     }
