@@ -39,17 +39,15 @@ public final class RecoveryPrompt {
 
     private static void offer(RecoveryStore recovery, RecoveredFile file, Function<RecoveredFile, Answer> offer) {
         Answer answer = offer.apply(file);
-        if (answer != Answer.LATER) {
-            BackgroundTasks.run(
-                    () -> {
-                        if (answer == Answer.RECOVER) {
-                            recovery.adopt(file);
-                        } else {
-                            recovery.delete(file.recoveryFile());
-                        }
-                    },
-                    RecoveryPrompt::logFailure);
-        }
+        BackgroundTasks.run(
+                () -> {
+                    switch (answer) {
+                        case RECOVER -> recovery.adopt(file);
+                        case DISCARD -> recovery.discard(file);
+                        default -> recovery.release();
+                    }
+                },
+                RecoveryPrompt::logFailure);
     }
 
     private static void logFailure(Throwable failure) {

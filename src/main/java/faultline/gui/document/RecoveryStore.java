@@ -16,6 +16,7 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
@@ -44,6 +45,9 @@ public final class RecoveryStore {
 
     /** Null while this process has no edits; used by one thread at a time. */
     private FileChannel lock;
+
+    /** Locked while this process offers the edits of another one, so that no other window does; null otherwise. */
+    private FileChannel claim;
 
     /**
      * Unsaved edits that a crash has left: the file that holds them, the file that was edited, null for a scenario
@@ -123,7 +127,21 @@ public final class RecoveryStore {
     /** Saves the edits of another process as those of this one. */
     synchronized void adopt(RecoveredFile recovered) throws IOException {
         save(recovered.originFile(), recovered.scenario());
+        discard(recovered);
+    }
+
+    /** Deletes the edits of another process. */
+    synchronized void discard(RecoveredFile recovered) throws IOException {
         delete(recovered.recoveryFile());
+        release();
+    }
+
+    /** Lets other windows offer the edits that were found last. */
+    synchronized void release() throws IOException {
+        if (claim != null) {
+            claim.close();
+            claim = null;
+        }
     }
 
     /** Deletes the edits of this process. */
@@ -139,7 +157,7 @@ public final class RecoveryStore {
         return folder.resolve(process + SCENARIO_SUFFIX);
     }
 
-    void delete(Path recoveryFile) throws IOException {
+    private static void delete(Path recoveryFile) throws IOException {
         Files.deleteIfExists(recoveryFile);
         Files.deleteIfExists(originFile(recoveryFile));
         Files.deleteIfExists(sibling(recoveryFile, LOCK_SUFFIX));
@@ -153,17 +171,51 @@ public final class RecoveryStore {
         return recoveryFile.resolveSibling(recoveryFile.getFileName().toString().replace(SCENARIO_SUFFIX, suffix));
     }
 
-    /** Returns the edits of a process that no longer runs; empty if there are none that can be read. */
-    Optional<RecoveredFile> findOrphan() throws IOException {
+    /**
+     * Returns the edits of a process that no longer runs; empty if there are none that can be read. Until they are
+     * adopted, discarded or released, no other process finds them.
+     */
+    synchronized Optional<RecoveredFile> findOrphan() throws IOException {
+        release();
         if (Files.notExists(folder)) {
             return Optional.empty();
         }
+        for (Path file : orphans()) {
+            Optional<RecoveredFile> found = claim(file) ? loadRecovered(file) : Optional.empty();
+            if (found.isPresent()) {
+                return found;
+            }
+            release();
+            if (Files.notExists(file)) {
+                // Another process has just adopted the edits; only the lock of this one is left.
+                delete(file);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private List<Path> orphans() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(file -> !(locking && file.equals(ownFile())))
                     .filter(RecoveryStore::isOrphan)
                     .sorted()
-                    .flatMap(file -> loadRecovered(file).stream())
-                    .findFirst();
+                    .toList();
+        }
+    }
+
+    /** Locks the edits of a process that no longer runs; returns false if another process has done so. */
+    private boolean claim(Path file) {
+        if (!locking) {
+            return true;
+        }
+        try {
+            claim = FileChannel.open(sibling(file, LOCK_SUFFIX), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+            return claim.tryLock() != null;
+        } catch (OverlappingFileLockException e) {
+            return false;
+        } catch (IOException e) {
+            // Where files cannot be locked, several windows may offer the same edits.
+            return true;
         }
     }
 

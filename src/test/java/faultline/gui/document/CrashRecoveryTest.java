@@ -12,6 +12,7 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,6 +24,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.logging.Logger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -146,6 +148,51 @@ class CrashRecoveryTest {
             assertEquals(Optional.empty(), own.findOrphan());
         }
         assertTrue(own.findOrphan().isPresent());
+    }
+
+    @Test
+    void editsAreOfferedByOneWindowAtATime() throws Exception {
+        Path kept = folder.resolve("kept");
+        new RecoveryStore(kept, DEAD, Instant.EPOCH)
+                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        RecoveryStore first = new RecoveryStore(kept);
+        RecoveryStore second = new RecoveryStore(kept);
+        assertTrue(first.findOrphan().isPresent());
+        assertEquals(Optional.empty(), second.findOrphan());
+        first.release();
+        RecoveryStore.RecoveredFile found = second.findOrphan().orElseThrow();
+        assertEquals(Optional.empty(), first.findOrphan());
+        second.discard(found);
+        assertEquals(Optional.empty(), first.findOrphan());
+        assertEquals(List.of(), recoveryFiles());
+    }
+
+    @Test
+    void editsThatTheUserWantsLaterAreOfferedByTheNextWindow() throws Exception {
+        Path kept = folder.resolve("kept");
+        new RecoveryStore(kept, DEAD, Instant.EPOCH)
+                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        RecoveryStore first = new RecoveryStore(kept);
+        RecoveryStore second = new RecoveryStore(kept);
+        AtomicReference<Boolean> foundDuringTheOffer = new AtomicReference<>();
+        runOnEdt(() -> RecoveryPrompt.offerRecovery(
+                first,
+                found -> {
+                    foundDuringTheOffer.set(isFoundBy(second));
+                    return RecoveryPrompt.Answer.LATER;
+                },
+                () -> {}));
+        Await.until("the answer", () -> foundDuringTheOffer.get() != null);
+        Await.until("the offer of the next window", () -> isFoundBy(second));
+        assertFalse(foundDuringTheOffer.get());
+    }
+
+    private static boolean isFoundBy(RecoveryStore store) {
+        try {
+            return store.findOrphan().isPresent();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @Test

@@ -54,7 +54,7 @@ class KilledAutosaveTest {
             RecoveryStore.RecoveredFile offered = store.findOrphan().orElseThrow();
             assertTrue(List.of("one", "other").contains(offered.scenario().name()));
             assertEquals(Optional.of(Path.of("room.xml").toAbsolutePath()), offered.origin());
-            store.delete(offered.recoveryFile());
+            store.discard(offered);
             assertEquals(Optional.empty(), store.findOrphan());
         }
         try (Stream<Path> files = Files.list(folder)) {
