@@ -2,7 +2,6 @@ package faultline.geometry;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
@@ -23,27 +22,16 @@ public final class SpecularDistance {
      * @param tangent the tangent of the greatest angle of incidence that reflects light back, positive
      */
     public static double nearest(SectorDistance sector, Segment segment, double tangent) {
-        double dx = segment.bx() - segment.ax();
-        double dy = segment.by() - segment.ay();
-        double length = Math.sqrt(dx * dx + dy * dy);
-        if (length == 0) {
-            return sector.nearest(segment);
-        }
-        double alongX = 1 / length * dx;
-        double alongY = 1 / length * dy;
-        double toApexX = sector.x() - segment.ax();
-        double toApexY = sector.y() - segment.ay();
-        double foot = alongX * toApexX + alongY * toApexY;
-        double half = Math.abs(alongX * toApexY - alongY * toApexX) * tangent;
-        double from = Math.max(0, foot - half) / length;
-        double to = Math.min(length, foot + half) / length;
-        if (from > to) {
+        Part part = reflectingPart(sector.x(), sector.y(), segment, tangent);
+        if (part.isEmpty()) {
             return Double.POSITIVE_INFINITY;
         }
-        double ax = from == 1 ? segment.bx() : segment.ax() + from * dx;
-        double ay = from == 1 ? segment.by() : segment.ay() + from * dy;
-        double bx = to == 1 ? segment.bx() : segment.ax() + to * dx;
-        double by = to == 1 ? segment.by() : segment.ay() + to * dy;
+        double dx = segment.bx() - segment.ax();
+        double dy = segment.by() - segment.ay();
+        double ax = part.from == 1 ? segment.bx() : segment.ax() + part.from * dx;
+        double ay = part.from == 1 ? segment.by() : segment.ay() + part.from * dy;
+        double bx = part.to == 1 ? segment.bx() : segment.ax() + part.to * dx;
+        double by = part.to == 1 ? segment.by() : segment.ay() + part.to * dy;
         return sector.toSegment(ax, ay, bx - ax, by - ay);
     }
 
@@ -57,30 +45,41 @@ public final class SpecularDistance {
      * @param incidence the greatest angle of incidence that reflects light back, radians in (0, pi / 2)
      */
     public static List<Vector2> intersections(Sector sector, Segment segment, double incidence) {
-        List<Vector2> hits = new ArrayList<>();
-        reflectingPart(sector.apex(), segment, incidence).ifPresent(part -> {
-            hits.addAll(SectorIntersections.points(sector, part));
-            Stream.of(part.a(), part.b())
-                    .filter(end -> !end.equals(segment.a()) && !end.equals(segment.b()))
-                    .filter(end -> SectorDistance.nearest(sector, new Segment(end, end)) <= sector.range())
-                    .forEach(hits::add);
-        });
+        Part reflecting =
+                reflectingPart(sector.apex().x(), sector.apex().y(), segment, StrictMath.tan(incidence));
+        if (reflecting.isEmpty()) {
+            return List.of();
+        }
+        Segment part = new Segment(segment.pointAt(reflecting.from), segment.pointAt(reflecting.to));
+        List<Vector2> hits = new ArrayList<>(SectorIntersections.points(sector, part));
+        Stream.of(part.a(), part.b())
+                .filter(end -> !end.equals(segment.a()) && !end.equals(segment.b()))
+                .filter(end -> SectorDistance.nearest(sector, new Segment(end, end)) <= sector.range())
+                .forEach(hits::add);
         return hits;
     }
 
-    private static Optional<Segment> reflectingPart(Vector2 apex, Segment segment, double incidence) {
-        double length = segment.length();
-        if (length == 0) {
-            return Optional.of(segment);
+    /** The part of a segment between two fractions of it; empty if they are in the wrong order. */
+    private record Part(double from, double to) {
+
+        boolean isEmpty() {
+            return from > to;
         }
-        Vector2 along = segment.b().minus(segment.a()).times(1 / length);
-        Vector2 toApex = apex.minus(segment.a());
-        double foot = along.dot(toApex);
-        double half = Math.abs(along.cross(toApex)) * StrictMath.tan(incidence);
-        double from = Math.max(0, foot - half);
-        double to = Math.min(length, foot + half);
-        return from > to
-                ? Optional.empty()
-                : Optional.of(new Segment(segment.pointAt(from / length), segment.pointAt(to / length)));
+    }
+
+    private static Part reflectingPart(double apexX, double apexY, Segment segment, double tangent) {
+        double dx = segment.bx() - segment.ax();
+        double dy = segment.by() - segment.ay();
+        double length = Math.sqrt(dx * dx + dy * dy);
+        double alongX = 1 / length * dx;
+        double alongY = 1 / length * dy;
+        double toApexX = apexX - segment.ax();
+        double toApexY = apexY - segment.ay();
+        double foot = alongX * toApexX + alongY * toApexY;
+        double half = Math.abs(alongX * toApexY - alongY * toApexX) * tangent;
+        // One expression creates it, so that the compiler can replace it by two local variables.
+        return new Part(
+                length == 0 ? 0 : Math.max(0, foot - half) / length,
+                length == 0 ? 1 : Math.min(length, foot + half) / length);
     }
 }
