@@ -48,7 +48,8 @@ public record MapDescription(
      * @param negate whether white is occupied
      * @param occupiedThreshold a cell of at least this occupancy is occupied, in [0, 1]
      * @param freeThreshold a cell of at most this occupancy is free, in [0, 1]
-     * @throws IllegalArgumentException if the resolution is not positive or the yaw is not finite
+     * @throws IllegalArgumentException if the resolution is not positive, the yaw is not finite, or a threshold is
+     *     outside [0, 1]
      */
     public MapDescription {
         if (resolution.signum() <= 0) {
@@ -56,6 +57,10 @@ public record MapDescription(
         }
         if (!Double.isFinite(yaw)) {
             throw new IllegalArgumentException("the yaw must be finite: " + yaw);
+        }
+        if (!(occupiedThreshold >= 0 && occupiedThreshold <= 1 && freeThreshold >= 0 && freeThreshold <= 1)) {
+            throw new IllegalArgumentException(
+                    "thresholds must be in [0, 1]: " + occupiedThreshold + ", " + freeThreshold);
         }
     }
 

@@ -45,8 +45,7 @@ public final class SpecularDistance {
      * @param incidence the greatest angle of incidence that reflects light back, radians in (0, pi / 2)
      */
     public static List<Vector2> intersections(Sector sector, Segment segment, double incidence) {
-        Part reflecting =
-                reflectingPart(sector.apex().x(), sector.apex().y(), segment, StrictMath.tan(incidence));
+        Part reflecting = reflectingPart(sector.apex().x(), sector.apex().y(), segment, StrictMath.tan(incidence));
         if (reflecting.isEmpty()) {
             return List.of();
         }

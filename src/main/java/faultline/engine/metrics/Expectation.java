@@ -121,6 +121,18 @@ public record Expectation(List<Condition> conditions) {
      */
     public record MinCoverage(double share) implements Condition {
 
+        /**
+         * Creates a condition.
+         *
+         * @param share the share, in [0, 1]
+         * @throws IllegalArgumentException if the share is outside [0, 1]
+         */
+        public MinCoverage {
+            if (!(share >= 0 && share <= 1)) {
+                throw new IllegalArgumentException("a share must be in [0, 1]: " + share);
+            }
+        }
+
         @Override
         public <R> R match(ConditionCases<R> cases) {
             return cases.minCoverage.apply(this);
@@ -139,9 +151,21 @@ public record Expectation(List<Condition> conditions) {
     /**
      * The greatest distance error on straight walls.
      *
-     * @param metres the root mean square of the error, in metres
+     * @param metres the root mean square of the error, metres, positive
      */
     public record MaxDistanceRms(double metres) implements Condition {
+
+        /**
+         * Creates a condition.
+         *
+         * @param metres the root mean square of the error, metres, positive
+         * @throws IllegalArgumentException if the error is not positive and finite
+         */
+        public MaxDistanceRms {
+            if (!(metres > 0 && Double.isFinite(metres))) {
+                throw new IllegalArgumentException("a distance error must be positive: " + metres);
+            }
+        }
 
         @Override
         public <R> R match(ConditionCases<R> cases) {
