@@ -38,10 +38,14 @@ final class LaneActions {
     }
 
     private void edit(TimelineItem item) {
-        int index = view.selection();
         showDialog(item).ifPresent(changed -> {
-            editor.replace(index, changed);
-            view.select(changed);
+            // The timeline may have changed while the dialog was open.
+            view.updateModel();
+            int index = view.indexOf(item);
+            if (index != LaneLayout.NONE) {
+                editor.replace(index, changed);
+                view.select(changed);
+            }
         });
     }
 

@@ -38,15 +38,21 @@ final class LaneKeys {
         bind("menu X", actions::cut);
         bind("menu V", () -> actions.paste(view.now()));
         bind("menu D", actions::duplicate);
-        bind("ESCAPE", this::escape);
+        KeyBindings.bind(view, "ESCAPE", this::escape);
         // Undo in the middle of a drag cancels it instead of undoing an edit.
         KeyBindings.bind(view, "menu Z", mouse::isDragging, mouse::cancelDrag);
         bind("CONTEXT_MENU", this::showMenu);
         bind("shift F10", this::showMenu);
     }
 
+    /** Binds a key to an action on the newest timeline; during a drag it has no effect. */
     private void bind(String key, Runnable action) {
-        KeyBindings.bind(view, key, action);
+        KeyBindings.bind(view, key, () -> {
+            view.updateModel();
+            if (!mouse.isDragging()) {
+                action.run();
+            }
+        });
     }
 
     private void selectLane(int lane) {

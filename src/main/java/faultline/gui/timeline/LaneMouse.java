@@ -33,12 +33,14 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mousePressed(MouseEvent event) {
-        if (!view.isEnabled() || event.getY() < view.rulerTop() + view.lanes().top()) {
+        // Another button must not change what is being dragged.
+        if (!view.isEnabled() || isDragging() || !view.isBelowRuler(event.getY())) {
             return;
         }
         view.requestFocusInWindow();
+        view.updateModel();
         LaneLayout lanes = view.lanes();
-        hit = lanes.hit(event.getX(), event.getY());
+        hit = view.hit(event.getPoint());
         int lane = hit == null
                 ? lanes.laneAt(event.getY())
                 : lanes.laneOf(lanes.items().get(hit.index()));
@@ -57,6 +59,7 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mouseDragged(MouseEvent event) {
+        view.updateModel();
         boolean dragging =
                 pressed != null && (isDragging() || Math.abs(event.getX() - pressed.getX()) >= DRAG_DISTANCE);
         if (dragging) {
@@ -102,6 +105,7 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mouseReleased(MouseEvent event) {
+        view.updateModel();
         pressed = null;
         view.preview().ifPresent(this::commit);
         showMenuIfWanted(event);
@@ -121,6 +125,7 @@ final class LaneMouse extends MouseAdapter {
         if (view.isEnabled()
                 && SwingUtilities.isLeftMouseButton(event)
                 && event.getClickCount() == 2
+                && view.isBelowRuler(event.getY())
                 && view.lanes().laneAt(event.getY()) != LaneLayout.NONE) {
             if (hit == null) {
                 actions.addItem(snapped(event.getX()));
@@ -132,7 +137,7 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent event) {
-        LaneLayout.ItemHit under = view.lanes().hit(event.getX(), event.getY());
+        LaneLayout.ItemHit under = view.hit(event.getPoint());
         boolean edge = under != null && under.part() != LaneLayout.ItemPart.BODY;
         view.setCursor(Cursor.getPredefinedCursor(
                 edge ? Cursor.E_RESIZE_CURSOR : under == null ? Cursor.DEFAULT_CURSOR : Cursor.HAND_CURSOR));

@@ -8,6 +8,7 @@ import faultline.gui.theme.TextSize;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -28,6 +29,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     private final transient TimelineEditor editor;
     private final transient LaneActions actions;
+    private final transient LaneMouse mouse;
     /** The sensor for which a fault is asked when the lanes are updated, empty for none. */
     private String faultSensor = "";
 
@@ -69,7 +71,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
             }
         });
         actions = new LaneActions(this, editor);
-        LaneMouse mouse = new LaneMouse(this, editor, actions);
+        mouse = new LaneMouse(this, editor, actions);
         mouse.install();
         new LaneKeys(this, actions, mouse).install();
     }
@@ -94,31 +96,19 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     void update(List<Lane> newLanes, TimeAxis newAxis, double newNow) {
         assert EventQueue.isDispatchThread();
         setEnabled(true);
-        TimelineModel newest = editor.model();
-        Optional<TimelineItem> restored = editor.takeRestored();
-        if (newest != model
-                || restored.isPresent()
-                || !newLanes.equals(allLanes)
-                || !newAxis.equals(axis)
-                || newNow != now) {
-            boolean rowsChanged = newest != model || !newLanes.equals(allLanes);
-            Optional<TimelineItem> wanted = restored.or(this::selectedItem);
-            model = newest;
+        updateModel();
+        boolean otherLanes = !newLanes.equals(allLanes);
+        if (otherLanes || !newAxis.equals(axis) || newNow != now) {
             allLanes = List.copyOf(newLanes);
             axis = newAxis;
             now = newNow;
             lane = Math.min(lane, allLanes.size() - 1);
-            if (preview == null) {
-                selection = wanted.map(this::indexOf).orElse(LaneLayout.NONE);
-            }
-            if (rowsChanged) {
-                countRows();
-            }
-            if (restored.isPresent()) {
-                selectLaneOfItem();
-            }
             repaint();
         }
+        if (otherLanes) {
+            countRows();
+        }
+        editor.takeRestored().ifPresent(this::select);
         if (!faultSensor.isEmpty()) {
             String sensor = faultSensor;
             faultSensor = "";
@@ -128,6 +118,19 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
             newScenario = false;
             // When the lanes have their new height.
             EventQueue.invokeLater(this::showFirstItem);
+        }
+    }
+
+    /** Shows the newest timeline. If it is another one, a drag is cancelled: its item may no longer exist. */
+    void updateModel() {
+        TimelineModel newest = editor.model();
+        if (newest != model) {
+            Optional<TimelineItem> wanted = selectedItem();
+            mouse.cancelDrag();
+            model = newest;
+            selection = wanted.map(this::indexOf).orElse(LaneLayout.NONE);
+            countRows();
+            repaint();
         }
     }
 
@@ -148,6 +151,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
      * low.
      */
     void startScenario() {
+        mouse.cancelDrag();
         lane = 0;
         selection = LaneLayout.NONE;
         newScenario = true;
@@ -173,6 +177,16 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
             rowCount = count;
             revalidate();
         }
+    }
+
+    /** Returns whether a y coordinate is below the ruler, which covers lanes that are scrolled. */
+    boolean isBelowRuler(int y) {
+        return y >= rulerTop() + lanes().top();
+    }
+
+    /** Returns the item at a position; null if there is none or the ruler covers it. */
+    LaneLayout.ItemHit hit(Point at) {
+        return isBelowRuler(at.y) ? lanes().hit(at.x, at.y) : null;
     }
 
     /** Returns the places of lanes and items. */
@@ -266,7 +280,8 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         selectLaneOfItem();
     }
 
-    private int indexOf(TimelineItem item) {
+    /** Returns the index of an item, or {@link LaneLayout#NONE} if the timeline does not contain it. */
+    int indexOf(TimelineItem item) {
         return model.items().lastIndexOf(item);
     }
 
@@ -294,11 +309,11 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     @Override
     public String getToolTipText(MouseEvent event) {
         LaneLayout lanes = lanes();
-        LaneLayout.ItemHit hit = lanes.hit(event.getX(), event.getY());
+        LaneLayout.ItemHit hit = hit(event.getPoint());
         if (hit != null) {
             return TimelineText.description(lanes.items().get(hit.index()));
         }
-        boolean other = lanes.laneAt(event.getY()) >= allLanes.size() - 1;
+        boolean other = isBelowRuler(event.getY()) && lanes.laneAt(event.getY()) >= allLanes.size() - 1;
         return Messages.get(other ? "timeline.tip.other" : "timeline.tip");
     }
 

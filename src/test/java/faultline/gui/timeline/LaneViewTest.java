@@ -1,0 +1,291 @@
+package faultline.gui.timeline;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
+import faultline.gui.document.Workspace;
+import faultline.gui.edit.UndoController;
+import faultline.gui.theme.KeyBindings;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.awt.Cursor;
+import java.awt.Point;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.Stream;
+import javax.swing.JScrollPane;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** Mouse, keys, undo and redo in the lanes, in any order. */
+@ExtendWith(EdtChecker.class)
+class LaneViewTest {
+
+    private static final int MENU = KeyBindings.menuMask();
+    private static final int[] KEYS = {
+        KeyEvent.VK_UP, KeyEvent.VK_DOWN, KeyEvent.VK_LEFT, KeyEvent.VK_RIGHT, KeyEvent.VK_DELETE, KeyEvent.VK_ESCAPE
+    };
+    private static final int[] CLIPBOARD_KEYS = {KeyEvent.VK_C, KeyEvent.VK_X, KeyEvent.VK_V, KeyEvent.VK_D};
+    private static final int[] MODIFIERS = {InputEvent.SHIFT_DOWN_MASK, InputEvent.ALT_DOWN_MASK, MENU};
+
+    private Workspace workspace;
+    private UndoController undo;
+    private TimelineEditor editor;
+    private LaneView view;
+
+    @BeforeEach
+    void open() {
+        RunController run = callOnEdt(() -> {
+            workspace = new Workspace();
+            RunController created = new RunController(workspace);
+            new DocumentStore(workspace).open(Path.of("scenarios/mirror.xml"));
+            return created;
+        });
+        SessionFrames.awaitScenario(workspace);
+        runOnEdt(() -> {
+            undo = new UndoController(run::send, () -> {});
+            editor = new TimelineEditor(workspace, run, undo);
+            view = new LaneView(editor);
+            view.setSize(800, 100);
+            List<Lane> lanes = List.of(new Lane.SensorLane("left"), new Lane.SensorLane("front"), Lane.OTHER);
+            view.update(lanes, new TimeAxis(60, 800, 60), 0);
+        });
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    @Test
+    void aRedoneDeletionEndsADrag() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            addStuck("left", 30, 40);
+            editor.remove(0);
+            undo.undo();
+            updateView();
+            mouse(MouseEvent.MOUSE_PRESSED, 35, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_DRAGGED, 45, MouseEvent.BUTTON1);
+            assertTrue(view.preview().isPresent());
+            undo.redo();
+            List<TimedCommand> rest = editor.model().commands();
+            assertEquals(2, rest.size());
+            updateView();
+            assertFalse(view.preview().isPresent(), "the drag has ended");
+            mouse(MouseEvent.MOUSE_DRAGGED, 50, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_RELEASED, 50, MouseEvent.BUTTON1);
+            assertEquals(rest, editor.model().commands());
+            paint();
+        });
+    }
+
+    @Test
+    void anotherScenarioEndsADrag() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            updateView();
+            mouse(MouseEvent.MOUSE_PRESSED, 15, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_DRAGGED, 25, MouseEvent.BUTTON1);
+            view.startScenario();
+            assertEquals(Optional.empty(), view.preview());
+        });
+    }
+
+    @Test
+    void anotherButtonDoesNotChangeWhatIsDragged() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            addStuck("left", 30, 40);
+            updateView();
+            mouse(MouseEvent.MOUSE_PRESSED, 15, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_DRAGGED, 16, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_PRESSED, 35, MouseEvent.BUTTON3);
+            mouse(MouseEvent.MOUSE_RELEASED, 16, MouseEvent.BUTTON1);
+            assertEquals(List.of(11.0, 21.0, 30.0, 40.0), times());
+        });
+    }
+
+    @Test
+    void aKeyBeforeTheNextFrameActsOnTheItemThatIsSelected() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            addStuck("left", 30, 40);
+            updateView();
+            view.select(0, 1);
+            editor.remove(0);
+            press(KeyEvent.VK_DELETE, 0);
+            assertEquals(List.of(), times());
+        });
+    }
+
+    @Test
+    void theRulerHidesTheItemsBelowItFromTheMouse() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            JScrollPane pane = new JScrollPane(view);
+            pane.setBorder(null);
+            pane.setSize(400, 30);
+            updateView();
+            for (int pass = 0; pass < 2; pass++) {
+                pane.doLayout();
+                pane.getViewport().doLayout();
+            }
+            Rectangle2D item = view.lanes().bounds(0);
+            pane.getViewport().setViewPosition(new Point(0, (int) item.getMinY() + 1));
+            Point at = new Point((int) item.getCenterX(), view.rulerTop() + 1);
+            assertTrue(item.contains(at), "the item is below the ruler");
+            click(at);
+            assertEquals(LaneLayout.NONE, view.selection());
+            mouse(MouseEvent.MOUSE_MOVED, at, MouseEvent.NOBUTTON, 0);
+            assertEquals(Cursor.DEFAULT_CURSOR, view.getCursor().getType());
+            String tip = view.getToolTipText(event(MouseEvent.MOUSE_MOVED, at, MouseEvent.NOBUTTON, 0));
+            assertFalse(tip.contains("stuck"), tip);
+        });
+    }
+
+    /** Presses and releases the left button twice; without a display, the dialog of an item would throw. */
+    private void click(Point at) {
+        for (int count = 1; count <= 2; count++) {
+            mouse(MouseEvent.MOUSE_PRESSED, at, MouseEvent.BUTTON1, count);
+            mouse(MouseEvent.MOUSE_RELEASED, at, MouseEvent.BUTTON1, count);
+            mouse(MouseEvent.MOUSE_CLICKED, at, MouseEvent.BUTTON1, count);
+        }
+    }
+
+    @Test
+    void noSequenceOfMouseKeysUndoAndRedoBreaksTheLanes() {
+        for (int seed = 0; seed < 6; seed++) {
+            Random random = new Random(seed);
+            runOnEdt(() -> play(random));
+        }
+    }
+
+    private void play(Random random) {
+        for (int i = 0; i < 4; i++) {
+            int start = random.nextInt(30);
+            addStuck(random.nextBoolean() ? "left" : "front", start, start + 1.0 + random.nextInt(20));
+        }
+        updateView();
+        boolean held = false;
+        for (int i = 0; i < 60; i++) {
+            int action = random.nextInt(14);
+            if (action < 3 && !held) {
+                mouse(MouseEvent.MOUSE_PRESSED, itemOrNot(random), MouseEvent.BUTTON1, 1);
+                held = true;
+            } else if (action < 6 && held) {
+                mouse(MouseEvent.MOUSE_DRAGGED, anywhere(random), MouseEvent.BUTTON1, 1);
+            } else if (action == 6 && held) {
+                release(random);
+                held = false;
+            } else {
+                playKey(action, random);
+            }
+            if (random.nextInt(3) > 0) {
+                updateView();
+                paint();
+            }
+        }
+        if (held) {
+            release(random);
+        }
+    }
+
+    /** Releases the button; a new item is cancelled before, because it would be asked for in a dialog. */
+    private void release(Random random) {
+        if (view.selection() == LaneLayout.NONE) {
+            press(KeyEvent.VK_ESCAPE, 0);
+        }
+        mouse(MouseEvent.MOUSE_RELEASED, anywhere(random), MouseEvent.BUTTON1, 1);
+    }
+
+    private void playKey(int action, Random random) {
+        switch (action) {
+            case 7, 12 -> undo.redo();
+            case 8, 13 -> {
+                if (!press(KeyEvent.VK_Z, MENU)) {
+                    undo.undo();
+                }
+            }
+            case 9 -> press(KEYS[random.nextInt(KEYS.length)], 0);
+            case 10 ->
+                press(
+                        random.nextBoolean() ? KeyEvent.VK_LEFT : KeyEvent.VK_RIGHT,
+                        MODIFIERS[random.nextInt(MODIFIERS.length)]);
+            default -> press(CLIPBOARD_KEYS[random.nextInt(CLIPBOARD_KEYS.length)], MENU);
+        }
+    }
+
+    private static Point anywhere(Random random) {
+        return new Point(60 + random.nextInt(740), random.nextInt(80));
+    }
+
+    private Point itemOrNot(Random random) {
+        int items = view.lanes().items().size();
+        if (items == 0 || random.nextInt(4) == 0) {
+            return anywhere(random);
+        }
+        Rectangle2D bounds = view.lanes().bounds(random.nextInt(items));
+        return new Point((int) (bounds.getX() + random.nextDouble() * bounds.getWidth()), (int) bounds.getCenterY());
+    }
+
+    private void addStuck(String sensor, double start, double end) {
+        Command stuck = new Command.InjectFault(sensor, new Fault.Stuck(0.3));
+        editor.add(TimelineItem.from(stuck, start).withTimes(start, end), null);
+    }
+
+    private List<Double> times() {
+        return editor.model().commands().stream().map(TimedCommand::time).toList();
+    }
+
+    private void updateView() {
+        view.update(view.allLanes(), view.axis(), 0);
+    }
+
+    private void paint() {
+        BufferedImage image = new BufferedImage(view.getWidth(), view.getHeight(), BufferedImage.TYPE_INT_RGB);
+        view.paint(image.createGraphics());
+    }
+
+    /** Sends an event of a button at a time in the first lane. */
+    private void mouse(int type, double time, int button) {
+        int y = view.lanes().laneTop(0) + view.lanes().laneHeight(0) / 2;
+        mouse(type, new Point((int) Math.ceil(view.axis().x(time)), y), button, 1);
+    }
+
+    private void mouse(int type, Point at, int button, int clicks) {
+        view.dispatchEvent(event(type, at, button, clicks));
+    }
+
+    private MouseEvent event(int type, Point at, int button, int clicks) {
+        int modifiers = Stream.of(button)
+                .filter(pressed -> pressed != MouseEvent.NOBUTTON)
+                .mapToInt(InputEvent::getMaskForButton)
+                .sum();
+        return new MouseEvent(view, type, 0, modifiers, at.x, at.y, clicks, false, button);
+    }
+
+    /** Returns whether the lanes consume a key. */
+    private boolean press(int key, int modifiers) {
+        return SwingUtilities.processKeyBindings(
+                new KeyEvent(view, KeyEvent.KEY_PRESSED, 0, modifiers, key, KeyEvent.CHAR_UNDEFINED));
+    }
+}
