@@ -15,7 +15,9 @@ import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import javax.swing.JCheckBox;
 import javax.swing.JPanel;
 
@@ -45,9 +47,9 @@ final class SensorRow {
                 EditLimits.MIN_SENSOR_RANGE,
                 EditLimits.MAX_SENSOR_RANGE,
                 0.05,
-                metres -> configureSensor(spec().withRange(metres)));
+                metres -> configureSensor(spec -> spec.withRange(metres)));
         cone = new NumberSpinner(
-                "0.##", MIN_CONE, MAX_CONE, 1, degrees -> configureSensor(spec().withCone(Degrees.toRadians(degrees))));
+                "0.##", MIN_CONE, MAX_CONE, 1, degrees -> configureSensor(spec -> spec.withCone(Degrees.toRadians(degrees))));
         actualReading = new ReadingBar(index, id, ReadingBar.ReadingKind.ACTUAL);
         reportedReading = new ReadingBar(index, id, ReadingBar.ReadingKind.REPORTED);
         range.withName("sensor.range", id).withColumns(5);
@@ -56,8 +58,8 @@ final class SensorRow {
         installSelectionListeners(() -> chosen.accept(id));
     }
 
-    private SensorSpec spec() {
-        return editor.pendingEdits().robot().sensor(id).orElseThrow();
+    private Optional<SensorSpec> spec() {
+        return editor.pendingEdits().robot().sensor(id);
     }
 
     /** Selects the row on a click on its badge, or when one of its controls gains the focus. */
@@ -113,13 +115,14 @@ final class SensorRow {
         grid.add(reportedReading, FormConstraints.leadingCell(5, row));
     }
 
-    private void configureSensor(SensorSpec requested) {
-        editor.send(new Command.ConfigureSensor(requested));
+    /** Changes the sensor; does nothing if a field loses the focus because the robot has no such sensor any more. */
+    private void configureSensor(UnaryOperator<SensorSpec> change) {
+        spec().ifPresent(spec -> editor.send(new Command.ConfigureSensor(change.apply(spec))));
     }
 
     /** Shows the current state of the sensor. */
     void setSnapshot(SensorSnapshot snapshot) {
-        SensorSpec shown = spec();
+        SensorSpec shown = spec().orElseThrow();
         if (enabledBox.isSelected() != shown.on()) {
             enabledBox.setSelected(shown.on());
         }
