@@ -34,8 +34,8 @@ public final class FileController {
     private final BooleanSupplier commitPendingEdit;
 
     /**
-     * Creates a controller for a workspace. {@code commitPendingEdit} commits the number being typed and returns
-     * whether that changed a value.
+     * Creates a controller for a workspace. {@code commitPendingEdit} commits what is being typed and returns whether
+     * that changed a value.
      */
     public FileController(Component parent, Workspace workspace, BooleanSupplier commitPendingEdit) {
         this.workspace = workspace;

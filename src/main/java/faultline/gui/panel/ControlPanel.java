@@ -284,12 +284,18 @@ public final class ControlPanel extends JPanel {
         run.setRun(frame, status, scenario);
     }
 
-    /** Commits the number being typed, as if the field lost the focus, and returns whether that changed a value. */
+    /** A field whose text is applied by Enter, or when the focus leaves the field. */
+    public interface PendingField {
+        /** Applies the text now if it is allowed; returns whether that changed a value. */
+        boolean commitPendingEdit();
+    }
+
+    /** Commits what is being typed, as if the field lost the focus, and returns whether that changed a value. */
     public boolean commitPendingEdit() {
         Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-        return SwingUtilities.getAncestorOfClass(NumberSpinner.class, owner) instanceof NumberSpinner typed
-                && isAncestorOf(typed)
-                && typed.commitPendingEdit();
+        Component field =
+                owner instanceof PendingField ? owner : SwingUtilities.getAncestorOfClass(PendingField.class, owner);
+        return field instanceof PendingField typed && isAncestorOf(field) && typed.commitPendingEdit();
     }
 
     /** Highlights the row of a sensor and shows its details. */

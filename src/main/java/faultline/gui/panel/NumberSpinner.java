@@ -24,7 +24,7 @@ import javax.swing.text.DefaultFormatterFactory;
  * A field for one number, which shows the value of the world unless the user is typing. It is as wide as its text
  * needs. A note below it says why a text is refused. It shows nothing for NaN.
  */
-public final class NumberSpinner extends JSpinner {
+public final class NumberSpinner extends JSpinner implements ControlPanel.PendingField {
 
     /** The width of the arrows and the margins, pixels. */
     private static final int PADDING = 32;
@@ -210,6 +210,7 @@ public final class NumberSpinner extends JSpinner {
     }
 
     /** Commits the text, or reverts it if it is invalid, and returns whether the value changed. */
+    @Override
     public boolean commitPendingEdit() {
         double before = doubleValue();
         try {

@@ -49,7 +49,11 @@ final class SensorRow {
                 0.05,
                 metres -> configureSensor(spec -> spec.withRange(metres)));
         cone = new NumberSpinner(
-                "0.##", MIN_CONE, MAX_CONE, 1, degrees -> configureSensor(spec -> spec.withCone(Degrees.toRadians(degrees))));
+                "0.##",
+                MIN_CONE,
+                MAX_CONE,
+                1,
+                degrees -> configureSensor(spec -> spec.withCone(Degrees.toRadians(degrees))));
         actualReading = new ReadingBar(index, id, ReadingBar.ReadingKind.ACTUAL);
         reportedReading = new ReadingBar(index, id, ReadingBar.ReadingKind.REPORTED);
         range.withName("sensor.range", id).withColumns(5);

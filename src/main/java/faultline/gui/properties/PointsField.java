@@ -1,6 +1,7 @@
 package faultline.gui.properties;
 
 import faultline.geometry.Vector2;
+import faultline.gui.panel.ControlPanel;
 import faultline.gui.panel.RefusalNote;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.KeyBindings;
@@ -21,7 +22,7 @@ import javax.swing.JTextField;
  * A field for points, written as {@code x,y x,y}. If the text is not allowed, a note below the field says why; the text
  * stays until Escape is pressed or the focus leaves the field, which shows the old points again.
  */
-final class PointsField extends JTextField {
+final class PointsField extends JTextField implements ControlPanel.PendingField {
 
     private static final int COLUMNS = 16;
 
@@ -38,11 +39,7 @@ final class PointsField extends JTextField {
         this.onChange = onChange;
         UiText.name(this, key);
         UiText.tip(this, key + ".tip");
-        addActionListener(event -> {
-            if (commit()) {
-                setText(format(shown));
-            }
-        });
+        addActionListener(event -> commitPendingEdit());
         KeyBindings.bind(this, "ESCAPE", this::revert);
         addFocusListener(new FocusAdapter() {
             @Override
@@ -63,6 +60,15 @@ final class PointsField extends JTextField {
     private void revert() {
         setText(format(shown));
         note.hide();
+    }
+
+    @Override
+    public boolean commitPendingEdit() {
+        List<Vector2> before = shown;
+        if (commit()) {
+            setText(format(shown));
+        }
+        return !shown.equals(before);
     }
 
     /** Applies the text; returns false if it is not allowed. */

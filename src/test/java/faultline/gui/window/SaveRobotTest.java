@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
@@ -19,9 +20,12 @@ import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -37,6 +41,8 @@ import org.junit.jupiter.params.provider.ValueSource;
         value = "java.awt.GraphicsEnvironment#isHeadless",
         disabledReason = "drives a real window, which needs a display")
 class SaveRobotTest {
+
+    private static final int OBSTACLES_TAB = 3;
 
     @TempDir
     private Path folder;
@@ -86,6 +92,25 @@ class SaveRobotTest {
         driver.clickButton("Unsaved changes", "Cancel");
         driver.waitForTitle("office.xml*");
         assertEquals(0.41, driver.frame().snapshot().robot().speed());
+    }
+
+    @Test
+    void waypointsThatAreStillBeingTypedAreNotLostWithoutAQuestion() {
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        driver.waitForTitle("office.xml");
+        JTextField waypoints = callOnEdt(() -> {
+            ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel")
+                    .setSelectedIndex(OBSTACLES_TAB);
+            return ComponentFinder.find(driver.window(), JTextField.class, "Waypoints, m");
+        });
+        driver.robot().waitFor("the form shows the selected obstacle", waypoints::isEnabled);
+        driver.typeInto("Waypoints, m", KeyEvent.VK_1, KeyEvent.VK_COMMA, KeyEvent.VK_2);
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
+        driver.clickButton("Unsaved changes", "Cancel");
+        driver.waitForTitle("office.xml*");
+        assertEquals(
+                List.of(new Vector2(1, 2)),
+                driver.frame().snapshot().obstacles().get(0).motion().waypoints());
     }
 
     @Test
