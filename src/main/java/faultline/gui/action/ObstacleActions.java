@@ -217,6 +217,9 @@ public final class ObstacleActions {
     }
 
     private void paste() {
+        if (!tools.hasFrame()) {
+            return;
+        }
         try {
             readClipboardText().ifPresent(this::paste);
         } catch (IllegalStateException busy) {

@@ -43,6 +43,14 @@ class ObstacleActionsTest {
         });
     }
 
+    @Test
+    void beforeThereIsAWorldNothingIsPasted() {
+        runOnEdt(() -> {
+            addActions();
+            assertNotesAfter("paste");
+        });
+    }
+
     private void addActions() {
         Theme.LIGHT.install();
         UndoController edits = new UndoController(new RunController(new Workspace())::send, () -> {});

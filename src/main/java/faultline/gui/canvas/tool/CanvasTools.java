@@ -117,6 +117,11 @@ public final class CanvasTools {
         mouse.setSnap(snap);
     }
 
+    /** Returns whether a frame is shown. */
+    public boolean hasFrame() {
+        return context.model().frame().isPresent();
+    }
+
     /** Returns the ids of all obstacles of the frame that is shown. */
     public Set<String> ids() {
         return context.model().obstacleIds();
@@ -151,7 +156,10 @@ public final class CanvasTools {
         }
     }
 
-    /** Returns the displacement that brings the centre of obstacles into the view if it lies outside of the world. */
+    /**
+     * Returns the displacement that brings the centre of obstacles into the view if it lies outside of the world. A
+     * frame must be shown.
+     */
     public Vector2 displacementIntoView(List<Obstacle> obstacles) {
         Snapshot world = context.model().frame().orElseThrow().snapshot();
         Vector2 centre = ObstacleOutlines.centre(obstacles);
@@ -164,7 +172,8 @@ public final class CanvasTools {
     }
 
     /**
-     * Returns the displacement of copies of some obstacles from them, which keeps the copies in the room and visible.
+     * Returns the displacement of copies of some obstacles from them, which keeps the copies in the room and visible. A
+     * frame must be shown.
      */
     public Vector2 offsetOfCopies(List<Obstacle> originals) {
         Snapshot world = context.model().frame().orElseThrow().snapshot();
