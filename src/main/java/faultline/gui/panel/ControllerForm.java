@@ -155,7 +155,7 @@ public final class ControllerForm {
     }
 
     private void selectKind(ControllerKind selected) {
-        if (selected != ControllerKind.of(shown) && selected != ControllerKind.FOREIGN) {
+        if (selected != ControllerKind.of(shown)) {
             send(
                     switch (selected) {
                         case FOLLOWER -> WallFollowing.DEFAULT;
@@ -199,8 +199,7 @@ public final class ControllerForm {
     public void setController(ControllerSpec controller, RobotSpec robot, double dt) {
         shown = controller;
         boolean follows = shown instanceof WallFollowing;
-        kind.setValue(ControllerKind.of(shown));
-        kind.setEnabled(ControllerKind.of(shown) != ControllerKind.FOREIGN);
+        showKind(ControllerKind.of(shown));
         for (JComponent field : new JComponent[] {distance, side, timing, period, diagnosis}) {
             field.setEnabled(follows);
         }
@@ -214,6 +213,20 @@ public final class ControllerForm {
         right.setEnabled(drives);
         left.setWorldValue(drives ? drive().leftVolts() : Double.NaN);
         right.setWorldValue(drives ? drive().rightVolts() : Double.NaN);
+    }
+
+    /** Shows a kind; an external controller, which cannot be chosen here, is in the list only while it is shown. */
+    private void showKind(ControllerKind present) {
+        boolean foreign = present == ControllerKind.FOREIGN;
+        boolean listed = kind.getItemCount() == ControllerKind.values().length;
+        if (foreign && !listed) {
+            kind.addItem(ControllerKind.FOREIGN);
+        }
+        kind.setValue(present);
+        if (!foreign && listed) {
+            kind.removeItem(ControllerKind.FOREIGN);
+        }
+        kind.setEnabled(!foreign);
     }
 
     /** Shows the settings of a follower, or nothing in its fields. */
