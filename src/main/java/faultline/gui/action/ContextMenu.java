@@ -12,7 +12,7 @@ import javax.swing.MenuSelectionManager;
 /** Shows context menus and numbers their items. */
 public final class ContextMenu {
 
-    private static final int MAX_DIGIT = 9;
+    private static final String MARKS = "123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
     private ContextMenu() {}
 
@@ -32,10 +32,13 @@ public final class ContextMenu {
         }
     }
 
-    /** Gives an item a number, counted from 1, before its name as its mnemonic, or a letter after the ninth. */
+    /**
+     * Gives an item a number, counted from 1, before its name as its mnemonic, or a letter after the ninth; there is
+     * nothing left for one after Z.
+     */
     public static void number(JMenuItem item, int number, String name) {
-        char mark = number <= MAX_DIGIT ? (char) ('0' + number) : (char) ('A' + number - MAX_DIGIT - 1);
+        char mark = number <= MARKS.length() ? MARKS.charAt(number - 1) : ' ';
         item.setText(mark + "  " + name);
-        item.setMnemonic(mark);
+        item.setMnemonic(mark == ' ' ? 0 : mark);
     }
 }
