@@ -17,9 +17,9 @@ public final class FloorPlanFiles {
 
     private FloorPlanFiles() {}
 
-    /** Returns whether a file is a floor plan, by its name. */
+    /** Returns whether a file is a floor plan, by its name; the root of a file system, which has none, is not. */
     public static boolean isFloorPlan(Path file) {
-        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         return EXTENSIONS.stream().anyMatch(ending -> name.endsWith("." + ending));
     }
 
