@@ -64,8 +64,8 @@ final class BatchDialog extends JDialog {
 
     private transient ResultTabs resultTabs;
     private boolean running;
-    /** Whether a plan or results are being written. */
-    private boolean writing;
+    /** The number of plans and results that are being written. */
+    private int writes;
 
     private boolean saved = true;
 
@@ -149,9 +149,14 @@ final class BatchDialog extends JDialog {
 
     private void setRunning(boolean now) {
         running = now;
-        start.setEnabled(!now);
+        enableStart();
         cancel.setEnabled(now);
         saveResults.setEnabled(!now && results != null && results.size() > 0);
+    }
+
+    /** Allows another run unless files are being written: it would delete those that are being copied. */
+    private void enableStart() {
+        start.setEnabled(!running && writes == 0);
     }
 
     private Optional<BatchPlan> checkedPlan() {
@@ -287,13 +292,10 @@ final class BatchDialog extends JDialog {
                         folder -> write(folder, () -> ended.saveResults(folder), () -> saved = saved || run == ended));
     }
 
-    /**
-     * Writes a file or a folder. No run is started during that time, because it would delete files that are being
-     * copied.
-     */
-    private void write(Path target, BackgroundTasks.Work work, Runnable onWritten) {
-        writing = true;
-        start.setEnabled(false);
+    /** Writes a file or a folder in the background. No run can be started during that time. */
+    void write(Path target, BackgroundTasks.Work work, Runnable onWritten) {
+        writes++;
+        enableStart();
         BatchRun source = run;
         BackgroundTasks.runBeforeExit(
                 work,
@@ -312,11 +314,16 @@ final class BatchDialog extends JDialog {
 
     /** Deletes a batch whose dialog was closed while it was written. */
     private void endWriting(BatchRun source) {
-        writing = false;
-        start.setEnabled(!running);
-        if (!isDisplayable() && source != null) {
+        writes--;
+        enableStart();
+        if (!isDisplayable() && source != null && !isInUse()) {
             delete(source);
         }
+    }
+
+    /** Returns whether the files of the batch are being made or copied. */
+    private boolean isInUse() {
+        return running || writes > 0;
     }
 
     private void showFailure(Throwable failure) {
@@ -371,7 +378,7 @@ final class BatchDialog extends JDialog {
         poll.stop();
         if (run != null) {
             run.progress().cancel();
-            if (!running && !writing) {
+            if (!isInUse()) {
                 delete(run);
             }
             run = null;
