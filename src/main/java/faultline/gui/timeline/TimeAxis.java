@@ -1,6 +1,7 @@
 package faultline.gui.timeline;
 
 import faultline.paint.chart.Axis;
+import faultline.paint.surface.NiceSteps;
 
 /**
  * The horizontal axis of the time line, from time 0: the x coordinates of its ends, pixels, and the time at its end,
@@ -25,12 +26,9 @@ record TimeAxis(double left, double right, double end) {
         return Math.max(0, Math.min(1, (x - left) / (right - left))) * end;
     }
 
-    /** Returns a round step of at least two pixels and at least the length of a tick, seconds. */
+    /** Returns a nice step of at least two pixels and at least the length of a tick, seconds. */
     double step(double tick) {
-        double least = Math.max(tick, MIN_STEP_PIXELS * end / (right - left));
-        double power = Math.pow(10, Math.floor(Math.log10(least)));
-        double leading = least / power;
-        return power * (leading <= 1 ? 1 : leading <= 2 ? 2 : leading <= 5 ? 5 : 10);
+        return NiceSteps.atLeast(Math.max(tick, MIN_STEP_PIXELS * end / (right - left)));
     }
 
     /** Returns the labelled axis. */
