@@ -184,19 +184,19 @@ public final class FileController {
         workspace
                 .file()
                 .ifPresentOrElse(
-                        file -> documentStore.saveUnlessReplaced(file, then, () -> askBeforeSaving(file, then)),
+                        file -> documentStore.saveUnlessReplaced(file, then, save -> askBeforeSaving(file, save)),
                         () -> saveAs(then));
     }
 
     /** Asks whether to save over the change of another program; nothing happens if the question is closed. */
-    private void askBeforeSaving(Path file, Runnable then) {
+    private void askBeforeSaving(Path file, Runnable save) {
         int answer = fileDialogs.showOptions(
                 "changed",
                 Messages.get("changed.questionUnsaved", String.valueOf(file.getFileName())),
                 "changed.keep",
                 "changed.reload");
         if (answer == 0) {
-            documentStore.save(file, then);
+            save.run();
         } else if (answer == 1) {
             documentStore.open(file);
         }

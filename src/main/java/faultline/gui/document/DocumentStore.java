@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 
 /** Loads and saves the scenario of a workspace, asynchronously. */
 public final class DocumentStore {
@@ -116,21 +117,24 @@ public final class DocumentStore {
 
     /**
      * Saves the edited scenario to the file that it came from, unless another program has changed that file:
-     * {@code onForeignChange} is called instead. The watch of the file notices a change only after some seconds.
+     * {@code onForeignChange} is called instead, with an action that saves the scenario nevertheless, even if another
+     * one is open by then. The watch of the file notices a change only after some seconds.
      */
-    public void saveUnlessReplaced(Path file, Runnable then, Runnable onForeignChange) {
+    public void saveUnlessReplaced(Path file, Runnable then, Consumer<Runnable> onForeignChange) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
+            Runnable save = () -> write(now.document(), edited, file, then);
             BackgroundTasks.runBeforeExit(
                     () -> Optional.ofNullable(loadIfReadable(file)).filter(found -> !found.equals(edited.join())),
                     found -> {
                         Optional<Scenario> saved = now.document().saved();
                         if (found.isEmpty() || saved.isEmpty() || saved.equals(found)) {
-                            write(now.document(), edited, file, then);
+                            save.run();
                         } else {
                             // The watch need not report it again.
-                            workspace.setSavedScenario(found.get());
-                            onForeignChange.run();
+                            now.document().setSaved(found.get());
+                            workspace.fire(WorkspaceListener::titleChanged);
+                            onForeignChange.accept(save);
                         }
                     },
                     failure -> saveFailed(file, failure));

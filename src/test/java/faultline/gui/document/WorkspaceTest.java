@@ -235,6 +235,26 @@ class WorkspaceTest {
         assertEquals(2, sessionCount);
     }
 
+    /** The question about the change of another program may be open while a scenario opens that was chosen before. */
+    @Test
+    void aFileThatAnotherProgramHasChangedIsNotOverwrittenWithTheScenarioOpenedMeanwhile() throws Exception {
+        move();
+        waitFor("the mark", workspace::isChanged);
+        Files.writeString(file, Files.readString(file).replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
+        List<Runnable> save = new ArrayList<>();
+        Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
+        runOnEdt(() -> documentStore.saveUnlessReplaced(file, () -> sessionCount = 7, save::add));
+        waitFor("the question", () -> !save.isEmpty());
+        Path other = Files.copy(Path.of("scenarios/mirror.xml"), folder.resolve("mirror.xml"));
+        runOnEdt(() -> documentStore.open(other));
+        waitFor("the other scenario", () -> sessionCount == 2);
+        runOnEdt(save.get(0)::run);
+        waitFor("the save", () -> sessionCount == 7);
+        assertEquals(edited, Scenario.load(file));
+        assertEquals(Optional.of(other), callOnEdt(workspace::file));
+        assertFalse(callOnEdt(workspace::isChanged));
+    }
+
     @Test
     void anEditMadeDuringASaveRemainsUnsaved() {
         OpenDocument asked = callOnEdt(() -> workspace.openDocument().orElseThrow());
