@@ -50,15 +50,13 @@ final class CachedSceneRenderer {
         budget = new FrameBudget(clock);
     }
 
-    /** Paints a frame at the resolution of the device of the graphics; {@code covered} will be hidden, pixels. */
-    void paint(
-            Graphics2D graphics,
-            Camera camera,
-            Palette palette,
-            Set<Layer> layers,
-            Frame frame,
-            CanvasModel scene,
-            List<Rectangle2D> covered) {
+    /**
+     * Paints the frame of a scene, which must have one, at the resolution of the device of the graphics;
+     * {@code covered} will be hidden, pixels.
+     */
+    void paint(Graphics2D graphics, Camera camera, Palette palette, CanvasModel scene, List<Rectangle2D> covered) {
+        Frame frame = scene.frame().orElseThrow();
+        Set<Layer> layers = scene.layers();
         LayerRenderSettings view =
                 new LayerRenderSettings(camera, palette, graphics.getTransform().getScaleX());
         ScenePainter painter = new ScenePainter(layers, LocalizedLabels.create());

@@ -239,10 +239,10 @@ public final class SimulationCanvas extends AccessibleComponent {
     private void paintScene(Graphics2D graphics) {
         graphics.setColor(palette.canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
-        model.frame().ifPresent(frame -> {
-            renderer.paint(graphics, camera(), palette, model.layers(), frame, model, covered());
+        if (model.frame().isPresent()) {
+            renderer.paint(graphics, camera(), palette, model, covered());
             mouse.paint(new DrawContext(graphics, camera(), palette).withFont(LocalizedLabels.font()));
-        });
+        }
         if (!renderer.isComplete()) {
             repaint();
         }
