@@ -162,11 +162,11 @@ final class MainPanel extends JPanel {
         return shownFrame;
     }
 
-    /** Prepares for another scenario: notes and selections of the previous one are removed. */
+    /** Prepares for another scenario: notes, selections and drags of the previous one are removed. */
     void startScenario() {
         instruments.startScenario();
         timeline.startScenario();
-        canvas.tools().clearSelection();
+        canvas.tools().startScenario();
         controlPanel.startScenario();
         statusBar.clearNote();
     }

@@ -93,9 +93,21 @@ public final class CanvasMouse extends MouseAdapter {
     /** Ends a gesture whose objects no longer exist. */
     public void releaseIfTargetGone() {
         if (gesture != null && gesture.isTargetGone()) {
-            gesture.release();
+            discardGesture();
+        }
+    }
+
+    private void discardGesture() {
+        if (gesture != null) {
+            gesture.discard();
             gesture = null;
         }
+    }
+
+    /** Ends the gesture and the tool, which are about another scenario than the one that is open now. */
+    void startScenario() {
+        discardGesture();
+        tool.set(Optional.empty());
     }
 
     public void paint(DrawContext context) {

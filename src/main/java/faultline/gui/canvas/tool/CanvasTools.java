@@ -230,6 +230,12 @@ public final class CanvasTools {
                 .id()));
     }
 
+    /** Prepares for another scenario: nothing is dragged, drawn or selected. */
+    public void startScenario() {
+        mouse.startScenario();
+        clearSelection();
+    }
+
     /** Selects no obstacle and no sensor. */
     public void clearSelection() {
         assert EventQueue.isDispatchThread();

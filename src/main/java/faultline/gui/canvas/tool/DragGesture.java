@@ -59,6 +59,11 @@ public final class DragGesture implements Gesture {
     }
 
     @Override
+    public void discard() {
+        editor.endGesture();
+    }
+
+    @Override
     public void cancel() {
         if (preview != null) {
             editor.send(operation.restoreCommands());

@@ -19,6 +19,9 @@ public interface Gesture {
     /** Reverts everything that the gesture has done. */
     default void cancel() {}
 
+    /** Ends the gesture where it is, without another effect, because its objects no longer exist. */
+    default void discard() {}
+
     /** Returns whether an object of the gesture no longer exists. */
     default boolean isTargetGone() {
         return false;

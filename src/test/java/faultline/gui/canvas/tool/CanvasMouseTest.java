@@ -64,6 +64,26 @@ class CanvasMouseTest {
         mouse(MouseEvent.MOUSE_RELEASED, from.plus(new Vector2(pixels, 0)), button);
     }
 
+    /** A question about the file may hide the release of the button, and its answer may open another scenario. */
+    @Test
+    void aDragAndAToolEndWithTheirScenario() {
+        Vector2 box = screen(new Vector2(4, 2));
+        mouse(MouseEvent.MOUSE_PRESSED, box, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(9, 0)), MouseEvent.NOBUTTON);
+        sent.clear();
+        runOnEdt(canvas.tools()::startScenario);
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(30, 0)), MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_RELEASED, box.plus(new Vector2(30, 0)), MouseEvent.BUTTON1);
+        assertEquals(List.of(), sent);
+        List<Boolean> active = new ArrayList<>();
+        runOnEdt(() -> {
+            canvas.tools().addToolListener(active::add);
+            canvas.tools().drawPolygon();
+            canvas.tools().startScenario();
+        });
+        assertEquals(List.of(true, false), active);
+    }
+
     @Test
     void anObstacleMovesFromThreePixelsOn() {
         drag(screen(new Vector2(4, 2)), 2, MouseEvent.BUTTON1);
