@@ -15,6 +15,11 @@ public final class RunNavigator implements WorkspaceListener {
     private static final long NONE = -1;
 
     private final Workspace workspace;
+    /**
+     * Held during a replay, so that only one is in progress: a cancelled one ends after the tick that it simulates,
+     * which can take seconds and much memory in a large world.
+     */
+    private final Object replaying = new Object();
     /** The furthest tick of the sessions before the open one. */
     private long furthestTick;
 
@@ -65,10 +70,13 @@ public final class RunNavigator implements WorkspaceListener {
         workspace.start(task, () -> {
             Journal journal = whole.join();
             long tick = end.applyAsLong(past.join());
-            return new OpenDocument(now.document(), replay.start(withChosenController(journal), tick, reached -> {
-                task.progress().setFraction((double) reached / tick);
-                return true;
-            }));
+            synchronized (replaying) {
+                task.progress().throwIfCancelled();
+                return new OpenDocument(now.document(), replay.start(withChosenController(journal), tick, reached -> {
+                    task.progress().setFraction((double) reached / tick);
+                    return true;
+                }));
+            }
         });
     }
 

@@ -6,6 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
+import faultline.control.ControllerSource;
+import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.control.Decision;
+import faultline.control.Telemetry;
+import faultline.engine.SimulationSetup;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
@@ -19,6 +26,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -212,6 +222,63 @@ class RunNavigatorTest {
         runOnEdt(run::step);
         SessionFrames.awaitTick(workspace, 31);
         assertEquals(SECOND, pole());
+    }
+
+    @Test
+    void aReplayStartsOnlyWhenTheCancelledOneBeforeHasEnded() {
+        HeldControllers controllers = new HeldControllers();
+        Scenario shipped = callOnEdt(() -> workspace.scenario().orElseThrow());
+        SimulationSetup setup = shipped.setup();
+        Scenario held =
+                shipped.withSetup(setup.withController(new ControllerSpec.Chosen(setup.controller(), controllers)));
+        AtomicBoolean opened = new AtomicBoolean();
+        runOnEdt(() -> documentStore.openGenerated(held, () -> opened.set(true)));
+        Await.until("the scenario with the controllers", opened::get);
+        stepTo(3);
+        controllers.hold();
+        runOnEdt(() -> run.navigator().seek(2));
+        Await.until("a replay in its first tick", () -> controllers.waiting.get() == 1);
+        for (int i = 0; i < 10; i++) {
+            runOnEdt(() -> run.navigator().seek(2));
+        }
+        controllers.release();
+        Await.until("tick 2", () -> workspace.task().isEmpty() && tick() == 2);
+        assertEquals(3, controllers.started.get());
+    }
+
+    /** Makes controllers that stand still, and that do not answer while they are held. */
+    private static final class HeldControllers implements ControllerSource {
+        private final AtomicInteger started = new AtomicInteger();
+        private final AtomicInteger waiting = new AtomicInteger();
+        private volatile CountDownLatch latch = new CountDownLatch(0);
+
+        void hold() {
+            latch = new CountDownLatch(1);
+        }
+
+        void release() {
+            latch.countDown();
+        }
+
+        @Override
+        public Controller start(RunConditions run) {
+            started.incrementAndGet();
+            return observation -> {
+                waiting.incrementAndGet();
+                try {
+                    latch.await();
+                } catch (InterruptedException e) {
+                    throw new IllegalStateException(e);
+                }
+                waiting.decrementAndGet();
+                return new Decision(0, 0, Telemetry.ofState(ControllerState.of("HELD")));
+            };
+        }
+
+        @Override
+        public boolean limitsAnswerTime() {
+            return true;
+        }
     }
 
     @Test
