@@ -307,7 +307,10 @@ final class BatchDialog extends JDialog {
                 failure -> {
                     endWriting(source);
                     if (isDisplayable()) {
-                        showFailure(failure);
+                        showProblem(Messages.get(
+                                "failed.SAVE",
+                                String.valueOf(target.getFileName()),
+                                ErrorMessages.describe(failure, target)));
                     }
                 });
     }

@@ -7,13 +7,18 @@ import faultline.gui.text.TextWrap;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
 import java.awt.Component;
+import java.awt.event.ActionEvent;
 import java.io.File;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
@@ -21,11 +26,13 @@ import javax.swing.JOptionPane;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import javax.swing.plaf.metal.MetalFileChooserUI;
 
 /** File choosers and option dialogs. */
 final class FileDialogs {
 
     private static final int LOADING_DELAY_MILLIS = 1000;
+    private static final Pattern PATTERN_CHARACTERS = Pattern.compile("[*?\\[]");
 
     private final Component parent;
     private File folder = new File("").getAbsoluteFile();
@@ -76,13 +83,10 @@ final class FileDialogs {
 
     /** Asks for a folder to write to, which is empty or does not exist; empty if cancelled. */
     Optional<Path> chooseNewFolder(String action, Path suggestion) {
-        JFileChooser chooser = new EscapableFileChooser(folder);
+        EscapableFileChooser chooser = new EscapableFileChooser(folder);
         chooser.setDialogTitle(Messages.get("files." + action));
         chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
-        chooser.setSelectedFile(new File(folder, suggestion.getFileName().toString()));
-        if (suggestion.isAbsolute()) {
-            chooser.setSelectedFile(suggestion.toFile());
-        }
+        chooser.suggestFolder(folder.toPath().resolve(suggestion));
         while (chooser.showSaveDialog(parent) == JFileChooser.APPROVE_OPTION) {
             File chosen = chooser.getSelectedFile();
             String[] content = chosen.list();
@@ -92,7 +96,8 @@ final class FileDialogs {
             }
             JOptionPane.showMessageDialog(
                     parent,
-                    TextWrap.wrap(Messages.get("files.folder.used", chosen.getName())),
+                    TextWrap.wrap(Messages.get(
+                            chosen.isFile() ? "files.folder.file" : "files.folder.used", chosen.getName())),
                     Messages.get("files." + action),
                     JOptionPane.WARNING_MESSAGE);
         }
@@ -149,10 +154,39 @@ final class FileDialogs {
         return has ? file : file.resolveSibling(name + "." + extension);
     }
 
-    /** A file chooser that Escape closes wherever the focus is, and that fits on the screen. */
+    /**
+     * A file chooser that Escape closes wherever the focus is, and that fits on the screen. The name of a file to save
+     * may contain the characters of a file name pattern.
+     */
     static final class EscapableFileChooser extends JFileChooser {
         EscapableFileChooser(File folder) {
             super(folder);
+        }
+
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            setUI(new TypedNameUI(this));
+        }
+
+        /** Suggests a folder that does not exist, whose name Swing does not show. */
+        void suggestFolder(Path suggestion) {
+            setSelectedFile(suggestion.toFile());
+            ((TypedNameUI) getUI()).setFileName(suggestion.toString());
+        }
+
+        @Override
+        public void approveSelection() {
+            if (isPath(getSelectedFile())) {
+                super.approveSelection();
+            } else {
+                JOptionPane.showMessageDialog(
+                        this,
+                        TextWrap.wrap(
+                                Messages.get("files.badName", getSelectedFile().getName())),
+                        getDialogTitle(),
+                        JOptionPane.WARNING_MESSAGE);
+            }
         }
 
         @Override
@@ -167,6 +201,54 @@ final class FileDialogs {
                             KeyStroke.getKeyStroke("ESCAPE"),
                             JComponent.WHEN_IN_FOCUSED_WINDOW);
             return dialog;
+        }
+    }
+
+    /** Returns whether the file system accepts the name of a file. */
+    static boolean isPath(File file) {
+        try {
+            file.toPath();
+            return true;
+        } catch (InvalidPathException refused) {
+            return false;
+        }
+    }
+
+    /**
+     * Takes what is typed in a dialog for saving as the name of a file, even if it looks like a pattern, for which
+     * Swing filters the list, or is the name of a file where a folder is expected, for which Swing cancels.
+     */
+    private static final class TypedNameUI extends MetalFileChooserUI {
+
+        private final Action approve = new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                approve(event);
+            }
+        };
+
+        TypedNameUI(JFileChooser chooser) {
+            super(chooser);
+        }
+
+        @Override
+        public Action getApproveSelectionAction() {
+            return approve;
+        }
+
+        private void approve(ActionEvent event) {
+            JFileChooser chooser = getFileChooser();
+            File typed = new File(String.valueOf(getFileName()).strip());
+            File file = typed.isAbsolute() ? typed : new File(chooser.getCurrentDirectory(), typed.getPath());
+            boolean isName = file.isFile()
+                    || !file.exists()
+                            && PATTERN_CHARACTERS.matcher(file.getName()).find();
+            if (chooser.getDialogType() == JFileChooser.SAVE_DIALOG && isName && !isDirectorySelected()) {
+                chooser.setSelectedFile(file);
+                chooser.approveSelection();
+            } else {
+                super.getApproveSelectionAction().actionPerformed(event);
+            }
         }
     }
 

@@ -1,9 +1,11 @@
 package faultline.gui.dialog;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.text.Messages;
+import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -43,6 +45,12 @@ class FileDialogsTest {
         assertEquals(List.of("xml", "faultline"), FileDialogs.extensions(FileDialogs.filterName("open", "xml")));
         assertEquals(List.of("xml"), FileDialogs.extensions(FileDialogs.filterName("batchPlan", "xml")));
         assertTrue(Messages.get("files.filter.xml").contains("*.faultline"));
+    }
+
+    @Test
+    void aNameThatTheFileSystemRefusesIsNoPath() {
+        assertTrue(FileDialogs.isPath(new File("what?.xml")) || File.separatorChar == '\\');
+        assertFalse(FileDialogs.isPath(new File("a\0b.xml")));
     }
 
     @ParameterizedTest

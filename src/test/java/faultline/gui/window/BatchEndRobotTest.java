@@ -196,8 +196,13 @@ class BatchEndRobotTest {
         JButton save = button(dialog, "Save results…");
         driver.robot().waitFor("the results can be saved", save::isEnabled);
         driver.click(save);
+        String title = "Save results of the batch to a new folder";
+        JTextField suggested = ComponentFinder.findAll(driver.dialog(title), JTextField.class)
+                .findFirst()
+                .orElseThrow();
+        assertTrue(callOnEdt(suggested::getText).endsWith("-batch"));
         Path results = folder.resolve("results");
-        driver.enterFile("Save results of the batch to a new folder", results);
+        driver.enterFile(title, results);
         Await.until("the results are there", () -> Files.exists(results));
         assertEquals(181, Files.readAllLines(results.resolve("runs.csv")).size());
         try (Stream<Path> files = Files.list(folder)) {

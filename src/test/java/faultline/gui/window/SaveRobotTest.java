@@ -135,6 +135,15 @@ class SaveRobotTest {
     }
 
     @Test
+    void aNameThatLooksLikeAPatternIsSavedAsItIs() throws ScenarioException {
+        Path other = folder.resolve("room [2].xml");
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
+        driver.enterFile("Save scenario", other);
+        driver.waitForTitle("room [2].xml");
+        assertEquals(after, saved(other));
+    }
+
+    @Test
     void saveAsAndExportsKeepTheNameOfAFileThatADesktopOpens() throws IOException {
         Path room = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("room.faultline"));
         runOnEdt(() -> driver.window().open(room));
