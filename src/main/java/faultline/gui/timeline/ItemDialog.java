@@ -6,6 +6,7 @@ import faultline.gui.panel.NamedChoice;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Command;
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -23,6 +24,9 @@ final class ItemDialog {
 
     private final TimelineItem item;
     private final double tick;
+    /** The length that an item without an end gets with its end, seconds. */
+    private final double newLength;
+
     private final JPanel form = new JPanel(new GridBagLayout());
     private final JComboBox<Lane> lane = new JComboBox<>();
     private final NumberSpinner from = DetailFields.number("timeline.start");
@@ -31,9 +35,10 @@ final class ItemDialog {
     /** Reads the command from the details. */
     private final Supplier<Optional<Command>> details;
 
-    private ItemDialog(List<Lane> lanes, TimelineItem item, RobotSpec robot, double tick) {
+    private ItemDialog(List<Lane> lanes, TimelineItem item, RobotSpec robot, double tick, double newLength) {
         this.item = item;
         this.tick = tick;
+        this.newLength = newLength;
         lanes.stream().filter(other -> item.inLane(other).lane().equals(other)).forEach(lane::addItem);
         lane.setSelectedItem(item.lane());
         if (item.isInterval()) {
@@ -55,21 +60,34 @@ final class ItemDialog {
         DetailFields.setTime(from, item.start());
         DetailFields.addRow(form, DetailFields.TIMES_ROW, FormConstraints.label("timeline.start", from), from, "s");
         if (item.isInterval()) {
-            DetailFields.setTime(until, item.isOpen() ? item.start() : item.end());
+            DetailFields.setTime(until, item.isOpen() ? firstEnd() : item.end());
             DetailFields.addRow(form, DetailFields.TIMES_ROW + 1, ends, until, "s");
             ends.setSelected(!item.isOpen());
             until.setEnabled(ends.isSelected());
-            ends.addActionListener(event -> until.setEnabled(ends.isSelected()));
+            ends.addActionListener(event -> updateEnd());
+        }
+    }
+
+    /** Returns an end after the start that is shown, seconds. */
+    private double firstEnd() {
+        return Math.min(from.doubleValue() + newLength, ScenarioLimits.MAX_DURATION);
+    }
+
+    private void updateEnd() {
+        until.setEnabled(ends.isSelected());
+        if (ends.isSelected() && item.isOpen() && until.doubleValue() <= from.doubleValue()) {
+            DetailFields.setTime(until, firstEnd());
         }
     }
 
     /**
      * Shows the dialog for an item in one of some lanes, waits for the answer, and returns the item with other values;
-     * empty if cancelled. The length of a tick, seconds, is the shortest interval.
+     * empty if cancelled. The length of a tick, seconds, is the shortest interval; an item without an end is offered
+     * the new length, seconds.
      */
     static Optional<TimelineItem> showDialog(
-            Component parent, List<Lane> lanes, TimelineItem item, RobotSpec robot, double tick) {
-        return new ItemDialog(lanes, item, robot, tick).show(parent);
+            Component parent, List<Lane> lanes, TimelineItem item, RobotSpec robot, double tick, double newLength) {
+        return new ItemDialog(lanes, item, robot, tick, newLength).show(parent);
     }
 
     private Optional<TimelineItem> show(Component parent) {

@@ -50,7 +50,7 @@ final class LaneActions {
     }
 
     private Optional<TimelineItem> showDialog(TimelineItem item) {
-        return ItemDialog.showDialog(view, view.allLanes(), item, editor.robot(), editor.tickLength());
+        return ItemDialog.showDialog(view, view.allLanes(), item, editor.robot(), editor.tickLength(), newLength());
     }
 
     /** Asks for a new fault in the selected lane that starts at a time; in the last one, for a controller. */
@@ -72,7 +72,12 @@ final class LaneActions {
 
     /** Asks for a new fault in the selected lane that starts at a time. */
     private void addFault(double start) {
-        newFault(start, editor.roundToTick(start + NEW_STEPS * step())).ifPresent(this::add);
+        newFault(start, editor.roundToTick(start + newLength())).ifPresent(this::add);
+    }
+
+    /** Returns the length of a fault that gets its first end, seconds. */
+    private double newLength() {
+        return NEW_STEPS * step();
     }
 
     /** Returns a fault in the selected lane; empty in the lane of everything else. */

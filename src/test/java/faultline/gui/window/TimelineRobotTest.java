@@ -23,7 +23,9 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JTextField;
@@ -142,6 +144,26 @@ class TimelineRobotTest {
         driver.type(KeyEvent.VK_DELETE);
         driver.waitForTitle("office.xml*");
         assertEquals(List.of(), saved());
+    }
+
+    @Test
+    void anEndThatIsAddedToAFaultIsAfterItsStart() throws ScenarioException {
+        openNewFault();
+        JCheckBox ends = ComponentFinder.find(driver.dialog(NEW_FAULT), JCheckBox.class, "Until");
+        driver.click(ends);
+        enterInto(
+                ComponentFinder.find(driver.dialog(NEW_FAULT), NumberSpinner.class, "From")
+                        .textField(),
+                KeyEvent.VK_5);
+        driver.waitForTitle("office.xml*");
+        assertEquals(1, saved().size());
+        driver.type(KeyEvent.VK_ENTER);
+        JDialog dialog = driver.dialog("Fault");
+        driver.click(ComponentFinder.find(dialog, JCheckBox.class, "Until"));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.waitForTitle("office.xml*");
+        assertEquals(2, saved().size());
+        assertTrue(saved().get(1).time() > 5);
     }
 
     @Test
