@@ -2,6 +2,7 @@ package faultline.gui.properties;
 
 import faultline.floorplan.FloorPlan;
 import faultline.floorplan.FloorPlanScenario;
+import faultline.geometry.Pose;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -27,13 +28,20 @@ public final class FloorPlanFiles {
     record ImportedPlan(FloorPlan plan, Scenario scenario) {}
 
     /**
-     * Reads a floor plan; takes some time. The side of a pixel, metres, is that of an image; a YAML file gives its own.
+     * Reads a floor plan; takes some time.
+     *
+     * @param file the map or image
+     * @param resolution the side of a pixel of an image, metres; a YAML file gives its own
+     * @param options how the plan is traced
+     * @param start the start of the robot; null for the middle of the largest free disc
      */
-    static ImportedPlan read(Path file, double resolution, FloorPlan.Options options) throws IOException {
+    static ImportedPlan read(Path file, double resolution, FloorPlan.Options options, Pose start) throws IOException {
         FloorPlan plan = FloorPlan.isYaml(file)
                 ? FloorPlan.readYaml(file, options)
                 : FloorPlan.readImage(file, BigDecimal.valueOf(resolution), options);
         String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-        return new ImportedPlan(plan, FloorPlanScenario.create(name, plan));
+        Scenario scenario =
+                start == null ? FloorPlanScenario.create(name, plan) : FloorPlanScenario.create(name, plan, start);
+        return new ImportedPlan(plan, scenario);
     }
 }

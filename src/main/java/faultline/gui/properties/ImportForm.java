@@ -3,6 +3,7 @@ package faultline.gui.properties;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.floorplan.FloorPlan;
+import faultline.geometry.Pose;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.FormDialog;
@@ -22,7 +23,6 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagLayout;
 import java.awt.image.BufferedImage;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.Optional;
@@ -54,8 +54,8 @@ public final class ImportForm extends JPanel {
     private static final int MAX_CELLS = 100_000;
     private static final double MAX_SMOOTHING = 20;
 
-    /** A read plan with its picture. */
-    private record Preview(FloorPlanFiles.ImportedPlan read, BufferedImage picture) {}
+    /** A read plan with its picture, and why the robot cannot start there; empty if it can. */
+    private record Preview(FloorPlanFiles.ImportedPlan read, BufferedImage picture, String obstruction) {}
 
     private final transient Path file;
     private final NumberSpinner resolution =
@@ -63,6 +63,8 @@ public final class ImportForm extends JPanel {
     private final JCheckBox unknownIsWall = new JCheckBox(Messages.get("import.unknown"));
     private final NumberSpinner minCells = new NumberSpinner("0", 1, MAX_CELLS, 1, value -> startReading());
     private final NumberSpinner smoothing = new NumberSpinner("0.0#", 0, MAX_SMOOTHING, 0.5, value -> startReading());
+    private final JCheckBox findsStart = new JCheckBox(Messages.get("import.findsStart"), true);
+    private final StartFields start = new StartFields(this::startReading);
     private final JLabel picture = new JLabel("", SwingConstants.CENTER);
     private final JTextArea status = UiText.wrappedText();
     /** Null while the plan is read, or if it cannot be read. */
@@ -131,7 +133,14 @@ public final class ImportForm extends JPanel {
         fields.add(unknownIsWall, FormConstraints.fillRow(0, 1));
         FormConstraints.addRow(fields, 2, "import.minCells", minCells.withColumns(6));
         FormConstraints.addRow(fields, 3, "import.smoothing", smoothing.withColumns(6));
+        fields.add(findsStart, FormConstraints.fillRow(0, 4));
+        start.addTo(fields, 5);
+        start.setEnabled(false);
         unknownIsWall.addActionListener(event -> startReading());
+        findsStart.addActionListener(event -> {
+            start.setEnabled(!findsStart.isSelected());
+            startReading();
+        });
         resolution.setWorldValue(USUAL_RESOLUTION);
         minCells.setWorldValue(1);
         picture.setPreferredSize(PREVIEW_SIZE);
@@ -159,18 +168,18 @@ public final class ImportForm extends JPanel {
         double side = resolution.doubleValue();
         FloorPlan.Options options = new FloorPlan.Options(
                 unknownIsWall.isSelected(), (int) minCells.doubleValue(), smoothing.doubleValue());
+        Pose wantedStart = findsStart.isSelected() ? null : start.pose();
         Palette palette = Theme.current().palette();
         scenario = null;
         isReading = true;
         status.setText(Messages.get("import.reading"));
         BackgroundTasks.run(
-                () -> read(file, side, options, palette),
+                () -> preview(FloorPlanFiles.read(file, side, options, wantedStart), palette),
                 preview -> ifNewest(started, () -> show(preview)),
                 failure -> ifNewest(started, () -> showFailure(failure)));
     }
 
-    private static Preview read(Path file, double side, FloorPlan.Options options, Palette palette) throws IOException {
-        FloorPlanFiles.ImportedPlan read = FloorPlanFiles.read(file, side, options);
+    private static Preview preview(FloorPlanFiles.ImportedPlan read, Palette palette) {
         try (Simulation simulation = new Simulation(read.scenario().setup(), ControllerMode.DIRECT)) {
             BufferedImage image = new RenderRequest(
                             simulation.frame(),
@@ -178,7 +187,8 @@ public final class ImportForm extends JPanel {
                             palette,
                             EnumSet.of(Layer.CONES))
                     .toImage(1);
-            return new Preview(read, image);
+            return new Preview(
+                    read, image, PropertiesForm.findObstruction(read.scenario()).orElse(""));
         }
     }
 
@@ -192,8 +202,15 @@ public final class ImportForm extends JPanel {
 
     private void show(Preview preview) {
         FloorPlan plan = preview.read().plan();
-        scenario = preview.read().scenario();
         picture.setIcon(new ImageIcon(preview.picture()));
+        if (!preview.obstruction().isEmpty()) {
+            status.setText(preview.obstruction());
+            return;
+        }
+        scenario = preview.read().scenario();
+        if (findsStart.isSelected()) {
+            start.setPose(scenario.setup().start());
+        }
         status.setText(Messages.get(
                 "import.result",
                 Integer.toString(plan.grid().width()),

@@ -1,8 +1,6 @@
 package faultline.gui.properties;
 
-import faultline.geometry.Degrees;
-import faultline.geometry.Pose;
-import faultline.gui.edit.EditLimits;
+import faultline.engine.SimulationSetup;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.TitledSection;
@@ -10,12 +8,10 @@ import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Clearance;
-import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.util.Optional;
 import javax.swing.BoxLayout;
 import javax.swing.JCheckBox;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 
@@ -31,10 +27,7 @@ final class PropertiesForm extends JPanel {
     private final NumberSpinner width = new NumberSpinner("0.0##", MIN_SIZE, MAX_SIZE, 0.5, value -> {});
     private final NumberSpinner height = new NumberSpinner("0.0##", MIN_SIZE, MAX_SIZE, 0.5, value -> {});
     private final JCheckBox enclosed = new JCheckBox(Messages.get("properties.enclosed"));
-    private final NumberSpinner startX = new NumberSpinner("0.00##", -MAX_SIZE, MAX_SIZE, 0.1, value -> {});
-    private final NumberSpinner startY = new NumberSpinner("0.00##", -MAX_SIZE, MAX_SIZE, 0.1, value -> {});
-    private final NumberSpinner startHeading =
-            new NumberSpinner("0.##", -EditLimits.MAX_ANGLE, EditLimits.MAX_ANGLE, 5, value -> {});
+    private final StartFields start = new StartFields(() -> {});
     private final NumberSpinner duration = new NumberSpinner("0.##", 0, ScenarioLimits.MAX_DURATION, 10, value -> {});
     private final NumberSpinner tick =
             new NumberSpinner("0.000##", ScenarioLimits.MIN_TICK, ScenarioLimits.MAX_TICK, 0.001, value -> {});
@@ -49,32 +42,13 @@ final class PropertiesForm extends JPanel {
         FormConstraints.addRow(fields, 2, "properties.width", width.withColumns(8));
         FormConstraints.addRow(fields, 3, "properties.height", height.withColumns(8));
         fields.add(enclosed, FormConstraints.fillRow(1, 4));
-        fields.add(FormConstraints.label("properties.start", startX), FormConstraints.leadingCell(0, 5));
-        GridBagConstraints start = FormConstraints.fillRow(1, 5);
-        start.anchor = GridBagConstraints.LINE_START;
-        fields.add(createStartFields(), start);
+        start.addTo(fields, 5);
         FormConstraints.addRow(fields, 6, "properties.duration", duration.withColumns(8));
         FormConstraints.addRow(fields, 7, "properties.tick", tick.withColumns(8));
         FormConstraints.addRow(fields, 8, "properties.seed", seed);
         add(new TitledSection(fields));
         add(new TitledSection("expect.title", expectation));
         NumberSpinner.findIn(this).forEach(NumberSpinner::keepInvalidText);
-    }
-
-    private JPanel createStartFields() {
-        JPanel fields = new JPanel(new GridBagLayout());
-        fields.add(startX.withName("properties.start.x").withColumns(7), FormConstraints.cell(0, 0));
-        fields.add(startY.withName("properties.start.y").withColumns(7), FormConstraints.cell(1, 0));
-        JLabel heading = FormConstraints.label("properties.start.heading.label", startHeading);
-        fields.add(heading, FormConstraints.cell(2, 0));
-        GridBagConstraints last = FormConstraints.fillCell(3, 0);
-        last.fill = GridBagConstraints.NONE;
-        fields.add(startHeading.withName("properties.start.heading").withColumns(6), last);
-        return fields;
-    }
-
-    private Pose start() {
-        return new Pose(startX.doubleValue(), startY.doubleValue(), Degrees.toRadians(startHeading.doubleValue()));
     }
 
     /** Returns the first field. */
@@ -89,10 +63,7 @@ final class PropertiesForm extends JPanel {
         width.setWorldValue(shown.width());
         height.setWorldValue(shown.height());
         enclosed.setSelected(shown.enclosed());
-        startX.setWorldValue(shown.start().x());
-        startY.setWorldValue(shown.start().y());
-        startHeading.setWorldValue(
-                Double.parseDouble(Degrees.toText(shown.start().heading())));
+        start.setPose(shown.start());
         duration.setWorldValue(shown.duration());
         tick.setWorldValue(shown.dt());
         seed.setText(Long.toString(shown.seed()));
@@ -107,7 +78,7 @@ final class PropertiesForm extends JPanel {
                 width.doubleValue(),
                 height.doubleValue(),
                 enclosed.isSelected(),
-                start(),
+                start.pose(),
                 duration.doubleValue(),
                 tick.doubleValue(),
                 Long.parseLong(seed.getText().strip()),
@@ -126,11 +97,13 @@ final class PropertiesForm extends JPanel {
         if (!isWholeNumber(seed.getText().strip())) {
             return Optional.of(Messages.get("properties.seed.invalid"));
         }
-        Scenario changed = properties().applyTo(scenario);
-        return Clearance.findObstruction(
-                        changed.setup().world(),
-                        changed.setup().robot(),
-                        changed.setup().start())
+        return findObstruction(properties().applyTo(scenario));
+    }
+
+    /** Returns why the robot cannot start where a scenario places it; empty if it can. */
+    static Optional<String> findObstruction(Scenario scenario) {
+        SimulationSetup setup = scenario.setup();
+        return Clearance.findObstruction(setup.world(), setup.robot(), setup.start())
                 .map(obstacle -> Messages.get("refused.start", obstacle));
     }
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
@@ -17,6 +18,8 @@ import java.awt.Component;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
+import javax.swing.JCheckBox;
 import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
 import javax.swing.JSpinner;
@@ -81,6 +84,31 @@ class ImportFormTest {
         assertTrue(callOnEdt(
                 () -> ComponentFinder.find(form, JLabel.class, "Preview").getIcon() != null));
         assertEquals("hall", callOnEdt(() -> form.scenario().orElseThrow().name()));
+    }
+
+    @Test
+    void theStartIsChosenWithinFreeSpace() {
+        ImportForm form = callOnEdt(() -> new ImportForm(image));
+        awaitStatus(form, "Cells: 60 × 40");
+        Pose found = callOnEdt(() -> form.scenario().orElseThrow().setup().start());
+        JSpinner x = callOnEdt(() -> ComponentFinder.find(form, JSpinner.class, "Start x, m"));
+        assertEquals(found.x(), callOnEdt(x::getValue));
+        assertFalse(callOnEdt(x::isEnabled));
+        runOnEdt(() -> {
+            ComponentFinder.find(form, JCheckBox.class, "Start in the largest free space")
+                    .doClick();
+            x.setValue(0.5);
+            ComponentFinder.find(form, JSpinner.class, "Start y, m").setValue(0.5);
+            ComponentFinder.find(form, JSpinner.class, "Start heading, °").setValue(90.0);
+        });
+        Await.until("the chosen start", () -> form.scenario()
+                .filter(read -> read.setup().start().equals(new Pose(0.5, 0.5, Math.PI / 2)))
+                .isPresent());
+        runOnEdt(() -> x.setValue(0.06));
+        awaitStatus(form, "The robot cannot start there");
+        assertEquals(Optional.empty(), callOnEdt(form::scenario));
+        assertTrue(callOnEdt(
+                () -> ComponentFinder.find(form, JLabel.class, "Preview").getIcon() != null));
     }
 
     @Test
