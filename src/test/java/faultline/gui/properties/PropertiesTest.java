@@ -103,6 +103,25 @@ class PropertiesTest {
     }
 
     @Test
+    void numbersThatAreNotEditedStayAsTheyAre() {
+        Scenario room = ScenarioTemplate.FURNISHED_ROOM.create();
+        Pose start = new Pose(1.00003, 1.00007, Degrees.toRadians(33.333));
+        ScenarioProperties precise = new ScenarioProperties(
+                "Hall", "", 2000.00025, 60.33333, true, start, 12.345, 0.0012345, 1, room.expectation());
+        ScenarioProperties shown = callOnEdt(() -> {
+            PropertiesForm form = new PropertiesForm();
+            form.setProperties(precise);
+            form.nameField().setText("Great hall");
+            assertEquals(Optional.empty(), form.findProblem(room));
+            return form.properties();
+        });
+        assertEquals(
+                new ScenarioProperties(
+                        "Great hall", "", 2000.00025, 60.33333, true, start, 12.345, 0.0012345, 1, room.expectation()),
+                shown);
+    }
+
+    @Test
     void aWorldThatIsTooSmallForTheRobotAndASeedThatIsNoNumberAreRefused() {
         Scenario room = ScenarioTemplate.FURNISHED_ROOM.create();
         runOnEdt(() -> {
