@@ -15,13 +15,17 @@ public final class Clearance {
 
     /**
      * {@return the id of the first obstacle, or {@link WorldSpec#ENCLOSURE}, that the robot would touch or overlap at a
-     * pose}
+     * pose} Everything outside of an enclosed world belongs to the enclosure.
      *
      * @param world the world at the start
      * @param robot the robot
      * @param pose the robot's pose
      */
     public static Optional<String> findObstruction(WorldSpec world, RobotSpec robot, Pose pose) {
+        boolean inside = pose.x() >= 0 && pose.x() <= world.width() && pose.y() >= 0 && pose.y() <= world.height();
+        if (world.enclosed() && !inside) {
+            return Optional.of(WorldSpec.ENCLOSURE);
+        }
         return ObstacleSet.findObstruction(
                 world, world.obstacles(), new OrientedBox(pose, robot.length(), robot.width()));
     }

@@ -33,6 +33,18 @@ class ClearanceTest {
     }
 
     @Test
+    void thereIsRoomOnlyWithinAnEnclosedWorld() {
+        RobotSpec robot = RobotSpec.DEFAULT;
+        WorldSpec open = new WorldSpec(8, 6, false, 3, List.of());
+        WorldSpec enclosed = new WorldSpec(8, 6, true, 3, List.of());
+        assertEquals(Optional.empty(), Clearance.findObstruction(enclosed, robot, new Pose(1, 1, 0)));
+        for (Pose outside : List.of(new Pose(20, 1, 0), new Pose(-1, 1, 0), new Pose(1, 9, 0), new Pose(1, -9, 0))) {
+            assertEquals(Optional.of(WorldSpec.ENCLOSURE), Clearance.findObstruction(enclosed, robot, outside));
+            assertEquals(Optional.empty(), Clearance.findObstruction(open, robot, outside));
+        }
+    }
+
+    @Test
     void theSegmentsNearTheRobotDecideAsAllSegmentsDo() {
         Random random = new Random(2206);
         RobotSpec robot = RobotSpec.DEFAULT;

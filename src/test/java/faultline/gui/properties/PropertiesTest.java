@@ -140,6 +140,11 @@ class PropertiesTest {
             tick.textField().setText("0.02");
             assertEquals(Optional.empty(), form.findProblem(room));
             assertEquals(0.02, form.properties().dt());
+            NumberSpinner x = ComponentFinder.find(form, NumberSpinner.class, "Start x, m");
+            x.setValue(20.0);
+            assertEquals(
+                    Optional.of("The robot cannot start there: it would overlap enclosure"), form.findProblem(room));
+            x.setWorldValue(room.setup().start().x());
             ComponentFinder.find(form, JSpinner.class, "Width, m").setValue(1.05);
             assertTrue(form.findProblem(room).orElseThrow().contains("enclosure"));
         });

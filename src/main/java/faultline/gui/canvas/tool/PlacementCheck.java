@@ -29,10 +29,6 @@ public final class PlacementCheck {
 
     /** Returns the id of what the robot would overlap at a pose; outside an enclosed world, that is the enclosure. */
     static Optional<String> findObstruction(Snapshot world, Pose pose) {
-        boolean inside = pose.x() > 0 && pose.x() < world.width() && pose.y() > 0 && pose.y() < world.height();
-        if (world.enclosed() && !inside) {
-            return Optional.of(WorldSpec.ENCLOSURE);
-        }
         return findObstruction(world.robot(), pose, world.enclosed(), world, world.obstacles());
     }
 
