@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Set;
 import java.util.zip.CRC32;
+import java.util.zip.CheckedInputStream;
 
 /**
  * The checksums of the chunks of a PNG file. The JDK's reader ignores them, so that it would read a damaged palette as
@@ -33,42 +34,26 @@ final class PngChecksums {
      * @throws FloorPlanException if a chunk that determines the pixels does not match its checksum
      */
     static void check(Path file, InputStream in) throws IOException {
-        DataInputStream data = new DataInputStream(in);
+        CheckedInputStream checked = new CheckedInputStream(in, new CRC32());
+        DataInputStream data = new DataInputStream(checked);
+        byte[] name = new byte[TYPE_BYTES];
         try {
             data.skipNBytes(SIGNATURE_BYTES);
             long place = SIGNATURE_BYTES;
             for (String type = ""; !type.equals(LAST); ) {
                 long length = Integer.toUnsignedLong(data.readInt());
-                byte[] name = new byte[TYPE_BYTES];
+                checked.getChecksum().reset();
                 data.readFully(name);
+                data.skipNBytes(length);
+                int computed = (int) checked.getChecksum().getValue();
                 type = new String(name, StandardCharsets.ISO_8859_1);
-                if (CHECKED.contains(type)) {
-                    checkChunk(file, place, type, name, length, data);
-                } else {
-                    data.skipNBytes(length + Integer.BYTES);
+                if (data.readInt() != computed && CHECKED.contains(type)) {
+                    throw new FloorPlanException(file, FloorPlanProblem.CHECKSUM.with(type, place));
                 }
                 place += length + TYPE_BYTES + 2 * Integer.BYTES;
             }
         } catch (EOFException truncated) {
             // The reader reports it if pixels are missing.
-        }
-    }
-
-    private static void checkChunk(Path file, long place, String type, byte[] name, long length, DataInputStream data)
-            throws IOException {
-        CRC32 checksum = new CRC32();
-        checksum.update(name);
-        byte[] buffer = new byte[1 << 13];
-        for (long left = length; left > 0; ) {
-            int read = data.read(buffer, 0, (int) Math.min(left, buffer.length));
-            if (read < 0) {
-                throw new EOFException();
-            }
-            checksum.update(buffer, 0, read);
-            left -= read;
-        }
-        if ((int) checksum.getValue() != data.readInt()) {
-            throw new FloorPlanException(file, FloorPlanProblem.CHECKSUM.with(type, place));
         }
     }
 }
