@@ -22,7 +22,7 @@ class LaneLayoutTest {
     private static final int ROW = 12;
 
     private static TimelineItem item(String sensor, double from, double to) {
-        return new TimelineItem(new Command.InjectFault(sensor, new Fault.Stuck(from)), from, to);
+        return new TimelineItem(new Command.InjectFault(sensor, new Fault.Stuck(0.4)), from, to);
     }
 
     private static LaneLayout layout(TimelineItem... items) {
