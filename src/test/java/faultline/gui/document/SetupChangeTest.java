@@ -15,6 +15,7 @@ import faultline.engine.session.SessionView;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.edit.StoppedClock;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -53,7 +54,7 @@ class SetupChangeTest {
             workspace = new Workspace();
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
-            edits = new UndoController(run::send, () -> {});
+            edits = StoppedClock.undoController(run::send);
             workspace.addListener(new Forwarder());
             documentStore.open(Path.of("scenarios/office.xml"));
         });
