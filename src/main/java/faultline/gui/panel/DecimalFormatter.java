@@ -7,6 +7,7 @@ import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.text.ParseException;
 import java.util.Locale;
+import javax.swing.JFormattedTextField;
 import javax.swing.text.DefaultFormatter;
 
 /**
@@ -38,6 +39,22 @@ final class DecimalFormatter extends DefaultFormatter {
 
     void setMax(double newMax) {
         setLimits(min, newMax);
+    }
+
+    /**
+     * Shows the value of a field. A text that is selected as a whole stays so: a field formats its value when it gets
+     * the focus, and a digit that follows at once must replace it.
+     */
+    @Override
+    public void install(JFormattedTextField field) {
+        boolean selected = field != null
+                && field.getSelectionStart() < field.getSelectionEnd()
+                && field.getSelectionEnd() - field.getSelectionStart()
+                        == field.getDocument().getLength();
+        super.install(field);
+        if (selected) {
+            field.selectAll();
+        }
     }
 
     @Override

@@ -83,7 +83,8 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
         text.addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {
-                EventQueue.invokeLater(text::selectAll);
+                // Not later, because keys that were typed meanwhile follow immediately.
+                text.selectAll();
                 updateNote();
             }
 

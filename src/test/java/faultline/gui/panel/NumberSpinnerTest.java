@@ -4,14 +4,18 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
 import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.JFormattedTextField;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -41,6 +45,40 @@ class NumberSpinnerTest {
         commit("1,25");
         assertEquals(List.of(1.25), reported);
         assertEquals("1.25", callOnEdt(() -> spinner.textField().getText()));
+    }
+
+    @Test
+    void aDigitThatFollowsTheFocusAtOnceReplacesTheNumber() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(0.8);
+            JTextField text = spinner.textField();
+            focus();
+            text.replaceSelection("7");
+            assertEquals("7", text.getText());
+        });
+    }
+
+    /** Does what the field does when it gets the focus: it notifies the listeners, then formats its value. */
+    private void focus() {
+        JFormattedTextField text = spinner.textField();
+        for (FocusListener listener : text.getFocusListeners()) {
+            listener.focusGained(new FocusEvent(text, FocusEvent.FOCUS_GAINED));
+        }
+        text.setValue(text.getValue());
+    }
+
+    @Test
+    void aNumberThatChangesWhileItIsSelectedStaysSelected() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(0.8);
+            JTextField text = spinner.textField();
+            focus();
+            spinner.setWorldValue(12.5);
+            assertEquals("12.50", text.getSelectedText());
+            text.select(1, 2);
+            spinner.setWorldValue(3);
+            assertNull(text.getSelectedText());
+        });
     }
 
     @Test
