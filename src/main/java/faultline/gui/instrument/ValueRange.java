@@ -12,6 +12,8 @@ record ValueRange(RangeKind kind, double low, double high) {
     static final ValueRange FITTED = new ValueRange(RangeKind.FITTED, 0, 1);
 
     private static final double MIN_SIZE = 1e-5;
+    /** The greatest magnitude of a limit: there, labels of twelve digits still differ at the smallest size. */
+    private static final double MAX_VALUE = 1e5;
     /** The minimum size of a fitted range as a share of its greatest value, so that a constant has a readable scale. */
     private static final double MIN_FITTED_SHARE = 0.01;
 
@@ -22,8 +24,15 @@ record ValueRange(RangeKind kind, double low, double high) {
         FIXED
     }
 
+    /** Returns a range with fixed limits, resized and moved as far as necessary for labels that can be read. */
     static ValueRange fixed(double low, double high) {
-        return new ValueRange(RangeKind.FIXED, low, Math.max(high, low + MIN_SIZE));
+        double size = allowedSize(high - low);
+        double start = Math.max(-MAX_VALUE, Math.min(MAX_VALUE - size, low));
+        return new ValueRange(RangeKind.FIXED, start, start + size);
+    }
+
+    private static double allowedSize(double size) {
+        return Math.max(MIN_SIZE, Math.min(2 * MAX_VALUE, size));
     }
 
     /** Returns the axis of some finite values. */
@@ -49,7 +58,7 @@ record ValueRange(RangeKind kind, double low, double high) {
 
     /** Returns the range of an axis scaled by a factor, with the value at a share of it kept in place. */
     static ValueRange zoomed(Axis axis, double factor, double share) {
-        double size = (axis.high() - axis.low()) * factor;
+        double size = allowedSize((axis.high() - axis.low()) * factor);
         double low = axis.valueAt(share) - share * size;
         return fixed(low, low + size);
     }

@@ -30,6 +30,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
@@ -401,6 +402,27 @@ class StripChartTest {
         StripScale fitted = content(FRAME, span, ValueRange.FITTED).scale(400, 200, false);
         assertEquals(0, fromZero.plot().vertical().low());
         assertTrue(fitted.plot().vertical().low() > 0.1);
+    }
+
+    @Test
+    void theLabelsOfTheVerticalAxisDifferHoweverFarItIsZoomedAndMoved() {
+        for (double factor : new double[] {1.25, 0.8}) {
+            ValueRange range = ValueRange.fixed(0, 1);
+            for (int notch = 0; notch < 400; notch++) {
+                range = ValueRange.zoomed(range.axis("m", new double[0]), factor, 0.5);
+            }
+            Axis centred = range.axis("m", new double[0]);
+            double expected = factor > 1 ? 0 : 0.5;
+            assertEquals(expected, centred.valueAt(0.5), 1e-9, "at the limit, the value at the pointer stays");
+            for (double to : new double[] {-1e12, 1e12}) {
+                List<String> labels = ValueRange.moved(centred, to).axis("m", new double[0]).ticks().stream()
+                        .map(Axis::formatTick)
+                        .toList();
+                assertTrue(labels.size() > 1, labels.toString());
+                assertEquals(labels.size(), Set.copyOf(labels).size(), labels.toString());
+                assertTrue(labels.stream().allMatch(label -> label.length() <= 14), labels.toString());
+            }
+        }
     }
 
     @Test
