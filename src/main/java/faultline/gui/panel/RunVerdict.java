@@ -10,8 +10,11 @@ import faultline.gui.text.NumberText;
 import faultline.gui.text.ReadingText;
 import faultline.scenario.Scenario;
 import faultline.world.Collision;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -30,6 +33,10 @@ public record RunVerdict(boolean success, String title, String detail, long even
     private static final double LEAD_TIME = 2;
 
     private static final int NONE = -1;
+    /** The greatest number of sensors with the same fault that are named. */
+    private static final int MAX_NAMED = 2;
+    /** The greatest number of faults that are listed. */
+    private static final int MAX_ENTRIES = 8;
 
     /** Returns the verdict on a run, empty while the run is in progress. */
     public static Optional<RunVerdict> of(SessionFrame frame, SessionStatus status, Scenario scenario) {
@@ -96,14 +103,32 @@ public record RunVerdict(boolean success, String title, String detail, long even
                 + ". " + faultText(collision);
     }
 
-    /** Returns which faults were active at a collision. */
-    private static String faultText(Collision collision) {
-        String active = Stream.concat(
-                        collision.faults().entrySet().stream()
-                                .map(entry -> entry.getKey() + " " + ReadingText.format(entry.getValue())),
-                        collision.switchedOff().stream().map(id -> id + " " + Messages.get("reading.off")))
-                .collect(Collectors.joining(", "));
-        return active.isEmpty() ? Messages.get("verdict.noFaults") : Messages.get("verdict.faults", active);
+    /** Returns which faults were active at a collision, in a text that is short however many there were. */
+    static String faultText(Collision collision) {
+        Map<String, List<String>> sensors = new LinkedHashMap<>();
+        collision.faults().forEach((id, faults) -> sensors.computeIfAbsent(
+                        ReadingText.format(faults), text -> new ArrayList<>())
+                .add(id));
+        collision.switchedOff().forEach(id -> sensors.computeIfAbsent(
+                        Messages.get("reading.off"), text -> new ArrayList<>())
+                .add(id));
+        List<String> entries = sensors.entrySet().stream()
+                .flatMap(entry -> faultEntries(entry.getKey(), entry.getValue()))
+                .toList();
+        if (entries.isEmpty()) {
+            return Messages.get("verdict.noFaults");
+        }
+        int hidden = entries.size() - MAX_ENTRIES;
+        String active = entries.stream().limit(MAX_ENTRIES).collect(Collectors.joining(", "));
+        return Messages.get(
+                "verdict.faults", hidden > 0 ? Messages.get("verdict.more", active, Integer.toString(hidden)) : active);
+    }
+
+    /** Returns the sensors of a fault by name, or their number if there are many. */
+    private static Stream<String> faultEntries(String fault, List<String> sensors) {
+        return sensors.size() > MAX_NAMED
+                ? Stream.of(Messages.get("verdict.sensors", Integer.toString(sensors.size()), fault))
+                : sensors.stream().map(id -> id + " " + fault);
     }
 
     /** Returns the tick to go to in order to see what went wrong. */

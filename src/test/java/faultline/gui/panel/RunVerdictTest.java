@@ -12,12 +12,18 @@ import faultline.engine.recording.Recording;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
+import faultline.geometry.Vector2;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioRun;
 import faultline.scenario.xml.ScenarioException;
+import faultline.sensor.Fault;
+import faultline.sensor.FaultKind;
+import faultline.world.Collision;
 import faultline.world.Command;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 
 /** Tests the verdicts of the window on runs of scenarios. */
@@ -103,5 +109,27 @@ class RunVerdictTest {
             RunVerdict verdict = RunVerdict.of(session.frame(), RUNNING, crash).orElseThrow();
             assertTrue(verdict.detail().endsWith("left off"), verdict.detail());
         }
+    }
+
+    /** The banner covers the canvas, so its text is short even if all sensors have failed. */
+    @Test
+    void equalFaultsOfManySensorsAreOneEntryAndOnlyTheFirstOfManyDifferentOnesAreListed() {
+        Map<String, List<Fault>> equal = new TreeMap<>();
+        Map<String, List<Fault>> different = new TreeMap<>();
+        for (int i = 10; i < 40; i++) {
+            equal.put("s" + i, List.of(FaultKind.STUCK.createFault(0.4)));
+            different.put("s" + i, List.of(FaultKind.STUCK.createFault(i / 100.0)));
+        }
+        assertEquals(
+                "Active faults: 30 sensors: stuck 0.40 m, left off, right off",
+                RunVerdict.faultText(collision(equal, List.of("left", "right"))));
+        assertEquals(
+                "Active faults: s10 stuck 0.10 m, s11 stuck 0.11 m, s12 stuck 0.12 m, s13 stuck 0.13 m, "
+                        + "s14 stuck 0.14 m, s15 stuck 0.15 m, s16 stuck 0.16 m, s17 stuck 0.17 m and 22 more",
+                RunVerdict.faultText(collision(different, List.of())));
+    }
+
+    private static Collision collision(Map<String, List<Fault>> faults, List<String> off) {
+        return new Collision(Vector2.ZERO, 1, 100, "pole", faults, off);
     }
 }
