@@ -180,7 +180,7 @@ public final class ExportController implements WorkspaceListener {
                 RESOLUTION_SCALE,
                 Toolkit.getDefaultToolkit().getSystemClipboard(),
                 () -> note.accept(Messages.get("note.imageCopied")),
-                this::showError);
+                failure -> showError(Messages.get("copy.failed", ErrorMessages.describe(failure))));
     }
 
     private void print(RenderRequest request) {
@@ -200,7 +200,7 @@ public final class ExportController implements WorkspaceListener {
     private void printFailed(Throwable failure) {
         // The user aborts a job on purpose.
         if (!(failure instanceof PrinterAbortException)) {
-            showError(failure);
+            showError(Messages.get("print.failed", ErrorMessages.describe(failure)));
         }
     }
 
@@ -208,22 +208,28 @@ public final class ExportController implements WorkspaceListener {
         fileSelector.apply(action, ending).ifPresent(file -> {
             if (LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file))
                     .isPresent()) {
-                showError(new MessageException(file.toString(), WriteProblem.OWN_INPUT.with(), null));
+                showError(failureText(file, new MessageException("", WriteProblem.OWN_INPUT.with(), null)));
             } else {
                 String writing = Messages.get("export.writing", String.valueOf(file.getFileName()));
                 note.accept(writing);
-                new ExportTask(parent, export, file, () -> removeNote.accept(writing), onWritten, this::showError)
+                new ExportTask(
+                                parent,
+                                export,
+                                file,
+                                () -> removeNote.accept(writing),
+                                onWritten,
+                                failure -> showError(failureText(file, failure)))
                         .start();
             }
         });
     }
 
-    private void showError(Throwable failure) {
+    private void showError(String sentence) {
         JOptionPane.showMessageDialog(
-                parent, failureText(failure), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
+                parent, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
     }
 
-    static String failureText(Throwable failure) {
-        return TextWrap.wrap(Messages.get("export.failed", ErrorMessages.describe(failure)));
+    static String failureText(Path file, Throwable failure) {
+        return Messages.get("export.failed", file.toString(), ErrorMessages.describe(failure, file));
     }
 }

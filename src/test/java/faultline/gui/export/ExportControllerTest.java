@@ -43,6 +43,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -380,9 +381,17 @@ class ExportControllerTest {
     }
 
     @Test
-    void theReasonOfAFailureIsNoWiderThanAScreenEvenIfTheNameOfTheFileIs() {
-        String text = ExportController.failureText(new IOException("x".repeat(300) + ".png: the name is too long"));
-        assertTrue(text.contains("too long") && text.lines().allMatch(line -> line.length() <= 80), text);
+    void aFailureNamesTheFileAndTheReason() {
+        String file = folder.resolve("picture.png").toString();
+        assertEquals(
+                file + " cannot be written: not enough memory",
+                ExportController.failureText(Path.of(file), new OutOfMemoryError()));
+        assertEquals(
+                file + " cannot be written: access is denied",
+                ExportController.failureText(Path.of(file), new AccessDeniedException(file)));
+        assertEquals(
+                file + " cannot be written: the name is too long",
+                ExportController.failureText(Path.of(file), new IOException(file + ": the name is too long")));
     }
 
     @Test
