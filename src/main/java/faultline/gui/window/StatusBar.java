@@ -16,6 +16,7 @@ import faultline.gui.theme.UiText;
 import faultline.world.Snapshot;
 import java.awt.EventQueue;
 import java.util.function.LongSupplier;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -30,6 +31,8 @@ final class StatusBar extends JPanel {
     private static final int GAP = 14;
     /** Minimum number of frames for which a note stays: five seconds at sixty frames per second. */
     private static final int MIN_NOTE_FRAMES = 300;
+    /** Minimum number of frames for which a note stays that no longer holds: one second. */
+    private static final int MIN_READ_FRAMES = 60;
     /** Number of frames per character for which a note stays, so that a long one can be read to its end. */
     private static final int NOTE_FRAMES_PER_CHARACTER = 5;
 
@@ -47,6 +50,10 @@ final class StatusBar extends JPanel {
     private final JLabel note = new JLabel();
     private final transient StalledRun stalledRun;
     private int noteFramesLeft;
+    /** Number of frames for which the note has been shown. */
+    private int noteFrames;
+    /** Whether the note still holds in a world. */
+    private transient Predicate<Snapshot> noteHolds = world -> true;
     /** Null while the cursor is outside the canvas. */
     private transient Vector2 cursorPoint;
 
@@ -97,6 +104,9 @@ final class StatusBar extends JPanel {
                         : "–");
         state.setStatusText(StateText.name(frame.telemetry().state()));
         pose.setStatusText(poseText(world.pose()));
+        if (++noteFrames > MIN_READ_FRAMES && !noteHolds.test(world)) {
+            clearNote();
+        }
         showNote(status);
         showStall(stalled);
     }
@@ -141,6 +151,7 @@ final class StatusBar extends JPanel {
         note.setText("");
         note.setToolTipText(null);
         noteFramesLeft = 0;
+        noteHolds = world -> true;
     }
 
     /** Removes a sentence if it is still shown. */
@@ -152,6 +163,13 @@ final class StatusBar extends JPanel {
 
     /** Shows a sentence for as long as it takes to read. */
     void showNote(String sentence) {
+        showNote(sentence, world -> true);
+    }
+
+    /** Shows a sentence for as long as it takes to read, and no longer than it holds in the world that is shown. */
+    void showNote(String sentence, Predicate<Snapshot> holds) {
+        noteFrames = 0;
+        noteHolds = holds;
         note.setText(sentence);
         note.setToolTipText(sentence);
         noteFramesLeft = Math.max(MIN_NOTE_FRAMES, NOTE_FRAMES_PER_CHARACTER * sentence.length());

@@ -116,6 +116,28 @@ class StatusBarTest {
     }
 
     @Test
+    void aNoteThatNoLongerHoldsIsRemovedWhenItCanHaveBeenRead() {
+        Frame there = SampleFrames.frameOf(new Pose(1, 1, 0));
+        Frame elsewhere = SampleFrames.frameOf(new Pose(2, 1, 0));
+        runOnEdt(() -> bar.showNote(
+                "no room", world -> world.pose().equals(there.snapshot().pose())));
+        for (int i = 0; i < 100; i++) {
+            show(there, running(1));
+        }
+        assertTrue(texts().contains("no room"));
+        show(elsewhere, running(1));
+        assertFalse(texts().contains("no room"));
+        runOnEdt(() -> bar.showNote("no room", world -> false));
+        show(elsewhere, running(1));
+        assertTrue(texts().contains("no room"), "at once it could not be read");
+        runOnEdt(() -> bar.showNote("another note"));
+        for (int i = 0; i < 100; i++) {
+            show(elsewhere, running(1));
+        }
+        assertTrue(texts().contains("another note"));
+    }
+
+    @Test
     void theReasonOfAFailedRunStays() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         for (int i = 0; i < 400; i++) {

@@ -1,20 +1,25 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Pose;
+import faultline.world.Snapshot;
 import java.awt.Point;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /** The listeners of a canvas. */
 public final class CanvasListeners {
 
-    private final List<Consumer<String>> notes = new ArrayList<>();
+    private final List<BiConsumer<String, Predicate<Snapshot>>> notes = new ArrayList<>();
     private final List<Consumer<Point>> menus = new ArrayList<>();
     private final List<Consumer<Pose>> starts = new ArrayList<>();
 
-    /** Adds a listener for sentences that say why something was not done. */
-    public void addNoteListener(Consumer<String> listener) {
+    /**
+     * Adds a listener for sentences that say why something was not done, each with whether it still holds in a world.
+     */
+    public void addNoteListener(BiConsumer<String, Predicate<Snapshot>> listener) {
         notes.add(listener);
     }
 
@@ -28,9 +33,9 @@ public final class CanvasListeners {
         starts.add(listener);
     }
 
-    /** Reports why something was not done. */
-    void fireNote(String sentence) {
-        notes.forEach(listener -> listener.accept(sentence));
+    /** Reports why something was not done, and whether the reason still holds in a world. */
+    void fireNote(String sentence, Predicate<Snapshot> holds) {
+        notes.forEach(listener -> listener.accept(sentence, holds));
     }
 
     /** Reports that the user requests a menu at a position on the canvas. */

@@ -17,13 +17,13 @@ public final class PlacementCheck {
     /** Returns whether an obstacle would overlap the robot. */
     public static boolean overlapsRobot(CanvasModel model, Obstacle obstacle) {
         return model.frame()
-                .filter(frame -> findObstruction(
-                                frame.snapshot().robot(),
-                                frame.snapshot().pose(),
-                                false,
-                                frame.snapshot(),
-                                List.of(obstacle))
-                        .isPresent())
+                .filter(frame -> overlapsRobot(frame.snapshot(), obstacle))
+                .isPresent();
+    }
+
+    /** Returns whether an obstacle would overlap the robot of a world. */
+    static boolean overlapsRobot(Snapshot world, Obstacle obstacle) {
+        return findObstruction(world.robot(), world.pose(), false, world, List.of(obstacle))
                 .isPresent();
     }
 

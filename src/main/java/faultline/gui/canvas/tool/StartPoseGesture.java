@@ -59,7 +59,8 @@ public final class StartPoseGesture implements Gesture {
         if (startPose != null) {
             PlacementCheck.findObstruction(world, startPose)
                     .ifPresentOrElse(
-                            obstacle -> listeners.fireNote(Messages.get("refused.start", obstacle)),
+                            obstacle -> listeners.fireNote(Messages.get("refused.start", obstacle), now -> now.pose()
+                                    .equals(world.pose())),
                             () -> listeners.fireStartRequested(startPose));
         }
     }

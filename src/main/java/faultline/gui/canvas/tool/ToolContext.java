@@ -13,7 +13,11 @@ public record ToolContext(CanvasModel model, Viewport viewport, UndoController e
     /** Places and selects an obstacle if there is room for it; returns whether there is. */
     public boolean placeObstacle(Obstacle obstacle) {
         if (PlacementCheck.overlapsRobot(model, obstacle)) {
-            showNote(Messages.get("refused.robot", obstacle.id()));
+            listeners.fireNote(
+                    Messages.get("refused.robot", obstacle.id()),
+                    world -> PlacementCheck.overlapsRobot(world, obstacle)
+                            && world.obstacles().stream()
+                                    .noneMatch(placed -> placed.id().equals(obstacle.id())));
             return false;
         }
         model.selectWhenPresent(List.of(obstacle.id()));
@@ -22,7 +26,7 @@ public record ToolContext(CanvasModel model, Viewport viewport, UndoController e
     }
 
     void showNote(String sentence) {
-        listeners.fireNote(sentence);
+        listeners.fireNote(sentence, world -> true);
     }
 
     /** Returns the distance between two points of the world on the canvas, pixels. */

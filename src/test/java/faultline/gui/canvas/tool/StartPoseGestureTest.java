@@ -1,6 +1,7 @@
 package faultline.gui.canvas.tool;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
@@ -12,6 +13,7 @@ import faultline.world.ObstacleShape;
 import faultline.world.Snapshot;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 
 /** Drags of the robot before its start; a room of 6 m by 4 m is 752 by 501 pixels. */
@@ -24,11 +26,15 @@ class StartPoseGestureTest {
     private final CanvasListeners listeners = new CanvasListeners();
     private final List<Pose> requested = new ArrayList<>();
     private final List<String> notes = new ArrayList<>();
+    private Predicate<Snapshot> noteHolds;
 
     StartPoseGestureTest() {
         viewport.resize(800, 600);
         listeners.addStartListener(requested::add);
-        listeners.addNoteListener(notes::add);
+        listeners.addNoteListener((note, holds) -> {
+            notes.add(note);
+            noteHolds = holds;
+        });
     }
 
     /** Drags the robot by its centre, to the right and upwards. */
@@ -71,6 +77,9 @@ class StartPoseGestureTest {
         assertEquals(List.of(), requested);
         assertEquals(1, notes.size());
         assertTrue(notes.get(0).contains("box"), notes.get(0));
+        assertTrue(noteHolds.test(
+                SampleFrames.frameOf(new Pose(START.x(), START.y(), 0.5)).snapshot()));
+        assertFalse(noteHolds.test(SampleFrames.frameOf(new Pose(2, 1, 0.5)).snapshot()), "it starts elsewhere");
     }
 
     @Test
