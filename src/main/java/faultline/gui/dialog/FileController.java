@@ -19,10 +19,12 @@ import faultline.scenario.Scenario;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /** Opens and saves files, and asks the questions that this requires. */
 public final class FileController {
@@ -51,7 +53,8 @@ public final class FileController {
                 .withIcon(Glyph.OPEN));
         actions.add(UiAction.of(
                 "importPlan",
-                () -> runIfChangesHandled(() -> fileDialogs.chooseFloorPlan().ifPresent(this::importPlan))));
+                () -> runIfChangesHandled(() ->
+                        fileDialogs.chooseFloorPlan().ifPresent(plan -> importPlan(plan, FileController::doNothing)))));
         actions.add(UiAction.of("revert", this::revert));
         actions.add(UiAction.of("save", this::save)
                 .withAccelerator(menuShortcut(KeyEvent.VK_S))
@@ -82,7 +85,7 @@ public final class FileController {
 
     /** Opens a file with a given reader, and discards unsaved changes. */
     public void openWithoutAsking(Path file, Callable<Scenario> reader) {
-        documentStore.open(file, reader);
+        documentStore.open(file, reader, FileController::doNothing);
     }
 
     /** Opens a shipped scenario and discards unsaved changes. */
@@ -90,19 +93,34 @@ public final class FileController {
         documentStore.openShipped(name);
     }
 
-    /** Opens a file that was dropped on the window, or imports it if it is a floor plan. */
+    /** Opens a file, or imports it if it is a floor plan. */
     public void open(Path file) {
-        runIfChangesHandled(() -> {
-            if (FloorPlanFiles.isFloorPlan(file)) {
-                importPlan(file);
-            } else {
-                documentStore.open(file);
+        open(file, FileController::doNothing);
+    }
+
+    /** Opens the first of some files, as {@link #open(Path)}; {@code note} receives that the others are not opened. */
+    public void openFirst(List<Path> files, Consumer<String> note) {
+        Path first = files.get(0);
+        open(first, () -> {
+            if (files.size() > 1) {
+                note.accept(Messages.get(
+                        "note.firstOpened", String.valueOf(first.getFileName()), Integer.toString(files.size() - 1)));
             }
         });
     }
 
-    private void importPlan(Path file) {
-        ImportForm.showDialog(parent, file).ifPresent(this::openNewWithoutAsking);
+    private void open(Path file, Runnable then) {
+        runIfChangesHandled(() -> {
+            if (FloorPlanFiles.isFloorPlan(file)) {
+                importPlan(file, then);
+            } else {
+                documentStore.open(file, then);
+            }
+        });
+    }
+
+    private void importPlan(Path file, Runnable then) {
+        ImportForm.showDialog(parent, file).ifPresent(scenario -> documentStore.create(scenario, then));
     }
 
     /** Opens a scenario that is part of the program. */

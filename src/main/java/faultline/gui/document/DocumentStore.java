@@ -20,15 +20,23 @@ public final class DocumentStore {
 
     /** Opens a scenario file. */
     public void open(Path file) {
-        open(file, () -> Scenario.load(file));
+        open(file, () -> {});
     }
 
-    /** Opens a scenario file with a given reader. */
-    public void open(Path file, Callable<Scenario> reader) {
-        start(file, () -> {
-            Scenario scenario = reader.call();
-            return new ScenarioDocument(file, scenario, scenario);
-        });
+    /** Opens a scenario file; {@code then} runs when it is open. */
+    public void open(Path file, Runnable then) {
+        open(file, () -> Scenario.load(file), then);
+    }
+
+    /** Opens a scenario file with a given reader; {@code then} runs when it is open. */
+    public void open(Path file, Callable<Scenario> reader, Runnable then) {
+        start(
+                file,
+                () -> {
+                    Scenario scenario = reader.call();
+                    return new ScenarioDocument(file, scenario, scenario);
+                },
+                then);
     }
 
     /** Opens a scenario that is part of the program, given the name of its file. */
@@ -41,7 +49,12 @@ public final class DocumentStore {
 
     /** Opens a new scenario, which has no file yet. */
     public void create(Scenario scenario) {
-        start(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, null, scenario));
+        create(scenario, () -> {});
+    }
+
+    /** Opens a new scenario, which has no file yet; {@code then} runs when it is open. */
+    public void create(Scenario scenario, Runnable then) {
+        start(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, null, scenario), then);
     }
 
     /** Opens a generated scenario that has no file; it does not count as changed. {@code then} runs when it is open. */

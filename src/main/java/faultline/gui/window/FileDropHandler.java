@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import java.awt.EventQueue;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
@@ -9,12 +10,15 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
 
-/** Opens, or imports, the first of the files that are dropped on the window. */
+/**
+ * Passes on the files that are dropped on the window. The drop has ended by then, so that the other program does not
+ * wait for the answer to a question.
+ */
 final class FileDropHandler extends TransferHandler {
 
-    private final transient Consumer<Path> opener;
+    private final transient Consumer<List<Path>> opener;
 
-    FileDropHandler(Consumer<Path> opener) {
+    FileDropHandler(Consumer<List<Path>> opener) {
         this.opener = opener;
     }
 
@@ -30,11 +34,17 @@ final class FileDropHandler extends TransferHandler {
         }
         try {
             Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
-            if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
-                opener.accept(file.toPath());
-                return true;
+            List<Path> files = data instanceof List<?> list
+                    ? list.stream()
+                            .filter(File.class::isInstance)
+                            .map(file -> ((File) file).toPath())
+                            .toList()
+                    : List.of();
+            if (files.isEmpty()) {
+                return false;
             }
-            return false;
+            EventQueue.invokeLater(() -> opener.accept(files));
+            return true;
         } catch (UnsupportedFlavorException | IOException lost) {
             return false;
         }

@@ -123,7 +123,7 @@ public final class MainWindow extends JFrame {
         setContentPane(mainPanel);
         tour = mainPanel.addTour(this, getJMenuBar().getMenu(SIMULATION_MENU));
         setIconImages(AppIcon.images());
-        setTransferHandler(new FileDropHandler(fileController::open));
+        setTransferHandler(new FileDropHandler(files -> fileController.openFirst(files, this::showNote)));
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
         windowBounds.restore();

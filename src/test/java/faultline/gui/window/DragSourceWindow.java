@@ -9,7 +9,7 @@ import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 
-/** A window from which a file can be dragged, as from a file manager. */
+/** A window from which files can be dragged, as from a file manager. */
 final class DragSourceWindow {
 
     private static final int WIDTH = 150;
@@ -20,22 +20,22 @@ final class DragSourceWindow {
     private DragSourceWindow() {}
 
     /** Creates the window, not yet visible, at the right of the screen: over the window under test if that is wide. */
-    static JFrame create(Path file) {
+    static JFrame create(Path... files) {
         JFrame frame = new JFrame("Files");
-        JLabel label = new JLabel(file.getFileName().toString());
+        JLabel label = new JLabel(files[0].getFileName().toString());
         DragSource.getDefaultDragSource()
                 .createDefaultDragGestureRecognizer(
                         label,
                         DnDConstants.ACTION_COPY,
-                        gesture -> gesture.startDrag(DragSource.DefaultCopyDrop, new FileTransferable(file)));
+                        gesture -> gesture.startDrag(DragSource.DefaultCopyDrop, new FileTransferable(List.of(files))));
         frame.add(label);
         int screen = frame.getToolkit().getScreenSize().width;
         frame.setBounds(screen - WIDTH - MARGIN, 3 * MARGIN, WIDTH, HEIGHT);
         return frame;
     }
 
-    /** A list of one file. */
-    private record FileTransferable(Path file) implements Transferable {
+    /** A list of files. */
+    private record FileTransferable(List<Path> files) implements Transferable {
         @Override
         public DataFlavor[] getTransferDataFlavors() {
             return new DataFlavor[] {DataFlavor.javaFileListFlavor};
@@ -48,7 +48,7 @@ final class DragSourceWindow {
 
         @Override
         public Object getTransferData(DataFlavor flavor) {
-            return List.of(file.toFile());
+            return files.stream().map(Path::toFile).toList();
         }
     }
 }

@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -17,20 +18,24 @@ import org.junit.jupiter.api.Test;
 
 class FileDropHandlerTest {
 
-    private final List<Path> opened = new ArrayList<>();
+    private final List<List<Path>> opened = new ArrayList<>();
     private final FileDropHandler drop = new FileDropHandler(opened::add);
 
     @Test
-    void theFirstOfTheDroppedFilesIsOpened() {
-        assertTrue(drop.importData(support(new FileListTransferable(List.of(new File("a.xml"), new File("b.xml"))))));
-        assertEquals(List.of(Path.of("a.xml")), opened);
+    void theDroppedFilesArePassedOnAfterTheDrop() {
+        runOnEdt(() -> {
+            assertTrue(
+                    drop.importData(support(new FileListTransferable(List.of(new File("a.xml"), new File("b.xml"))))));
+            assertEquals(List.of(), opened, "the other program would wait for the answer to a question");
+        });
+        runOnEdt(() -> assertEquals(List.of(List.of(Path.of("a.xml"), Path.of("b.xml"))), opened));
     }
 
     @Test
     void droppedTextAndEmptyListsAreRejected() {
         assertFalse(drop.importData(support(new StringSelection("a.xml"))));
         assertFalse(drop.importData(support(new FileListTransferable(List.of()))));
-        assertEquals(List.of(), opened);
+        runOnEdt(() -> assertEquals(List.of(), opened));
     }
 
     private static TransferSupport support(Transferable what) {

@@ -111,8 +111,8 @@ class OpenRobotTest {
     }
 
     @Test
-    void aFileIsDroppedOnTheWindow() {
-        JFrame source = callOnEdt(() -> DragSourceWindow.create(square));
+    void theFirstOfSomeDroppedFilesOpensAndANoteCountsTheOthers() {
+        JFrame source = callOnEdt(() -> DragSourceWindow.create(square, office, office));
         driver.robot().open(source);
         try {
             JLabel label = callOnEdt(() ->
@@ -124,6 +124,9 @@ class OpenRobotTest {
                 driver.robot().waitForPaint();
             });
             driver.waitForTitle("square.xml");
+            String note = Messages.get("note.firstOpened", "square.xml", "2");
+            driver.robot().waitFor("the note", () -> ComponentFinder.findAll(driver.window(), JLabel.class)
+                    .anyMatch(shown -> note.equals(shown.getText())));
         } finally {
             driver.robot().close(source);
         }
