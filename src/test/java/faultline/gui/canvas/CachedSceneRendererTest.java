@@ -55,14 +55,14 @@ class CachedSceneRendererTest {
             new UndoController((commands, onExecuted) -> {}, () -> {}), () -> clock.addAndGet(tick)));
     private Palette palette = Palette.LIGHT;
     private boolean labels;
-    private int deviceScale;
+    private double deviceScale;
     private Random random = new Random(0);
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6})
     void afterAnyChangeTheCachedRenderingConvergesToADirectOne(long seed) {
         random = new Random(seed);
-        deviceScale = 1 + (int) (seed % 2);
+        deviceScale = List.of(1.0, 2.0, 1.25, 1.5).get((int) (seed % 4));
         runOnEdt(() -> canvas.setSize(600, 440));
         IntStream.range(0, OBSTACLES).forEach(i -> obstacles.add(obstacle("o" + i)));
         showFrame();
@@ -129,7 +129,8 @@ class CachedSceneRendererTest {
                                 .limit(random.nextInt(40))
                                 .toList());
             case 9 -> canvas.setPalette(palette = palette == Palette.LIGHT ? Palette.DARK : Palette.LIGHT);
-            case 10 -> canvas.setSize(560 + random.nextInt(80), 400 + random.nextInt(80));
+            // Whole device pixels at all scales: the last one of a part belongs to the next component.
+            case 10 -> canvas.setSize(560 + 4 * random.nextInt(20), 400 + 4 * random.nextInt(20));
             default -> canvas.setLayer(Layer.LABELS, labels = !labels);
         }
     }
@@ -176,7 +177,9 @@ class CachedSceneRendererTest {
     private BufferedImage paint(int frames) {
         return callOnEdt(() -> {
             BufferedImage image = new BufferedImage(
-                    canvas.getWidth() * deviceScale, canvas.getHeight() * deviceScale, BufferedImage.TYPE_INT_RGB);
+                    (int) Math.ceil(canvas.getWidth() * deviceScale),
+                    (int) Math.ceil(canvas.getHeight() * deviceScale),
+                    BufferedImage.TYPE_INT_RGB);
             for (int i = 0; i < frames; i++) {
                 Graphics2D graphics = image.createGraphics();
                 graphics.scale(deviceScale, deviceScale);
