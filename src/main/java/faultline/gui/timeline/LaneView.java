@@ -92,15 +92,23 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         countRows();
     }
 
+    /** Shows the lanes along another axis. */
+    void setAxis(TimeAxis newAxis) {
+        if (!newAxis.equals(axis)) {
+            axis = newAxis;
+            repaint();
+        }
+    }
+
     /** Shows the scenario's timeline in lanes. */
     void update(List<Lane> newLanes, TimeAxis newAxis, double newNow) {
         assert EventQueue.isDispatchThread();
         setEnabled(true);
         updateModel();
+        setAxis(newAxis);
         boolean otherLanes = !newLanes.equals(allLanes);
-        if (otherLanes || !newAxis.equals(axis) || newNow != now) {
+        if (otherLanes || newNow != now) {
             allLanes = List.copyOf(newLanes);
-            axis = newAxis;
             now = newNow;
             lane = Math.min(lane, allLanes.size() - 1);
             repaint();

@@ -105,11 +105,13 @@ public final class TimelinePanel extends JPanel {
         }
     }
 
-    /** Aligns the lanes with the slider also before the first frame. */
+    /** Aligns the lanes with the slider also before the first frame, and while there is no newer frame. */
     @Override
     protected void validateTree() {
         super.validateTree();
-        if (!lanes.isEnabled()) {
+        if (lanes.isEnabled()) {
+            lanes.setAxis(bar.axis());
+        } else {
             lanes.setEmptyLanes(lanesOf(RobotSpec.DEFAULT.sensors().stream()), bar.axis());
         }
     }

@@ -32,4 +32,25 @@ class TimelinePanelTest {
             panel.removeNotify();
         });
     }
+
+    /** A window that another program resizes has no newer frame at pause. */
+    @Test
+    void theLanesStayAlignedWithTheSliderOfAnotherWidthWithoutAFrame() {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            RunController run = new RunController(new Workspace());
+            UndoController undo = new UndoController(run::send, () -> {});
+            TimelinePanel panel =
+                    new TimelinePanel(tick -> {}, frame -> {}, new TimelineEditor(new Workspace(), run, undo));
+            panel.addNotify();
+            panel.setSize(800, 400);
+            panel.validate();
+            panel.lanes().update(panel.lanes().lanes().lanes(), panel.bar().axis(), 0);
+            double before = panel.lanes().axis().right();
+            panel.setSize(1000, 400);
+            panel.validate();
+            assertEquals(before + 200, panel.lanes().axis().right());
+            panel.removeNotify();
+        });
+    }
 }
