@@ -90,6 +90,10 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
 
             @Override
             public void focusLost(FocusEvent event) {
+                if (!event.isTemporary()) {
+                    // The formatted text would stay selected.
+                    text.setCaretPosition(0);
+                }
                 // The field reverts the text after this; a temporary loss of the focus does not.
                 if (!event.isTemporary() && text.getFocusLostBehavior() == JFormattedTextField.COMMIT_OR_REVERT) {
                     noteRefusal();

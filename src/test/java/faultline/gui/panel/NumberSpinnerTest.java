@@ -68,6 +68,21 @@ class NumberSpinnerTest {
     }
 
     @Test
+    void theNumberIsNotSelectedWithoutTheFocus() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(0.8);
+            focus();
+            JFormattedTextField text = spinner.textField();
+            assertEquals("0.80", text.getSelectedText());
+            for (FocusListener listener : text.getFocusListeners()) {
+                listener.focusLost(new FocusEvent(text, FocusEvent.FOCUS_LOST));
+            }
+            text.setValue(text.getValue());
+            assertNull(text.getSelectedText());
+        });
+    }
+
+    @Test
     void aNumberThatChangesWhileItIsSelectedStaysSelected() {
         runOnEdt(() -> {
             spinner.setWorldValue(0.8);
