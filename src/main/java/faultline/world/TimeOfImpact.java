@@ -61,15 +61,17 @@ final class TimeOfImpact {
     double firstContactTime(Pose start, ConvexShape shape, Vector2 shapeVelocity, double time) {
         double end = Math.min(time, period(shapeVelocity));
         boolean fast = Math.abs(velocity.angular()) * end > FAST_TURN;
+        double clear = 0;
         double now = 0;
         for (int step = 0; step < MAX_STEPS; step++) {
             Pose pose = poseAfter(start, now);
             OrientedBox box = new OrientedBox(pose, length, width);
-            ConvexShape moved = now == 0 ? shape : shape.translated(shapeVelocity.x() * now, shapeVelocity.y() * now);
+            ConvexShape moved = shapeAfter(shape, shapeVelocity, now);
             Separation gap = BoxDistance.between(box, moved);
             if (gap.distance() == 0) {
-                return now;
+                return contactTimeBetween(clear, now, start, shape, shapeVelocity);
             }
+            clear = now;
             Vector2 normal = gap.onShape().minus(gap.onBox()).times(1 / gap.distance());
             if (gap.distance() <= TOUCH_DISTANCE && closingSpeed(pose, gap.onBox(), normal, shapeVelocity) > 0) {
                 return now;
@@ -82,6 +84,34 @@ final class TimeOfImpact {
         }
         throw new World.UnresolvedContactException("the robot turns by " + Math.abs(velocity.angular()) * time
                 + " radians in one tick, too far to find its contacts");
+    }
+
+    private static ConvexShape shapeAfter(ConvexShape shape, Vector2 velocity, double time) {
+        return time == 0 ? shape : shape.translated(velocity.x() * time, velocity.y() * time);
+    }
+
+    /**
+     * Returns when the body touches a shape between a time at which it is clear of it and one at which they overlap.
+     * The nearest point of a long shape is known only to the rounding of its own coordinates. That can tilt the line
+     * across a short gap so far that a corner far along it moves into the shape.
+     */
+    private double contactTimeBetween(
+            double clear, double overlapping, Pose start, ConvexShape shape, Vector2 shapeVelocity) {
+        double from = clear;
+        double to = overlapping;
+        double middle = from + (to - from) / 2;
+        while (middle > from && middle < to) {
+            OrientedBox box = new OrientedBox(poseAfter(start, middle), length, width);
+            double gap = BoxDistance.between(box, shapeAfter(shape, shapeVelocity, middle))
+                    .distance();
+            if (gap > 0 && gap <= TOUCH_DISTANCE) {
+                return middle;
+            }
+            from = gap > 0 ? middle : from;
+            to = gap > 0 ? to : middle;
+            middle = from + (to - from) / 2;
+        }
+        return from;
     }
 
     /**
