@@ -4,6 +4,7 @@ import faultline.control.Observation;
 import faultline.control.WallSide;
 import faultline.geometry.Angles;
 import faultline.geometry.Vector2;
+import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.Arrays;
@@ -49,6 +50,19 @@ final class SensorViews {
 
     SensorViews(WallSide wallSide) {
         side = wallSide == WallSide.LEFT ? 1 : -1;
+    }
+
+    /**
+     * Returns the sensor that looks in a direction before the first reading: the first that is switched on,
+     * {@link SensorView#NONE} if there is none.
+     */
+    static SensorView facing(Direction direction, WallSide wallSide, RobotSpec robot) {
+        double[] readings = robot.sensors().stream()
+                .mapToDouble(sensor -> sensor.on() ? Reading.NOTHING : Reading.OFF)
+                .toArray();
+        SensorViews views = new SensorViews(wallSide);
+        views.update(new Observation(0, 0, robot, readings));
+        return views.facing(direction);
     }
 
     /** Processes the readings of an observation. */

@@ -229,12 +229,25 @@ final class StateEstimate {
      * Returns the distance from the robot's centre to the mounting position of the sensor that faces the wall, metres.
      */
     double sideMountOffset() {
-        return left.present() ? left.mountPosition().y() : robot().width() / 2;
+        return sideMountOffset(left, robot());
+    }
+
+    private static double sideMountOffset(SensorView left, RobotSpec robot) {
+        return left.present() ? left.mountPosition().y() : robot.width() / 2;
     }
 
     /** Returns the distance from the robot's centre to the followed wall, or the corner, at a reading, metres. */
     double centreDistance(double reading) {
-        return Math.max(robot().width() / 2, reading + sideMountOffset());
+        return centreDistance(reading, left, robot());
+    }
+
+    private static double centreDistance(double reading, SensorView left, RobotSpec robot) {
+        return Math.max(robot.width() / 2, reading + sideMountOffset(left, robot));
+    }
+
+    /** Returns the distance from a robot's centre to the wall if a follower holds its wanted distance, metres. */
+    static double wantedCentreDistance(ControllerSpec.WallFollowing spec, RobotSpec robot) {
+        return centreDistance(spec.distance(), SensorViews.facing(Direction.LEFT, spec.side(), robot), robot);
     }
 
     /** Returns the distance from the robot's centre to the wall if the reading is as wanted, metres. */

@@ -16,6 +16,7 @@ import faultline.control.Odometer;
 import faultline.control.Telemetry;
 import faultline.control.Threshold;
 import faultline.control.WallSide;
+import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -124,6 +125,17 @@ public final class WallFollower implements Controller {
         behaviours.put(FOLLOW, wall.follow());
         behaviours.put(ROUND, wall.round());
         behaviour = search;
+    }
+
+    /**
+     * {@return the distance from the robot's centre to the wall at which the sensor that faces the wall reads the
+     * wanted distance, metres, at least half the width of the platform}
+     *
+     * @param spec the settings of the follower
+     * @param robot the robot; if no sensor faces the wall, the distance is that from the side of the platform
+     */
+    public static double wantedCentreDistance(ControllerSpec.WallFollowing spec, RobotSpec robot) {
+        return StateEstimate.wantedCentreDistance(spec, robot);
     }
 
     @Override

@@ -1,6 +1,8 @@
 package faultline.engine.metrics;
 
+import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
+import faultline.control.wallfollower.WallFollower;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
@@ -81,11 +83,15 @@ public final class CarryOnMetrics implements TickObserver {
 
     /**
      * {@return the distance that a setup's controller keeps between the robot's centre and the wall, metres; empty if
-     * it does not follow walls}
+     * it does not follow walls} A controller that is not part of the program keeps its distance from the side of the
+     * platform.
      *
      * @param setup the setup
      */
     public static OptionalDouble wantedDistance(SimulationSetup setup) {
+        if (setup.controller() instanceof ControllerSpec.WallFollowing follower) {
+            return OptionalDouble.of(WallFollower.wantedCentreDistance(follower, setup.robot()));
+        }
         OptionalDouble wanted = setup.controller().wantedDistance();
         return wanted.isPresent()
                 ? OptionalDouble.of(wanted.getAsDouble() + setup.robot().width() / 2)

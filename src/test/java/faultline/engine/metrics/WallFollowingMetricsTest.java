@@ -4,26 +4,37 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.WallSide;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Runs in a square room of 4 m, measured from ground truth. */
 class WallFollowingMetricsTest {
 
     private static RunResult run(ControllerSpec controller, double duration, SimulationSetup.TimedCommand... timeline) {
+        return run(setup(controller, duration).withTimeline(List.of(timeline)));
+    }
+
+    private static SimulationSetup setup(ControllerSpec controller, double duration) {
         WorldSpec world = new WorldSpec(4, 4, true, 3, List.of());
-        SimulationSetup setup = SimulationSetup.of(world, new Pose(2, 2, 0.3))
+        return SimulationSetup.of(world, new Pose(2, 2, 0.3))
                 .withController(controller)
-                .withTimeline(List.of(timeline))
                 .withDuration(duration);
+    }
+
+    private static RunResult run(SimulationSetup setup) {
         return HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());
     }
 
@@ -50,6 +61,30 @@ class WallFollowingMetricsTest {
                 80, new SimulationSetup.TimedCommand(0, new Command.InjectFault("left", new Fault.Bias(bias))));
         assertEquals(Math.abs(bias), result.distanceRms().orElse(1), 0.001);
         assertEquals(1, result.coverage().orElse(-1), 0.03, "it is within 5 cm of its place");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void theWantedDistanceIsThatOfTheSensorWhereverItIsMounted(WallSide side) {
+        String id = side == WallSide.LEFT ? "left" : "right";
+        double sign = side == WallSide.LEFT ? 1 : -1;
+        SensorSpec inside = RobotSpec.DEFAULT.sensor(id).orElseThrow().withMountPosition(new Vector2(0, sign * 0.02));
+        RunResult result = run(setup(ControllerSpec.WallFollowing.DEFAULT.withSide(side), 80)
+                .withRobot(RobotSpec.DEFAULT.withSensor(inside)));
+        assertEquals(1, result.coverage().orElse(-1));
+        assertTrue(result.distanceRms().orElse(1) < 0.001, () -> "error " + result.distanceRms());
+    }
+
+    @Test
+    void ofASensorThatIsSwitchedOffTheDistanceIsFromTheSideOfThePlatform() {
+        RobotSpec robot = RobotSpec.DEFAULT.withPlatform(0.25, 0.3, 0.3);
+        SensorSpec left = robot.sensor("left").orElseThrow();
+        SimulationSetup setup = setup(ControllerSpec.WallFollowing.DEFAULT, 1);
+        assertEquals(0.35, CarryOnMetrics.wantedDistance(setup.withRobot(robot)).orElse(-1));
+        assertEquals(
+                0.40,
+                CarryOnMetrics.wantedDistance(setup.withRobot(robot.withSensor(left.withOn(false))))
+                        .orElse(-1));
     }
 
     @Test
