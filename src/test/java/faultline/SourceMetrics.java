@@ -1,12 +1,13 @@
 package faultline;
 
+import com.sun.source.tree.BlockTree;
 import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.ImportTree;
-import com.sun.source.tree.LineMap;
 import com.sun.source.tree.MemberSelectTree;
 import com.sun.source.tree.MethodInvocationTree;
 import com.sun.source.tree.MethodTree;
 import com.sun.source.tree.PackageTree;
+import com.sun.source.tree.Tree;
 import com.sun.source.util.JavacTask;
 import com.sun.source.util.SourcePositions;
 import com.sun.source.util.TreeScanner;
@@ -111,30 +112,52 @@ final class SourceMetrics {
         return found;
     }
 
-    /** Adds a line for each method that is too long. */
-    private static final class MethodMeter extends TreeScanner<Void, Void> {
+    /** Visits the tree of one source file and adds what it finds to a list, each with its place. */
+    private abstract static class Finder extends TreeScanner<Void, Void> {
 
         private final CompilationUnitTree unit;
         private final SourcePositions positions;
-        private final int most;
         private final List<String> found;
 
-        MethodMeter(CompilationUnitTree unit, SourcePositions positions, int most, List<String> found) {
+        Finder(CompilationUnitTree unit, SourcePositions positions, List<String> found) {
             this.unit = unit;
             this.positions = positions;
-            this.most = most;
             this.found = found;
+        }
+
+        /** Returns the number of the line in which a part of the file begins. */
+        long firstLine(Tree part) {
+            return unit.getLineMap().getLineNumber(positions.getStartPosition(unit, part));
+        }
+
+        /** Returns the number of the line in which a part of the file ends. */
+        long lastLine(Tree part) {
+            return unit.getLineMap().getLineNumber(positions.getEndPosition(unit, part));
+        }
+
+        /** Adds "file:line text" for a part of the file. */
+        void add(Tree part, String text) {
+            found.add(unit.getSourceFile().getName() + ":" + firstLine(part) + " " + text);
+        }
+    }
+
+    /** Adds a line for each method that is too long. */
+    private static final class MethodMeter extends Finder {
+
+        private final int most;
+
+        MethodMeter(CompilationUnitTree unit, SourcePositions positions, int most, List<String> found) {
+            super(unit, positions, found);
+            this.most = most;
         }
 
         @Override
         public Void visitMethod(MethodTree method, Void none) {
-            if (method.getBody() != null) {
-                LineMap map = unit.getLineMap();
-                long first = map.getLineNumber(positions.getStartPosition(unit, method.getBody()));
-                long last = map.getLineNumber(positions.getEndPosition(unit, method.getBody()));
-                if (last - first + 1 > most) {
-                    found.add(unit.getSourceFile().getName() + ":" + first + " " + method.getName() + ": "
-                            + (last - first + 1));
+            BlockTree body = method.getBody();
+            if (body != null) {
+                long lines = lastLine(body) - firstLine(body) + 1;
+                if (lines > most) {
+                    add(body, method.getName() + ": " + lines);
                 }
             }
             return super.visitMethod(method, none);
@@ -142,16 +165,10 @@ final class SourceMetrics {
     }
 
     /** Adds a line for each call that depends on the language of the machine. */
-    private static final class LocalizedCallFinder extends TreeScanner<Void, Void> {
-
-        private final CompilationUnitTree unit;
-        private final SourcePositions positions;
-        private final List<String> found;
+    private static final class LocalizedCallFinder extends Finder {
 
         LocalizedCallFinder(CompilationUnitTree unit, SourcePositions positions, List<String> found) {
-            this.unit = unit;
-            this.positions = positions;
-            this.found = found;
+            super(unit, positions, found);
         }
 
         @Override
@@ -163,24 +180,17 @@ final class SourceMetrics {
             if (needsLocale
                     && call.getArguments().stream()
                             .noneMatch(argument -> argument.toString().startsWith("Locale."))) {
-                long line = unit.getLineMap().getLineNumber(positions.getStartPosition(unit, call));
-                found.add(unit.getSourceFile().getName() + ":" + line + " " + method);
+                add(call, method);
             }
             return super.visitMethodInvocation(call, none);
         }
     }
 
     /** Adds a line for each type that is named with its package. */
-    private static final class QualifiedTypeFinder extends TreeScanner<Void, Void> {
-
-        private final CompilationUnitTree unit;
-        private final SourcePositions positions;
-        private final List<String> found;
+    private static final class QualifiedTypeFinder extends Finder {
 
         QualifiedTypeFinder(CompilationUnitTree unit, SourcePositions positions, List<String> found) {
-            this.unit = unit;
-            this.positions = positions;
-            this.found = found;
+            super(unit, positions, found);
         }
 
         @Override
@@ -196,8 +206,7 @@ final class SourceMetrics {
         @Override
         public Void visitMemberSelect(MemberSelectTree select, Void none) {
             if (QUALIFIED_TYPE.matcher(select.toString()).matches()) {
-                long line = unit.getLineMap().getLineNumber(positions.getStartPosition(unit, select));
-                found.add(unit.getSourceFile().getName() + ":" + line + " " + select);
+                add(select, select.toString());
             }
             return super.visitMemberSelect(select, none);
         }
