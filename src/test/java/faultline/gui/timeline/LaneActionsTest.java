@@ -11,10 +11,6 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.Keystrokes;
-import faultline.gui.document.DocumentStore;
-import faultline.gui.document.RunController;
-import faultline.gui.document.SessionFrames;
-import faultline.gui.document.Workspace;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -24,7 +20,6 @@ import faultline.world.Command;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -49,7 +44,7 @@ class LaneActionsTest {
 
     private static final double END = 9.4567;
 
-    private Workspace workspace;
+    private OpenLanes lanes;
     private UndoController undo;
     private TimelineEditor editor;
     private LaneView view;
@@ -57,22 +52,17 @@ class LaneActionsTest {
 
     @BeforeEach
     void openWithOneFault() {
-        RunController run = callOnEdt(() -> {
-            workspace = new Workspace();
-            RunController created = new RunController(workspace);
-            new DocumentStore(workspace).open(Path.of("scenarios/mirror.xml"));
-            return created;
-        });
-        SessionFrames.awaitScenario(workspace);
+        lanes = OpenLanes.open();
+        undo = lanes.undo();
+        editor = lanes.editor();
+        view = lanes.view();
         runOnEdt(() -> {
-            undo = new UndoController(run::send, () -> {});
-            editor = new TimelineEditor(workspace, run, undo);
-            view = new LaneView(editor);
             actions = new LaneActions(view, editor);
-            run.change(old -> old.withSetup(old.setup()
-                    .withTimeline(List.of(
-                            new TimedCommand(START, new Command.InjectFault("left", STUCK)),
-                            new TimedCommand(END, new Command.ClearFault("left", STUCK))))));
+            lanes.run()
+                    .change(old -> old.withSetup(old.setup()
+                            .withTimeline(List.of(
+                                    new TimedCommand(START, new Command.InjectFault("left", STUCK)),
+                                    new TimedCommand(END, new Command.ClearFault("left", STUCK))))));
             view.update(Stream.<Lane>of(new Lane.SensorLane("left"), Lane.OTHER).toList(), new TimeAxis(0, 800, 60), 0);
             view.select(0, 0);
         });
@@ -80,12 +70,11 @@ class LaneActionsTest {
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        lanes.close();
     }
 
     private List<Double> times() {
-        return callOnEdt(
-                () -> editor.model().commands().stream().map(TimedCommand::time).toList());
+        return callOnEdt(lanes::times);
     }
 
     @Test

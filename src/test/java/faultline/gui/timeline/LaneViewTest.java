@@ -1,6 +1,5 @@
 package faultline.gui.timeline;
 
-import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -8,10 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.DocumentStore;
-import faultline.gui.document.RunController;
-import faultline.gui.document.SessionFrames;
-import faultline.gui.document.Workspace;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.KeyBindings;
 import faultline.sensor.Fault;
@@ -23,7 +18,6 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -46,33 +40,27 @@ class LaneViewTest {
     private static final int[] CLIPBOARD_KEYS = {KeyEvent.VK_C, KeyEvent.VK_X, KeyEvent.VK_V, KeyEvent.VK_D};
     private static final int[] MODIFIERS = {InputEvent.SHIFT_DOWN_MASK, InputEvent.ALT_DOWN_MASK, MENU};
 
-    private Workspace workspace;
+    private OpenLanes lanes;
     private UndoController undo;
     private TimelineEditor editor;
     private LaneView view;
 
     @BeforeEach
     void open() {
-        RunController run = callOnEdt(() -> {
-            workspace = new Workspace();
-            RunController created = new RunController(workspace);
-            new DocumentStore(workspace).open(Path.of("scenarios/mirror.xml"));
-            return created;
-        });
-        SessionFrames.awaitScenario(workspace);
+        lanes = OpenLanes.open();
+        undo = lanes.undo();
+        editor = lanes.editor();
+        view = lanes.view();
         runOnEdt(() -> {
-            undo = new UndoController(run::send, () -> {});
-            editor = new TimelineEditor(workspace, run, undo);
-            view = new LaneView(editor);
             view.setSize(800, 100);
-            List<Lane> lanes = List.of(new Lane.SensorLane("left"), new Lane.SensorLane("front"), Lane.OTHER);
-            view.update(lanes, new TimeAxis(60, 800, 60), 0);
+            List<Lane> shown = List.of(new Lane.SensorLane("left"), new Lane.SensorLane("front"), Lane.OTHER);
+            view.update(shown, new TimeAxis(60, 800, 60), 0);
         });
     }
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        lanes.close();
     }
 
     @Test
@@ -120,7 +108,7 @@ class LaneViewTest {
             mouse(MouseEvent.MOUSE_DRAGGED, 16, MouseEvent.BUTTON1);
             mouse(MouseEvent.MOUSE_PRESSED, 35, MouseEvent.BUTTON3);
             mouse(MouseEvent.MOUSE_RELEASED, 16, MouseEvent.BUTTON1);
-            assertEquals(List.of(11.0, 21.0, 30.0, 40.0), times());
+            assertEquals(List.of(11.0, 21.0, 30.0, 40.0), lanes.times());
         });
     }
 
@@ -133,7 +121,7 @@ class LaneViewTest {
             view.select(0, 1);
             editor.remove(0);
             press(KeyEvent.VK_DELETE, 0);
-            assertEquals(List.of(), times());
+            assertEquals(List.of(), lanes.times());
         });
     }
 
@@ -250,10 +238,6 @@ class LaneViewTest {
     private void addStuck(String sensor, double start, double end) {
         Command stuck = new Command.InjectFault(sensor, new Fault.Stuck(0.3));
         editor.add(TimelineItem.from(stuck, start).withTimes(start, end), null);
-    }
-
-    private List<Double> times() {
-        return editor.model().commands().stream().map(TimedCommand::time).toList();
     }
 
     private void updateView() {
