@@ -74,7 +74,7 @@ final class Coverage {
             places.blocks().forEach(blocks -> blocks.forEach(this::markPassed));
             pending.clear();
             pendingAreas.clear();
-            share = greatestShare();
+            share = shareOfMostPassed();
         }
         return Double.isNaN(share) ? OptionalDouble.empty() : OptionalDouble.of(share);
     }
@@ -101,8 +101,8 @@ final class Coverage {
         }
     }
 
-    /** Returns the largest share of a piece that was passed; of equal pieces, that of the first. */
-    private double greatestShare() {
+    /** Returns the passed share of the piece of which most was passed; of equals, of the one that begins first. */
+    private double shareOfMostPassed() {
         PieceLengths lengths = new PieceLengths(pieces);
         int wall = 0;
         for (List<PlaceBlock> blocks : places.blocks()) {
@@ -111,7 +111,7 @@ final class Coverage {
             }
             wall++;
         }
-        return lengths.greatestShare();
+        return lengths.shareOfMostPassed();
     }
 
     /** Returns the first place of a block, from an index on, that may have been passed; if there is none, the size. */

@@ -45,9 +45,10 @@ final class PieceLengths {
     }
 
     /**
-     * Returns the share of the piece of which most was passed, of equals the one that begins first; NaN if none was.
+     * Returns the passed share of the piece of which most was passed; of equals, of the one that begins first. NaN if
+     * none was passed.
      */
-    double greatestShare() {
+    double shareOfMostPassed() {
         int best = 0;
         for (int i = 1; i < all.length; i++) {
             boolean earlier =
