@@ -1,9 +1,13 @@
 package faultline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -34,6 +38,18 @@ class ValueSyntaxTest {
     void aGridIsEvenlySpacedAndHasBothBounds() {
         assertEquals(List.of("0.1", "0.2", "0.3", "0.4"), texts("0.1..0.4/4", 0));
         assertEquals(List.of("-1", "0", "1"), texts("-1..1/3", 0));
+    }
+
+    /** The dialog of a batch counts at each key that is typed. */
+    @Test
+    void theValuesOfAGridAreCountedWithoutMakingThem() {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        // The first count also loads classes.
+        assertEquals(OptionalInt.of(2), ValueSyntax.count("0..1/2"));
+        long before = threads.getCurrentThreadAllocatedBytes();
+        assertEquals(OptionalInt.of(100_000), ValueSyntax.count("0..1/100000"));
+        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+        assertTrue(bytes < 100_000, bytes + " bytes for 100 000 values");
     }
 
     @Test
