@@ -20,6 +20,7 @@ Lengths are metres, angles radians, times seconds. A reading is a distance, ``No
 ``faultline.NO_ANSWER`` for a sensor that does not answer.
 """
 
+import contextlib
 import json
 import operator
 import os
@@ -181,7 +182,10 @@ class Simulator:
         return self._ask(dict(drive, ticks=operator.index(ticks)))
 
     def _ask(self, message):
-        _write(message, self._process.stdin)
+        if self._process.stdin.closed:
+            raise RuntimeError("the simulator is closed")
+        with contextlib.suppress(OSError):  # It has ended, which _receive reports.
+            _write(message, self._process.stdin)
         answer = self._receive()
         if answer["type"] == "end":
             self.done = True
@@ -189,22 +193,29 @@ class Simulator:
         return self._robot.sight(answer)
 
     def _receive(self):
-        line = self._process.stdout.readline()
+        try:
+            line = self._process.stdout.readline()
+        except BaseException:
+            # An answer that comes after an interrupt would be taken for that of the next request.
+            self._process.kill()
+            self.close()
+            raise
         if not line:
+            self.close()
             raise RuntimeError(
-                "the simulator has ended with exit code %s; the reason is on its standard error" % self._process.wait()
+                "the simulator has ended with exit code %s; the reason is on its standard error"
+                % self._process.returncode
             )
         return _read(line)
 
     def close(self):
         """Ends the simulator."""
-        if self._process.poll() is None:
-            try:
+        with contextlib.suppress(OSError):
+            if not self._process.stdin.closed:
                 _write({"type": "close"}, self._process.stdin)
-                self._process.stdin.close()
-            except OSError:
-                pass
-            self._process.wait()
+        with contextlib.suppress(OSError):
+            self._process.stdin.close()
+        self._process.wait()
         self._process.stdout.close()
 
     def __enter__(self):

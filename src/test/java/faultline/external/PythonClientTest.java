@@ -181,6 +181,61 @@ class PythonClientTest {
     }
 
     @Test
+    void aSimulatorThatHasEndedIsReported() throws Exception {
+        Output output = python(
+                "-X",
+                "dev",
+                "-c",
+                """
+                import faultline
+                with faultline.Simulator("scenarios/office.xml") as simulator:
+                    simulator.reset()
+                    simulator._process.kill()
+                    simulator._process.wait()
+                    for action in (lambda: simulator.step(faultline.velocities(0, 0)), simulator.reset):
+                        try:
+                            action()
+                        except RuntimeError as ended:
+                            print(ended)
+                """);
+        assertEquals(
+                """
+                the simulator has ended with exit code -9; the reason is on its standard error
+                the simulator is closed
+                """,
+                output.text());
+    }
+
+    /** The answer to the step must not be taken for that to the reset. */
+    @Test
+    void anInterruptWhileASimulatorStepsClosesIt() throws Exception {
+        Output output = python(
+                "-X",
+                "dev",
+                "-c",
+                """
+                import faultline
+                class Interrupted:
+                    def __init__(self, stream): self.close = stream.close
+                    def readline(self): raise KeyboardInterrupt
+                simulator = faultline.Simulator("scenarios/office.xml")
+                simulator.reset()
+                answers = simulator._process.stdout
+                simulator._process.stdout = Interrupted(answers)
+                try:
+                    simulator.step(faultline.velocities(0, 0), ticks=5)
+                except KeyboardInterrupt:
+                    simulator._process.stdout = answers
+                try:
+                    print(simulator.reset().tick)
+                except RuntimeError as closed:
+                    print(closed)
+                simulator.close()
+                """);
+        assertEquals("the simulator is closed\n", output.text());
+    }
+
+    @Test
     void theGymnasiumEnvironmentPassesItsCheck() throws Exception {
         assumeTrue(python("-c", "import gymnasium").code() == 0, "needs the Python package gymnasium");
         Output output = python(
