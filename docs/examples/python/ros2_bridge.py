@@ -9,6 +9,7 @@ answer after the last sensor that it uses.
 """
 
 import math
+import re
 
 import rclpy
 from geometry_msgs.msg import Twist
@@ -19,13 +20,13 @@ import faultline
 
 
 class Bridge(Node):
-    """Topics range/SENSOR, with _ for - in the id of the sensor, and cmd_vel."""
+    """Topics range/SENSOR, as ``to_topic`` names them, and cmd_vel."""
 
     def __init__(self, robot):
         super().__init__("faultline")
         self._command = None
         self._outputs = {
-            sensor["id"]: self.create_publisher(Range, "range/" + sensor["id"].replace("-", "_"), 10)
+            sensor["id"]: self.create_publisher(Range, to_topic(sensor["id"]), 10)
             for sensor in robot["sensors"]
         }
         self.create_subscription(Twist, "cmd_vel", self._receive, 10)
@@ -47,6 +48,12 @@ class Bridge(Node):
 
     def _receive(self, command):
         self._command = command
+
+
+def to_topic(sensor):
+    """Returns the topic of a sensor: ROS 2 allows letters, digits and underscores, and no digit at the beginning."""
+    name = re.sub("[^A-Za-z0-9_]", "_", sensor)
+    return "range/" + ("_" if name[0].isdigit() else "") + name
 
 
 def to_range(sensor, reading, t):

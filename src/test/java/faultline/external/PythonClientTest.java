@@ -288,13 +288,15 @@ class PythonClientTest {
                 sys.modules["rclpy.node"].Node = sys.modules["geometry_msgs.msg"].Twist = object
                 sys.modules["sensor_msgs.msg"].Range = Range
                 import faultline, ros2_bridge
+                print([ros2_bridge.to_topic(sensor) for sensor in ("front", "front-left", "2 eyes", "eye.1")])
                 sensor = {"id": "left", "range_m": 0.8, "cone_rad": 0.35}
                 for reading in (0.4, None, faultline.NO_ANSWER):
                     message = ros2_bridge.to_range(sensor, reading, 1.29)
                     print(message.range, message.max_range, message.header.stamp.sec, message.header.stamp.nanosec)
                 """);
         assertEquals(
-                "0.4 0.8 1 290000000\ninf 0.8 1 290000000\nnan 0.8 1 290000000",
+                "['range/front', 'range/front_left', 'range/_2_eyes', 'range/eye_1']\n"
+                        + "0.4 0.8 1 290000000\ninf 0.8 1 290000000\nnan 0.8 1 290000000",
                 output.text().strip());
     }
 
