@@ -3,6 +3,7 @@ package faultline.gui.dialog;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
+import faultline.gui.document.FileNames;
 import faultline.gui.document.TaskKind;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -65,8 +66,7 @@ public final class Dialogs {
             createProblemsDialog(file, exception.problems(), keepsScenario).setVisible(true);
             return;
         }
-        String sentence = TextWrap.wrap(Messages.get(
-                "failed." + task, String.valueOf(file.getFileName()), ErrorMessages.describe(cause, file)));
+        String sentence = TextWrap.wrap(failureText(task, file, cause));
         boolean opens = task == TaskKind.OPEN;
         String text =
                 opens ? sentence + "\n" + Messages.get(keepsScenario ? "badFile.kept" : "badFile.example") : sentence;
@@ -74,10 +74,14 @@ public final class Dialogs {
                 owner, text, Messages.get(opens ? "badFile.title" : "failed.title"), JOptionPane.ERROR_MESSAGE);
     }
 
+    /** Returns the sentence that says why a task failed. */
+    static String failureText(TaskKind task, Path file, Throwable cause) {
+        return Messages.get("failed." + task, FileNames.lastOf(file), ErrorMessages.describe(cause, file));
+    }
+
     /** Shows why the chosen controller does not start, so that a scenario opens with its own. */
     public void showControllerFailure(Path file, Throwable cause) {
-        String text = Messages.get(
-                "chooseController.failed", String.valueOf(file.getFileName()), ErrorMessages.describe(cause));
+        String text = Messages.get("chooseController.failed", FileNames.lastOf(file), ErrorMessages.describe(cause));
         JOptionPane.showMessageDialog(
                 owner, TextWrap.wrap(text), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
     }
@@ -87,7 +91,7 @@ public final class Dialogs {
         Problem first = exception.problems().get(0);
         return Messages.get(
                 "broken",
-                Path.of(first.file()).getFileName() + first.location().toString() + ": "
+                FileNames.lastOf(Path.of(first.file())) + first.location().toString() + ": "
                         + Messages.get(first.message()));
     }
 
@@ -100,7 +104,7 @@ public final class Dialogs {
                 .toList();
         List<String> columns =
                 List.of(Messages.get("badFile.line"), Messages.get("badFile.column"), Messages.get("badFile.problem"));
-        String heading = Messages.get("badFile.heading", String.valueOf(file.getFileName())) + " "
+        String heading = Messages.get("badFile.heading", FileNames.lastOf(file)) + " "
                 + Messages.get(keepsScenario ? "badFile.kept" : "badFile.example");
         return new TableDialog(
                 owner,

@@ -1,5 +1,6 @@
 package faultline.gui.dialog;
 
+import faultline.gui.document.FileNames;
 import faultline.gui.document.TaskProgress;
 import faultline.gui.document.WorkspaceTask;
 import faultline.gui.text.Messages;
@@ -34,8 +35,7 @@ final class ProgressDialog extends JDialog {
                 cancel.run();
             }
         });
-        String sentence =
-                Messages.get("wait." + task.kind(), String.valueOf(task.name().getFileName()));
+        String sentence = Messages.get("wait." + task.kind(), FileNames.lastOf(task.name()));
         progressBar.getAccessibleContext().setAccessibleName(sentence);
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));

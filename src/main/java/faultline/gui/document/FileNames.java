@@ -1,6 +1,8 @@
 package faultline.gui.document;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.regex.Pattern;
 
 /** Derives file names from the names of scenarios. A file name is valid on every operating system. */
@@ -27,6 +29,11 @@ public final class FileNames {
     /** Returns the name of a scenario file without its extension. */
     public static String withoutExtension(String name) {
         return SCENARIO_EXTENSION.matcher(name).replaceFirst("");
+    }
+
+    /** Returns the last name of a path, as messages show it; the whole path of a root folder, which has no name. */
+    public static String lastOf(Path file) {
+        return Objects.requireNonNullElse(file.getFileName(), file).toString();
     }
 
     /** Returns the file name, without an extension, for the name of a scenario, which may be empty. */

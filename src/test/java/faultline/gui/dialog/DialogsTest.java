@@ -1,0 +1,22 @@
+package faultline.gui.dialog;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.gui.document.TaskKind;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+/** The sentences of dialogs. */
+class DialogsTest {
+
+    @Test
+    void aFailureNamesTheFileAndARootFolderByItsPath() {
+        Path root = Path.of("").toAbsolutePath().getRoot();
+        IOException cause = new IOException("this is a folder");
+        assertEquals(root + " cannot be opened: this is a folder.", Dialogs.failureText(TaskKind.OPEN, root, cause));
+        assertEquals(
+                "room.xml cannot be opened: this is a folder.",
+                Dialogs.failureText(TaskKind.OPEN, root.resolve("room.xml"), cause));
+    }
+}
