@@ -49,7 +49,7 @@ final class ControllerReader {
         TYPE_READERS.put(
                 RECORDED,
                 fields -> new ControllerSpec.Recorded(
-                        readDistance(fields), fields.integer("ticks", 0, Long.MAX_VALUE, 0), List.of()));
+                        readDistance(fields), fields.integer("ticks", 0, DecisionText.MAX_TICKS, 0), List.of()));
     }
 
     private ControllerReader() {}
@@ -179,9 +179,9 @@ final class ControllerReader {
     private static long readDecisions(
             XmlElement node, long earlierEnd, List<RecordedDecision> decisions, Problems problems) {
         AttributeReader fields = new AttributeReader(node, problems);
-        long tick = fields.integer("from", earlierEnd, Long.MAX_VALUE, 0);
+        long tick = fields.integer("from", earlierEnd, DecisionText.MAX_TICKS, 0);
         if (tick < earlierEnd) {
-            Message later = Allowed.CLOSED.with(earlierEnd, Long.MAX_VALUE);
+            Message later = Allowed.CLOSED.with(earlierEnd, DecisionText.MAX_TICKS);
             fields.report("from", String.valueOf(tick), Allowed.WHOLE_NUMBER.with(later));
         }
         String state = fields.text("state").orElse("");
@@ -194,6 +194,10 @@ final class ControllerReader {
             Optional<DecisionText> read = DecisionText.parse(token);
             if (read.isEmpty()) {
                 fields.report("decisions", token, Allowed.DECISIONS.with());
+                return tick;
+            }
+            if (tick + read.get().ticks() > DecisionText.MAX_TICKS) {
+                fields.report("decisions", token, Allowed.DECISIONS_END.with(DecisionText.MAX_TICKS));
                 return tick;
             }
             decisions.add(

@@ -15,7 +15,8 @@ import java.util.Optional;
  */
 record DecisionText(double left, double right, long ticks) {
 
-    private static final BigDecimal MAX_TICKS = BigDecimal.valueOf(1L << 53);
+    /** The maximum number of ticks of a decision, and of a whole record. No run is as long. */
+    static final long MAX_TICKS = 1L << 53;
 
     static String format(RecordedDecision decision, long end) {
         String pair = DecimalText.format(decision.leftVolts()) + "," + DecimalText.format(decision.rightVolts());
@@ -44,7 +45,7 @@ record DecisionText(double left, double right, long ticks) {
 
     private static Optional<Long> parseTicks(String text) {
         return DecimalText.parse(text)
-                .filter(number -> number.signum() > 0 && number.compareTo(MAX_TICKS) <= 0)
+                .filter(number -> number.signum() > 0 && number.compareTo(BigDecimal.valueOf(MAX_TICKS)) <= 0)
                 .filter(number -> number.stripTrailingZeros().scale() <= 0)
                 .map(BigDecimal::longValue);
     }

@@ -101,12 +101,16 @@ class ProblemsTest {
             delimiter = '|',
             textBlock =
                     """
-            <decisions>1,1*10</decisions><decisions from="9">2,2</decisions>   | from of <decisions> is "9"; expected a whole number from 10 to 9223372036854775807
-            <decisions from="3">1,1*10 2,2</decisions><decisions>2,2</decisions> | from of <decisions> is "0"; expected a whole number from 14 to 9223372036854775807
-            <decisions from="3">1,1</decisions><decisions from="-1"/>          | from of <decisions> is "-1"; expected a whole number from 4 to 9223372036854775807
+            <decisions>1,1*10</decisions><decisions from="9">2,2</decisions>   | from of <decisions> is "9"; expected a whole number from 10 to 9007199254740992
+            <decisions from="3">1,1*10 2,2</decisions><decisions>2,2</decisions> | from of <decisions> is "0"; expected a whole number from 14 to 9007199254740992
+            <decisions from="3">1,1</decisions><decisions from="-1"/>          | from of <decisions> is "-1"; expected a whole number from 4 to 9007199254740992
             <decisions>1,1*10</decisions><decisions from="10">2,2</decisions><decisions from="20"/> | none
+            <decisions from="9223372036854775807">1,1</decisions>              | from of <decisions> is "9223372036854775807"; expected a whole number from 0 to 9007199254740992
+            <decisions from="9007199254740992">1,1</decisions>                 | decisions of <decisions> is "1,1"; expected decisions that end at tick 9007199254740992 or earlier
+            <decisions from="2">1,1 2,2*9007199254740990 3,3</decisions>       | decisions of <decisions> is "2,2*9007199254740990"; expected decisions that end at tick 9007199254740992 or earlier
+            <decisions from="1">1,1 2,2*9007199254740990</decisions>           | none
             """)
-    void decisionsDoNotOverlap(String decisions, String problem) {
+    void decisionsAreInOrderAndEndInTime(String decisions, String problem) {
         List<String> problems = SampleScenario.problems(SampleScenario.withReplacement(
                 "<controller type=\"wall-follower\" distance=\"0.25\"/>",
                 "<controller type=\"recorded\" ticks=\"5\">" + decisions + "</controller>"));
@@ -114,6 +118,21 @@ class ProblemsTest {
                 .map(line -> line.replaceFirst("^room.xml:\\d+:\\d+: ", ""))
                 .toList();
         assertEquals(problem.equals("none") ? List.of() : List.of(problem), sentences);
+    }
+
+    @Test
+    void aRecordEndsInTime() {
+        assertEquals(List.of(), problemsOfTicks("9007199254740992"));
+        assertEquals(
+                List.of("room.xml:18:57: ticks of <controller> is \"9007199254740993\";"
+                        + " expected a whole number from 0 to 9007199254740992"),
+                problemsOfTicks("9007199254740993"));
+    }
+
+    private static List<String> problemsOfTicks(String ticks) {
+        return SampleScenario.problems(SampleScenario.withReplacement(
+                "<controller type=\"wall-follower\" distance=\"0.25\"/>",
+                "<controller type=\"recorded\" ticks=\"" + ticks + "\"/>"));
     }
 
     @Test

@@ -17,6 +17,7 @@ import faultline.world.ObstacleShape.PlanShape;
 import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
@@ -88,6 +89,19 @@ class ScenarioWriterTest {
                 </scenario>
                 """,
                 ScenarioWriter.toText(scenario, XmlComments.NONE));
+    }
+
+    @Test
+    void theLongestRecordIsSavedAndReadBackEqual() throws Exception {
+        Scenario longest = SampleScenario.read(
+                SampleScenario.withReplacement(
+                        "<controller type=\"wall-follower\" distance=\"0.25\"/>",
+                        """
+                <controller type="recorded" ticks="9007199254740992">
+                  <decisions>1,1</decisions><decisions from="9007199254740991" state="LAST">2,2</decisions>
+                </controller>
+                """));
+        assertEquals(longest, SampleScenario.read(new String(longest.toBytes(), StandardCharsets.UTF_8)));
     }
 
     @Test

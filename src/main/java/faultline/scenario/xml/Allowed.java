@@ -47,6 +47,7 @@ public enum Allowed implements Message.Template {
     /** A list of recorded decisions. */
     DECISIONS("voltages as left,right or left,right*ticks with blanks between them"),
     /** No attribute. */
+    DECISIONS_END("decisions that end at tick {0} or earlier"),
     NONE("none"),
     /** No content. */
     NOTHING("nothing"),
