@@ -3,6 +3,7 @@ package faultline.engine;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Controller;
 import faultline.control.ControllerProvider;
@@ -113,6 +114,15 @@ class ControllerProvidersTest {
         addProvider(Interrupting.class);
         assertEquals(100, run("interrupting", Map.of()).ticks());
         assertFalse(Thread.interrupted());
+    }
+
+    /** A campaign that is cancelled interrupts its threads. */
+    @Test
+    void anInterruptionFromBeforeTheCreationStays() throws Exception {
+        addProvider(Interrupting.class);
+        Thread.currentThread().interrupt();
+        ControllerProviders.create("interrupting", Map.of());
+        assertTrue(Thread.interrupted());
     }
 
     @Test

@@ -136,4 +136,19 @@ class BufferedImageInputTest {
             assertThrows(EOFException.class, in::readShort);
         }
     }
+
+    /** Readers of compressed images read a few bits and then whole bytes. */
+    @Test
+    void theByteAfterSomeBitsIsAWholeOne() throws IOException {
+        Path path = Files.write(folder.resolve("bits"), new byte[] {(byte) 0b1010_0000, 5, 0b0100_0000, 7});
+        try (BufferedImageInput in = new BufferedImageInput(Files.newByteChannel(path))) {
+            assertEquals(0b101, in.readBits(3));
+            in.readBits(5);
+            assertEquals(5, in.read());
+            assertEquals(0b01, in.readBits(2));
+            assertEquals(0b0100_0000, in.read());
+            assertEquals(0, in.getBitOffset());
+            assertEquals(7, in.readBits(8));
+        }
+    }
 }

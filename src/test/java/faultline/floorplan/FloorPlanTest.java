@@ -421,6 +421,9 @@ class FloorPlanTest {
                         + " drop specks, straighten outlines or use a coarser image",
                 e.getMessage());
         assertTrue(FloorPlan.readYaml(tooLarge, smooth).segmentCount() < 10);
+        FloorPlan.Options tooLittle = new FloorPlan.Options(false, 1, 0.1);
+        IOException after = assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(tooLarge, tooLittle));
+        assertEquals(e.getMessage(), after.getMessage());
     }
 
     /** A room above a wall with teeth, each of which has four corners; the ends of the wall add two. */

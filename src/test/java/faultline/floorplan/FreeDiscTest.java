@@ -13,6 +13,13 @@ class FreeDiscTest {
         assertEquals(new FreeDisc(2, 2, 3), largest(grid(5, 5, new Random(0), 1)));
     }
 
+    /** It is where the robot starts, so it must not depend on the order of a search. */
+    @Test
+    void ofDiscsOfTheSameSizeTheLowestIsTakenAndOfThoseTheLeftmost() {
+        assertEquals(new FreeDisc(1, 1, 2), largest(grid(4, 4, new Random(0), 1)));
+        assertEquals(new FreeDisc(1, 1, 2), largest(grid(7, 3, new Random(0), 1)));
+    }
+
     @Test
     void itAgreesWithASearchThroughAllCells() {
         Random random = new Random(3);

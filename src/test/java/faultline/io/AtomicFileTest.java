@@ -60,6 +60,18 @@ class AtomicFileTest {
     }
 
     /** Long enough to be forced to the disk while it is written. */
+    /** An open file is a leak, and on some systems it cannot be replaced. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void nothingCanBeWrittenAfterTheEnd(boolean commit) throws IOException {
+        AtomicFile out = AtomicFile.create(folder.resolve("a.txt"));
+        if (commit) {
+            out.commit();
+        }
+        out.close();
+        assertThrows(IOException.class, () -> out.stream().write(new byte[1 << 20]));
+    }
+
     @Test
     void aLongFileIsWholeAfterItsCommit() throws IOException {
         Path file = folder.resolve("long.bin");

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.AbstractList;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -97,6 +98,25 @@ class CommitAllTest {
     void ifTheProcessBeginsToEndBetweenTwoMovesBothFilesAreInPlace() throws Exception {
         run(EndingMoves.class);
         assertEquals(List.of("first", "second"), names(folder));
+    }
+
+    /** If the last byte were still in a buffer when the file is forced, a power failure could lose it. */
+    @Test
+    void theContentIsOutOfTheBufferBeforeTheNextFileIsCompleted() throws IOException {
+        List<Long> sizes = new ArrayList<>();
+        try (AtomicFile first = AtomicFile.create(folder.resolve("first"));
+                AtomicFile second = AtomicFile.create(folder.resolve("second"))) {
+            AtomicFile.commitAll(new InterruptedPair(first, second, () -> sizes.add(totalSize())));
+        }
+        assertEquals(1, sizes.get(0));
+    }
+
+    private long totalSize() {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.mapToLong(file -> file.toFile().length()).sum();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private void run(Class<?> program) throws IOException, InterruptedException {

@@ -26,11 +26,27 @@ class DecimalTextTest {
         "-3.5, -3.5",
         "1e-6, 0.000001",
         "100000, 100000",
+        "1e14, 100000000000000",
+        "1e15, 1E+15",
+        "1e-16, 0.0000000000000001",
+        "1e-17, 1E-17",
         "1e-20, 1E-20",
         "1e20, 1E+20"
     })
     void numbersAreWrittenPlainlyUnlessThatIsAbsurdlyLong(double value, String text) {
         assertEquals(text, DecimalText.format(value));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0", "1234.5, 1230", "0.0012345, 0.00123", "-9.996, -10"})
+    void aRoundedNumberHasThreeDigits(double value, String text) {
+        assertEquals(text, DecimalText.formatRounded(value));
+    }
+
+    @Test
+    void aZeroKeepsItsSignAfterBlanks() {
+        assertEquals(-0.0, DecimalText.toDouble(DecimalText.parse(" -0").orElseThrow(), " -0"));
+        assertEquals(0.0, DecimalText.toDouble(DecimalText.parse(" 0").orElseThrow(), " 0"));
     }
 
     @Test

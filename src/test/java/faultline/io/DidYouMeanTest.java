@@ -3,6 +3,8 @@ package faultline.io;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -25,7 +27,7 @@ class DidYouMeanTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"x", "sonar", "''", "bottom-right"})
+    @CsvSource({"x", "sonar", "''", "bottom-right", "frxxt"})
     void aDistantNameIsNotSuggested(String given) {
         assertEquals("", DidYouMean.hint(given, NAMES));
     }
@@ -38,9 +40,15 @@ class DidYouMeanTest {
         "abc, acb, 1",
         "abc, ab, 1",
         "abc, xabc, 1",
+        "xb, bc, 2",
         "kitten, sitting, 3"
     })
     void editDistanceCountsChanges(String a, String b, int changes) {
         assertEquals(changes, DidYouMean.editDistance(a, b));
+    }
+
+    @Test
+    void ofNamesThatAreEquallyNearTheFirstIsSuggested() {
+        assertEquals(Optional.of("left"), DidYouMean.nearest("lefx", List.of("right", "left", "lefs")));
     }
 }

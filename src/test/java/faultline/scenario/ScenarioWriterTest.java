@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
+import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
@@ -21,10 +22,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Files that are written, and what reading them gives. */
 class ScenarioWriterTest {
@@ -91,17 +97,37 @@ class ScenarioWriterTest {
                 ScenarioWriter.toText(scenario, XmlComments.NONE));
     }
 
+    /** The first is the longest possible; the decisions of the second are beyond its end. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "ticks=\"9007199254740992\"><decisions>1,1</decisions><decisions from=\"9007199254740991\""
+                        + " state=\"LAST\">2,2</decisions>",
+                "ticks=\"1\"><decisions from=\"4\">1,1*3 2,2</decisions>"
+            })
+    void aRecordIsSavedAndReadBackEqual(String record) throws Exception {
+        Scenario scenario = SampleScenario.read(SampleScenario.withReplacement(
+                "<controller type=\"wall-follower\" distance=\"0.25\"/>",
+                "<controller type=\"recorded\" " + record + "</controller>"));
+        assertEquals(scenario, SampleScenario.read(new String(scenario.toBytes(), StandardCharsets.UTF_8)));
+    }
+
     @Test
-    void theLongestRecordIsSavedAndReadBackEqual() throws Exception {
-        Scenario longest = SampleScenario.read(
-                SampleScenario.withReplacement(
-                        "<controller type=\"wall-follower\" distance=\"0.25\"/>",
-                        """
-                <controller type="recorded" ticks="9007199254740992">
-                  <decisions>1,1</decisions><decisions from="9007199254740991" state="LAST">2,2</decisions>
-                </controller>
-                """));
-        assertEquals(longest, SampleScenario.read(new String(longest.toBytes(), StandardCharsets.UTF_8)));
+    void theSettingsOfAControllerAreInTheOrderOfTheirNames() throws ScenarioException {
+        Map<String, String> settings = new HashMap<>();
+        for (String name : "f b h d a g c e".split(" ")) {
+            settings.put(name, name + name);
+        }
+        Scenario room = SampleScenario.read(SampleScenario.PLAIN);
+        SimulationSetup setup = room.setup().withController(new ControllerSpec.Provided("own", 0, settings));
+        String text = ScenarioWriter.toText(room.withSetup(setup), XmlComments.NONE);
+        assertEquals(
+                List.of("a", "b", "c", "d", "e", "f", "g", "h"),
+                Pattern.compile("<setting name=\"(.)\"")
+                        .matcher(text)
+                        .results()
+                        .map(found -> found.group(1))
+                        .toList());
     }
 
     @Test
