@@ -59,7 +59,6 @@ class AtomicFileTest {
         assertEquals(List.of(file), files());
     }
 
-    /** Long enough to be forced to the disk while it is written. */
     /** An open file is a leak, and on some systems it cannot be replaced. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
@@ -72,6 +71,7 @@ class AtomicFileTest {
         assertThrows(IOException.class, () -> out.stream().write(new byte[1 << 20]));
     }
 
+    /** Long enough to be forced to the disk while it is written. */
     @Test
     void aLongFileIsWholeAfterItsCommit() throws IOException {
         Path file = folder.resolve("long.bin");

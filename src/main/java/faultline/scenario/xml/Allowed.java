@@ -46,8 +46,9 @@ public enum Allowed implements Message.Template {
     RINGS("rings of 3 or more points as x,y with blanks between them, separated by |, each number {0}"),
     /** A list of recorded decisions. */
     DECISIONS("voltages as left,right or left,right*ticks with blanks between them"),
-    /** No attribute. */
+    /** Recorded decisions within a limit: the last tick. */
     DECISIONS_END("decisions that end at tick {0} or earlier"),
+    /** No attribute. */
     NONE("none"),
     /** No content. */
     NOTHING("nothing"),
