@@ -115,15 +115,15 @@ class ScenarioWriterTest {
     @Test
     void theSettingsOfAControllerAreInTheOrderOfTheirNames() throws ScenarioException {
         Map<String, String> settings = new HashMap<>();
-        for (String name : "f b h d a g c e".split(" ")) {
-            settings.put(name, name + name);
+        for (String name : "wall kp speed ahead side mode limit margin".split(" ")) {
+            settings.put(name, "1");
         }
         Scenario room = SampleScenario.read(SampleScenario.PLAIN);
         SimulationSetup setup = room.setup().withController(new ControllerSpec.Provided("own", 0, settings));
         String text = ScenarioWriter.toText(room.withSetup(setup), XmlComments.NONE);
         assertEquals(
-                List.of("a", "b", "c", "d", "e", "f", "g", "h"),
-                Pattern.compile("<setting name=\"(.)\"")
+                List.of("ahead", "kp", "limit", "margin", "mode", "side", "speed", "wall"),
+                Pattern.compile("<setting name=\"(.*?)\"")
                         .matcher(text)
                         .results()
                         .map(found -> found.group(1))

@@ -5,10 +5,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.Column;
+import faultline.campaign.plan.PlannedRun;
 import faultline.campaign.plan.SamplePlan;
+import faultline.engine.ControllerMode;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.CarryOnMetrics;
+import faultline.engine.metrics.DiagnosisMetrics;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.engine.metrics.WallCircuits;
+import faultline.scenario.RunSummary;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
@@ -35,5 +47,76 @@ class ResultColumnsTest {
             assertTrue(column.name().endsWith(suffix), column.name() + " is in " + column.unit());
             assertTrue(!column.meaning().isBlank(), column.name());
         }
+    }
+
+    private static Map<String, String> cells(CampaignPlan plan, String row) {
+        List<String> names = Csv.cells(ResultColumns.header(plan).strip());
+        List<String> cells = Csv.cells(row.strip());
+        assertEquals(names.size(), cells.size());
+        Map<String, String> byName = new LinkedHashMap<>();
+        names.forEach(name -> byName.put(name, cells.get(byName.size())));
+        return byName;
+    }
+
+    private static CampaignPlan twoSeedsAndTwoFaults() throws Exception {
+        return SamplePlan.read(
+                SamplePlan.text(
+                        "",
+                        """
+                <worlds><scenario file="room.xml"/></worlds><seeds first="7" count="2"/>
+                <set attribute="@duration" value="60"/>
+                <faults><fault sensor="front" kind="off" at="1"/><fault sensor="left" kind="stuck" at="20"/></faults>
+                """));
+    }
+
+    /** No two of the numbers are alike, so that one in the column of another would be noticed. */
+    @Test
+    void everyCellIsWhatItsColumnIsNamedAfter() throws Exception {
+        CampaignPlan plan = twoSeedsAndTwoFaults();
+        PlannedRun run = plan.run(3);
+        SimulationSetup setup = plan.scenario(run).setup();
+        CarryOnMetrics carry = new CarryOnMetrics(setup, new WallCircuits().forCarryOn(setup));
+        DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
+        RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(carry, diagnosis));
+
+        Map<String, String> cells = cells(plan, ResultColumns.row(run, result, carry, diagnosis));
+
+        assertEquals(List.of("3", "1", "room", "8"), List.copyOf(cells.values()).subList(0, 4));
+        Map<String, OptionalDouble> numbers = Map.of(
+                "wall_share", carry.share(),
+                "laps", carry.laps(),
+                "clock_start_s", carry.clockStart(),
+                "coverage", result.coverage(),
+                "distance_rms_m", result.distanceRms(),
+                "follow_rms_m", result.followRms(),
+                "detection_delay_s", diagnosis.detectionDelay(),
+                "detection_view_s", diagnosis.secondsInView(),
+                "detection_error_m", diagnosis.errorBeforeDetection(),
+                "simulated_s", OptionalDouble.of(result.simulatedSeconds()));
+        numbers.forEach((name, number) -> assertEquals(
+                number.orElseThrow(),
+                Double.parseDouble(cells.get(name)),
+                name.endsWith("rms_m") ? 5.1e-7 : 5.1e-4,
+                name + " of " + cells));
+        assertEquals(
+                numbers.size(),
+                numbers.keySet().stream().map(cells::get).distinct().count(),
+                cells::toString);
+        assertEquals(RunSummary.formatHash(result), cells.get("trajectory_hash"));
+        assertEquals(diagnosis.rung(), cells.get("final_rung"));
+        assertEquals("0", cells.get("false_alarms"));
+        assertEquals("", cells.get("failure"));
+    }
+
+    @Test
+    void aBrokenRunHasOnlyAnOutcomeAndTheStartOfItsFailure() throws Exception {
+        CampaignPlan plan = twoSeedsAndTwoFaults();
+        Map<String, String> cells = cells(plan, ResultColumns.brokenRow(plan.run(2), "x".repeat(1000)));
+        assertEquals(List.of("2", "1", "room", "8"), List.copyOf(cells.values()).subList(0, 4));
+        assertEquals("broken", cells.remove("outcome"));
+        assertEquals("x".repeat(200), cells.remove("failure"));
+        CampaignPlan.RUN_COLUMNS.forEach(column -> cells.remove(column.name()));
+        plan.factorColumns().forEach(column -> cells.remove(column.name()));
+        assertEquals(Set.of(""), Set.copyOf(cells.values()));
     }
 }
