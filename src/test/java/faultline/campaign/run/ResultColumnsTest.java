@@ -109,6 +109,30 @@ class ResultColumnsTest {
     }
 
     @Test
+    void whatAShortRunWithoutADiagnosisDoesNotKnowIsEmpty() throws Exception {
+        CampaignPlan plan = SamplePlan.read(
+                SamplePlan.text(
+                        "",
+                        """
+                <worlds><scenario file="room.xml"/></worlds>
+                <set attribute="@tick" value="0.003"/><set attribute="@duration" value="0.5"/>
+                <set attribute="controller/@diagnosis" value="off"/>
+                """));
+        PlannedRun run = plan.run(0);
+        SimulationSetup setup = plan.scenario(run).setup();
+        CarryOnMetrics carry = new CarryOnMetrics(setup, new WallCircuits().forCarryOn(setup));
+        DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
+        RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(carry, diagnosis));
+        Map<String, String> cells = cells(plan, ResultColumns.row(run, result, carry, diagnosis));
+        assertEquals("undecided", cells.get("outcome"));
+        assertEquals("0", cells.get("collided"));
+        assertEquals("0.501", cells.get("simulated_s"));
+        for (String name : List.of("carried_on", "clock_start_s", "false_alarms", "final_rung", "detection_delay_s")) {
+            assertEquals("", cells.get(name), name);
+        }
+    }
+
+    @Test
     void aBrokenRunHasOnlyAnOutcomeAndTheStartOfItsFailure() throws Exception {
         CampaignPlan plan = twoSeedsAndTwoFaults();
         Map<String, String> cells = cells(plan, ResultColumns.brokenRow(plan.run(2), "x".repeat(1000)));
