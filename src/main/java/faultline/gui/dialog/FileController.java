@@ -104,7 +104,7 @@ public final class FileController {
         open(first, () -> {
             if (files.size() > 1) {
                 note.accept(Messages.get(
-                        "note.firstOpened", String.valueOf(first.getFileName()), Integer.toString(files.size() - 1)));
+                        "note.firstOpened", FileNames.lastOf(first), Integer.toString(files.size() - 1)));
             }
         });
     }
