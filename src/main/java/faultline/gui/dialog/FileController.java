@@ -103,8 +103,8 @@ public final class FileController {
         Path first = files.get(0);
         open(first, () -> {
             if (files.size() > 1) {
-                note.accept(Messages.get(
-                        "note.firstOpened", FileNames.lastOf(first), Integer.toString(files.size() - 1)));
+                note.accept(
+                        Messages.get("note.firstOpened", FileNames.lastOf(first), Integer.toString(files.size() - 1)));
             }
         });
     }
