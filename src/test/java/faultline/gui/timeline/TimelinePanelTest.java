@@ -13,17 +13,23 @@ import org.junit.jupiter.api.Test;
 
 class TimelinePanelTest {
 
+    /** Creates a panel of 800 x 400 pixels that is laid out. */
+    private static TimelinePanel createPanel() {
+        Theme.LIGHT.install();
+        RunController run = new RunController(new Workspace());
+        UndoController undo = new UndoController(run::send, () -> {});
+        TimelinePanel panel =
+                new TimelinePanel(tick -> {}, frame -> {}, new TimelineEditor(new Workspace(), run, undo));
+        panel.addNotify();
+        panel.setSize(800, 400);
+        panel.validate();
+        return panel;
+    }
+
     @Test
     void theLanesOfTheDefaultRobotStandDisabledBeforeThereIsAScenario() {
         runOnEdt(() -> {
-            Theme.LIGHT.install();
-            RunController run = new RunController(new Workspace());
-            UndoController undo = new UndoController(run::send, () -> {});
-            TimelinePanel panel =
-                    new TimelinePanel(tick -> {}, frame -> {}, new TimelineEditor(new Workspace(), run, undo));
-            panel.addNotify();
-            panel.setSize(800, 400);
-            panel.validate();
+            TimelinePanel panel = createPanel();
             LaneLayout lanes = panel.lanes().lanes();
             assertEquals(11, lanes.lanes().size(), "eight sensors, two sides of motors, and all else");
             assertEquals("front", lanes.lanes().get(0).label());
@@ -37,14 +43,7 @@ class TimelinePanelTest {
     @Test
     void theLanesStayAlignedWithTheSliderOfAnotherWidthWithoutAFrame() {
         runOnEdt(() -> {
-            Theme.LIGHT.install();
-            RunController run = new RunController(new Workspace());
-            UndoController undo = new UndoController(run::send, () -> {});
-            TimelinePanel panel =
-                    new TimelinePanel(tick -> {}, frame -> {}, new TimelineEditor(new Workspace(), run, undo));
-            panel.addNotify();
-            panel.setSize(800, 400);
-            panel.validate();
+            TimelinePanel panel = createPanel();
             panel.lanes().update(panel.lanes().lanes().lanes(), panel.bar().axis(), 0);
             double before = panel.lanes().axis().right();
             panel.setSize(1000, 400);
