@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 /** The gap between the robot's body and a figure, against the {@link BoxDistanceOracle}. */
 class BoxDistanceTest {
 
-    private static final int CASES = 3000;
+    private static final int CASES = Integer.getInteger("faultline.shapes", 3000);
     private static final double TOLERANCE = 1e-9;
     private static final OrientedBox BODY = new OrientedBox(new Pose(0, 0, 0), 2, 1);
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
  */
 class SectorIntersectionsTest {
 
-    private static final int CASES = 3000;
+    private static final int CASES = Integer.getInteger("faultline.shapes", 3000);
     private static final int SAMPLES = 1000;
     private static final double TOLERANCE = 1e-9;
 
