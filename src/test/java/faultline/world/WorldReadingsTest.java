@@ -114,6 +114,28 @@ class WorldReadingsTest {
         assertEquals(Optional.of("UNKNOWN_FAULT"), refusal(world, new Command.ClearFault("front", bias)));
     }
 
+    /** The window reads the sensors again after an edit while the run is paused. */
+    @Test
+    void readingsBetweenTwoTicksShowAnEditAndChangeNoLaterReading() {
+        World edited = room(2.625);
+        World untouched = room(2.625);
+        for (World world : List.of(edited, untouched)) {
+            world.execute(new Command.ConfigureSensor(front(world).withNoise(NOISE)));
+            world.execute(new Command.InjectFault("front", new SignalFault.Delayed(0.02)));
+        }
+        for (int tick = 0; tick < 20; tick++) {
+            for (World world : List.of(edited, untouched)) {
+                world.move(0, 0);
+                world.sense();
+            }
+            assertEquals(untouched.reportedReading(FRONT), edited.reportedReading(FRONT), "tick " + tick);
+            edited.execute(new Command.MoveObstacle("desk", new Pose(3.075, 2, 0)));
+            edited.resample();
+            assertEquals(0.7, edited.trueReading(FRONT), 1e-12);
+            edited.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0)));
+        }
+    }
+
     @Test
     void aSensorStuckBeforeItsFirstReadingReportsNothing() {
         World world = room(2.625);
