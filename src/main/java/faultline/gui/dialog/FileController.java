@@ -161,7 +161,7 @@ public final class FileController {
 
     /** Asks whether to reload the open file after another program has changed it. */
     public void onFileChangedOnDisk(Path file) {
-        String name = String.valueOf(file.getFileName());
+        String name = FileNames.lastOf(file);
         boolean reload = workspace.isChanged()
                 ? fileDialogs.showOptions(
                                 "changed",
@@ -181,7 +181,7 @@ public final class FileController {
     public RecoveryPrompt.Answer offerRecovery(RecoveryStore.RecoveredFile recovered) {
         String name = recovered
                 .origin()
-                .map(file -> String.valueOf(file.getFileName()))
+                .map(file -> FileNames.lastOf(file))
                 .orElse(recovered.scenario().name());
         int answer = fileDialogs.showOptions(
                 "recover", Messages.get("recover.question", name), "recover.recover", "recover.discard");
@@ -210,7 +210,7 @@ public final class FileController {
     private void askBeforeSaving(Path file, Runnable save) {
         int answer = fileDialogs.showOptions(
                 "changed",
-                Messages.get("changed.questionUnsaved", String.valueOf(file.getFileName())),
+                Messages.get("changed.questionUnsaved", FileNames.lastOf(file)),
                 "changed.keep",
                 "changed.reload");
         if (answer == 0) {

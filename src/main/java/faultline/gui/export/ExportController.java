@@ -4,6 +4,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.FileNames;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.instrument.StripContent;
@@ -210,7 +211,7 @@ public final class ExportController implements WorkspaceListener {
                     .isPresent()) {
                 showError(failureText(file, new MessageException("", WriteProblem.OWN_INPUT.with(), null)));
             } else {
-                String writing = Messages.get("export.writing", String.valueOf(file.getFileName()));
+                String writing = Messages.get("export.writing", FileNames.lastOf(file));
                 note.accept(writing);
                 new ExportTask(
                                 parent,

@@ -1,6 +1,7 @@
 package faultline.gui.export;
 
 import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.FileNames;
 import faultline.gui.document.TaskProgress;
 import faultline.gui.text.Messages;
 import faultline.io.AtomicFile;
@@ -45,7 +46,7 @@ final class ExportTask {
         this.onWritten = onWritten;
         this.onFailed = onFailed;
         monitor = new ProgressMonitor(
-                parent, Messages.get("export.writing", String.valueOf(file.getFileName())), "", 0, MAX_PROGRESS);
+                parent, Messages.get("export.writing", FileNames.lastOf(file)), "", 0, MAX_PROGRESS);
         if (GraphicsEnvironment.isHeadless()) {
             // Without a display, its dialog, which a slow export opens, would end the task.
             monitor.setMillisToDecideToPopup(Integer.MAX_VALUE);

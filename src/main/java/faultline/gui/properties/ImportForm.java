@@ -5,6 +5,7 @@ import faultline.engine.Simulation;
 import faultline.floorplan.FloorPlan;
 import faultline.geometry.Pose;
 import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.FileNames;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NumberSpinner;
@@ -79,7 +80,7 @@ public final class ImportForm extends JPanel {
     /** Shows the dialog and returns the scenario; empty if cancelled. */
     public static Optional<Scenario> showDialog(Component parent, Path file) {
         ImportForm form = new ImportForm(file);
-        String title = Messages.get("import.title", String.valueOf(file.getFileName()));
+        String title = Messages.get("import.title", FileNames.lastOf(file));
         Component focused = form.unknownIsWall;
         while (FormDialog.showDialog(parent, title, form, focused)) {
             Optional<NumberSpinner> refused = form.commitNumbers();

@@ -24,6 +24,7 @@ import faultline.gui.dialog.SpeedDialog;
 import faultline.gui.document.Autosave;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.ControllerSelection;
+import faultline.gui.document.FileNames;
 import faultline.gui.document.FileWatch;
 import faultline.gui.document.RecoveryPrompt;
 import faultline.gui.document.RecoveryStore;
@@ -154,7 +155,7 @@ public final class MainWindow extends JFrame {
                 workspace,
                 fileController::onFileChangedOnDisk,
                 exception -> showNote(Dialogs.unreadableFileText(exception)),
-                file -> showNote(Messages.get("deleted", String.valueOf(file.getFileName()))));
+                file -> showNote(Messages.get("deleted", FileNames.lastOf(file))));
     }
 
     private void installEditNotifier() {
@@ -223,7 +224,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void showSavedNote(Path file) {
-        showNote(Messages.get("saved", String.valueOf(file.getFileName())));
+        showNote(Messages.get("saved", FileNames.lastOf(file)));
     }
 
     private void installViewListeners() {

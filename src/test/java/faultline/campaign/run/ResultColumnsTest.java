@@ -58,6 +58,21 @@ class ResultColumnsTest {
         return byName;
     }
 
+    /** A run of a plan with its measures, and its row by the names of the columns. */
+    private record MeasuredRun(
+            RunResult result, CarryOnMetrics carry, DiagnosisMetrics diagnosis, Map<String, String> cells) {
+
+        static MeasuredRun of(CampaignPlan plan, int index) throws Exception {
+            PlannedRun run = plan.run(index);
+            SimulationSetup setup = plan.scenario(run).setup();
+            CarryOnMetrics carry = new CarryOnMetrics(setup, new WallCircuits().forCarryOn(setup));
+            DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
+            RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(carry, diagnosis));
+            String row = ResultColumns.row(run, result, carry, diagnosis);
+            return new MeasuredRun(result, carry, diagnosis, ResultColumnsTest.cells(plan, row));
+        }
+    }
+
     private static CampaignPlan twoSeedsAndTwoFaults() throws Exception {
         return SamplePlan.read(
                 SamplePlan.text(
@@ -73,13 +88,11 @@ class ResultColumnsTest {
     @Test
     void everyCellIsWhatItsColumnIsNamedAfter() throws Exception {
         CampaignPlan plan = twoSeedsAndTwoFaults();
-        PlannedRun run = plan.run(3);
-        SimulationSetup setup = plan.scenario(run).setup();
-        CarryOnMetrics carry = new CarryOnMetrics(setup, new WallCircuits().forCarryOn(setup));
-        DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
-        RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(carry, diagnosis));
-
-        Map<String, String> cells = cells(plan, ResultColumns.row(run, result, carry, diagnosis));
+        MeasuredRun run = MeasuredRun.of(plan, 3);
+        RunResult result = run.result();
+        CarryOnMetrics carry = run.carry();
+        DiagnosisMetrics diagnosis = run.diagnosis();
+        Map<String, String> cells = run.cells();
 
         assertEquals(List.of("3", "1", "room", "8"), List.copyOf(cells.values()).subList(0, 4));
         Map<String, OptionalDouble> numbers = Map.of(
@@ -118,12 +131,7 @@ class ResultColumnsTest {
                 <set attribute="@tick" value="0.003"/><set attribute="@duration" value="0.5"/>
                 <set attribute="controller/@diagnosis" value="off"/>
                 """));
-        PlannedRun run = plan.run(0);
-        SimulationSetup setup = plan.scenario(run).setup();
-        CarryOnMetrics carry = new CarryOnMetrics(setup, new WallCircuits().forCarryOn(setup));
-        DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
-        RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(carry, diagnosis));
-        Map<String, String> cells = cells(plan, ResultColumns.row(run, result, carry, diagnosis));
+        Map<String, String> cells = MeasuredRun.of(plan, 0).cells();
         assertEquals("undecided", cells.get("outcome"));
         assertEquals("0", cells.get("collided"));
         assertEquals("0.501", cells.get("simulated_s"));
