@@ -210,6 +210,16 @@ public record RobotSpec(
         return driveScale.isNone() ? this : withDriveScale(DriveScale.NONE);
     }
 
+    /** {@return the fastest turn on the spot that the motors allow, as the controller believes, radians per second} */
+    public double maxTurnRate() {
+        return 2 * motor.maxSpeed() / track;
+    }
+
+    /** {@return the angular velocity of a turn on the spot: the turn rate, or less if the motors allow no more} */
+    public double spinRate() {
+        return Math.min(turnRate, maxTurnRate());
+    }
+
     /** {@return the true distance between the left and the right wheels, metres} */
     public double trueTrack() {
         return track * driveScale.track();

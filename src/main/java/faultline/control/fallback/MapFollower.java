@@ -339,7 +339,7 @@ public final class MapFollower {
 
     /** Returns a multiple of the robot's turn rate, as far as its motors allow, radians per second. */
     private double turnRate(double multiple) {
-        return Math.min(multiple * robot.turnRate(), 2 * robot.motor().maxSpeed() / robot.track());
+        return Math.min(multiple * robot.turnRate(), robot.maxTurnRate());
     }
 
     /** Ends a scan, or continues it if its place has been seen but another place is still unknown. */

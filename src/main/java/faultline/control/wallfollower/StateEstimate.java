@@ -207,7 +207,7 @@ final class StateEstimate {
 
     /** Returns the rate at which the robot spins, radians per second. */
     double turnRate() {
-        return Math.min(robot().turnRate(), 2 * robot().motor().maxSpeed() / robot().track());
+        return robot().spinRate();
     }
 
     /** Returns the estimated standard deviation of the left sensor's noise, metres. */

@@ -92,7 +92,7 @@ public final class Recorder implements TickObserver, CommandListener {
                 && Double.isFinite(now.edges().tP())
                 && simulation.controllerSpec() instanceof ControllerSpec.WallFollowing follower) {
             double clock =
-                    Math.abs(lastHeading - turnStart) / simulation.robot().turnRate();
+                    Math.abs(lastHeading - turnStart) / simulation.robot().spinRate();
             double origin = simulation.time() - setup.dt() - clock;
             events.add(new RunEvent.AlignmentTimed(
                     simulation.ticks(),

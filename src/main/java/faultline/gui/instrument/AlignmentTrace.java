@@ -107,7 +107,7 @@ record AlignmentTrace(
     private static AlignmentTrace of(SessionFrame frame, TraceLevel level, PhaseTicks ticks) {
         double start = headingAt(level, ticks.turn() - 1);
         double turnedBy = headingAt(level, ticks.align() - 1) - start;
-        double rate = Math.copySign(frame.snapshot().robot().turnRate(), turnedBy == 0 ? -1 : turnedBy);
+        double rate = Math.copySign(frame.snapshot().robot().spinRate(), turnedBy == 0 ? -1 : turnedBy);
         List<AlignmentSample> samples = new ArrayList<>();
         // The reading that the controller reports in a tick was taken at the end of the tick before.
         for (long tick = ticks.turn(); tick < ticks.align(); tick++) {

@@ -18,6 +18,8 @@ import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -138,6 +140,21 @@ class RecorderTest {
                 BigDecimal exact = new BigDecimal("0.01").multiply(BigDecimal.valueOf(event.tick()));
                 assertEquals(exact.doubleValue(), event.time(), event::toString);
             }
+        }
+    }
+
+    @Test
+    void withMotorsTooSlowForTheTurnRateF4IsStillJustBeforeAlign() {
+        RobotSpec slow = room.robot().withMotor(new MotorSpec(0.05, 0.1, 3.2)).withTurnRate(StrictMath.toRadians(400));
+        assertTrue(
+                2 * slow.motor().maxSpeed() / slow.track() < slow.turnRate() / 1.5, "the motors limit the turn rate");
+        try (Session session = Session.start(room.withRobot(slow))) {
+            RunEvent.AlignmentTimed timed = events(runTo(session, 1000)).stream()
+                    .filter(RunEvent.AlignmentTimed.class::isInstance)
+                    .map(RunEvent.AlignmentTimed.class::cast)
+                    .findFirst()
+                    .orElseThrow();
+            assertEquals(timed.time(), timed.f4(), 3 * room.dt());
         }
     }
 

@@ -17,6 +17,8 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.util.List;
@@ -78,6 +80,18 @@ class AlignmentTraceTest {
                 Math.toDegrees(Math.IEEEremainder(spin.achievedHeading(), Math.PI / 2)),
                 1.0,
                 "along a wall of the room");
+    }
+
+    @Test
+    void withMotorsTooSlowForTheTurnRateTheHeadingErrorIsThatOfTheTurn() {
+        RobotSpec slow = SampleRuns.ROOM_SETUP
+                .robot()
+                .withMotor(new MotorSpec(0.05, 0.1, 3.2))
+                .withTurnRate(StrictMath.toRadians(400));
+        SimulationSetup setup = SampleRuns.ROOM_SETUP.withRobot(slow);
+        AlignmentTrace trace =
+                AlignmentTrace.latest(SampleRuns.frame(setup, 2000)).orElseThrow();
+        assertEquals(0, Math.toDegrees(trace.headingError().orElseThrow()), 0.5);
     }
 
     @Test
