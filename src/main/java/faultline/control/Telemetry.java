@@ -42,7 +42,8 @@ public record Telemetry(
      *
      * @param tF3 when the left sensor came to the timing distance, the paper's frame F3, seconds
      * @param tF4 when it left it, frame F4, seconds
-     * @param tP the time for which it turns back, t_p = t_D / 2 of eq. (4), seconds
+     * @param tP the time for which it turns back, t_p = t_D / 2 of eq. (4), seconds; negative if F4 is before F3 on the
+     *     clock of the turned angle, as with random readings
      */
     public record EdgeTimes(double tF3, double tF4, double tP) {
 

@@ -120,7 +120,7 @@ final class AlignmentManoeuvre {
     /**
      * Plans the turn back: for t_p = t_D / 2 from F4 on, eq. (4). F4 is noticed a little late, and the spin continues
      * for the motors' lag until they have reversed. The robot turns back by that as well, unless the paper's exact rule
-     * applies.
+     * applies. It does not turn back by a negative angle.
      */
     void planTurnBack() {
         remainingTurn = estimate.turnRate() * edgeTimer.tP();

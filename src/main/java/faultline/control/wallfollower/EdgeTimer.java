@@ -222,7 +222,10 @@ final class EdgeTimer {
         return tF4;
     }
 
-    /** Returns how long to turn back from F4, seconds. */
+    /**
+     * Returns how long to turn back from F4, seconds. It is negative if F3 and F4 lie in the part of the spin in which
+     * the robot still turned to the left, as with random readings: the spin clock runs backwards there.
+     */
     double tP() {
         double tD = tF4 - tF3;
         return tD / 2; // eq. (4): t_p = t_D / 2

@@ -138,6 +138,21 @@ class EdgeTimerTest {
         assertTrue(timing.reachesWall(), "a fall of 8 mm shows: with ten samples four deviations are 6.3 mm");
     }
 
+    @Test
+    void readingsThatFallAndRiseWhileTheClockRunsBackwardsGiveANegativeTurnBack() {
+        EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
+        timing.start(0.08, 0, true, TURN);
+        timing.addApproachSample(0, 0.4, 0);
+        timing.addApproachSample(-0.2, 0.3, 0);
+        assertTrue(timing.reachesWall());
+        timing.addPassSample(-0.4, 0.4);
+        assertTrue(timing.leavesWall());
+        // The level of 0.324 m is passed 0.152 s after the first sample and 0.048 s after the second.
+        assertEquals(-0.152, timing.tF3(), 1e-12);
+        assertEquals(-0.248, timing.tF4(), 1e-12);
+        assertEquals(-0.048, timing.tP(), 1e-12);
+    }
+
     private static double wiggle(int i) {
         return i % 2 == 0 ? 0.008 : -0.008;
     }
