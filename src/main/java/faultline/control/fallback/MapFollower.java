@@ -1,11 +1,14 @@
 package faultline.control.fallback;
 
+import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry.WallControl;
+import faultline.control.WallSide;
 import faultline.control.diagnosis.DeadReckoning;
 import faultline.control.diagnosis.EvidenceGrid;
 import faultline.control.diagnosis.MountedCone;
 import faultline.control.diagnosis.SensorDiagnosis;
+import faultline.control.wallfollower.WallFollower;
 import faultline.geometry.Angles;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
@@ -86,11 +89,15 @@ public final class MapFollower {
     private static final double TURNED_BACK = StrictMath.toRadians(240);
 
     private final SensorDiagnosis diagnosis;
+    private final WallSide side;
     private double wantedDistance;
     private final LocalMap map = new LocalMap();
     private final FreeDirectionFinder directionFinder = new FreeDirectionFinder(map);
     private final NoProgressDetector progress = new NoProgressDetector();
     private RobotSpec robot;
+    /** The distance from the centre to the sensor that faces the wall, which reads the wanted distance, metres. */
+    private double sideMountOffset;
+
     private DriveDirection driveDirection = DriveDirection.FORWARDS;
     private boolean stuck;
     private FollowerState state = FollowerState.FOLLOW;
@@ -108,11 +115,22 @@ public final class MapFollower {
      * Creates a follower.
      *
      * @param diagnosis the diagnosis of the sensors
-     * @param wantedDistance from the side of the robot to the wall, metres
+     * @param spec the settings, of which it uses the side of the wall and the wanted distance
      */
-    public MapFollower(SensorDiagnosis diagnosis, double wantedDistance) {
+    public MapFollower(SensorDiagnosis diagnosis, ControllerSpec.WallFollowing spec) {
         this.diagnosis = diagnosis;
-        this.wantedDistance = wantedDistance;
+        this.side = spec.side();
+        configure(spec);
+    }
+
+    /**
+     * Sets the wanted distance from the sensor that faces the wall to the wall, or from the side of the platform if no
+     * sensor does.
+     *
+     * @param spec the settings, with the same side of the wall as before
+     */
+    public final void configure(ControllerSpec.WallFollowing spec) {
+        wantedDistance = spec.distance();
     }
 
     /**
@@ -139,8 +157,12 @@ public final class MapFollower {
      * @param now the robot as the controller believes it to be
      * @param dt the time since the last decision, seconds
      */
+    @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
     public void decide(RobotSpec now, double dt) {
-        robot = now;
+        if (now != robot) {
+            robot = now;
+            sideMountOffset = WallFollower.sideMountOffset(side, robot);
+        }
         double lap = 2 * (wantedDistance + robot.width()) + LAP_MARGIN;
         stuck |= progress.isStuck(at(), lap, robot.speed(), dt);
         untilPlan -= dt;
@@ -188,27 +210,19 @@ public final class MapFollower {
                 robot.width() / 2 - EvidenceGrid.CELL);
     }
 
-    /**
-     * Sets the wanted distance from the wall.
-     *
-     * @param metres the distance, in metres
-     */
-    public void setWantedDistance(double metres) {
-        wantedDistance = metres;
-    }
-
-    /** Returns the wanted distance and the distance from the side of the robot to the nearest surface of the map. */
+    /** Returns the wanted distance, and that of the nearest surface in the map, measured in the same way. */
     private WallControl measured() {
         // The distances in the map are not computed for a search, because they take longest.
         double distance = state == FollowerState.SEARCH
                 ? Double.NaN
-                : map.toSurface(at().x(), at().y()) - robot.width() / 2 + COARSENESS;
+                : map.toSurface(at().x(), at().y()) - sideMountOffset + COARSENESS;
         boolean near = distance <= wantedDistance + NEAR_WALL;
         return new WallControl(wantedDistance, near ? distance : Double.NaN, Double.NaN, Double.NaN);
     }
 
+    /** Returns the wanted distance from the centre to the nearest surface in the map, metres. */
     private double wanted() {
-        return wantedDistance + robot.width() / 2 - COARSENESS;
+        return Math.max(robot.width() / 2, wantedDistance + sideMountOffset) - COARSENESS;
     }
 
     private void plan() {

@@ -54,7 +54,7 @@ public final class FaultTolerantFollower implements Controller {
         this.spec = spec;
         this.diagnosis = new SensorDiagnosis(spec.side() == WallSide.LEFT ? 1 : -1);
         diagnosis.setWantedDistance(spec.distance());
-        this.mapFollower = new MapFollower(diagnosis, spec.distance());
+        this.mapFollower = new MapFollower(diagnosis, spec);
         this.sixStates = new WallFollower(spec, diagnosis.reckoning().odometer());
     }
 
@@ -77,7 +77,7 @@ public final class FaultTolerantFollower implements Controller {
     public void configure(ControllerSpec.BuiltIn settings) {
         spec = (ControllerSpec.WallFollowing) settings;
         diagnosis.setWantedDistance(spec.distance());
-        mapFollower.setWantedDistance(spec.distance());
+        mapFollower.configure(spec);
         sixStates.configure(spec);
     }
 

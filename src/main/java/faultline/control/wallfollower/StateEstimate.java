@@ -6,6 +6,7 @@ import faultline.control.Odometer;
 import faultline.control.PeriodicController;
 import faultline.control.Threshold;
 import faultline.control.Thresholds;
+import faultline.control.WallSide;
 import faultline.control.wallfollower.SensorViews.Direction;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
@@ -243,6 +244,11 @@ final class StateEstimate {
 
     private static double centreDistance(double reading, SensorView left, RobotSpec robot) {
         return Math.max(robot.width() / 2, reading + sideMountOffset(left, robot));
+    }
+
+    /** Returns {@link #sideMountOffset()} of a robot whose sensors all answer, unless they are switched off, metres. */
+    static double sideMountOffset(WallSide side, RobotSpec robot) {
+        return sideMountOffset(SensorViews.facing(Direction.LEFT, side, robot), robot);
     }
 
     /** Returns the distance from a robot's centre to the wall if a follower holds its wanted distance, metres. */

@@ -128,6 +128,17 @@ public final class WallFollower implements Controller {
     }
 
     /**
+     * {@return the distance from the robot's centre to the mounting position of the sensor that faces the wall, metres;
+     * half the width of the platform if no sensor does}
+     *
+     * @param side the side of the wall
+     * @param robot the robot
+     */
+    public static double sideMountOffset(WallSide side, RobotSpec robot) {
+        return StateEstimate.sideMountOffset(side, robot);
+    }
+
+    /**
      * {@return the distance from the robot's centre to the wall at which the sensor that faces the wall reads the
      * wanted distance, metres, at least half the width of the platform}
      *

@@ -9,7 +9,10 @@ import faultline.control.Telemetry.WallControl;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.world.WorldSpec;
 import java.util.List;
@@ -49,6 +52,24 @@ class MapDistanceTest {
         }
         assertTrue(shown > 1500, "shown in " + shown + " ticks");
         assertTrue(near > 0.85 * shown, near + " of " + shown);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.04, 0.1})
+    void itHoldsTheDistanceAtTheSensorThatFacesTheWall(double mountY) {
+        RobotSpec robot = RobotSpec.DEFAULT.withSensors(RobotSpec.DEFAULT.sensors().stream()
+                .map(sensor ->
+                        sensor.withOn(Set.of("front-left", "left", "rear-left").contains(sensor.id())))
+                .map(sensor -> sensor.id().equals("left") ? sensor.withMountPosition(new Vector2(0, mountY)) : sensor)
+                .toList());
+        SimulationSetup setup = SimulationSetup.of(
+                        new WorldSpec(WIDTH, HEIGHT, true, 3, List.of()), new Pose(0.7, 0.6, 0.2))
+                .withRobot(robot)
+                .withController(WallFollowing.DEFAULT.withDistance(0.28));
+        RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());
+        assertEquals("THREE", result.rung());
+        assertEquals(0, result.distanceRms().orElseThrow(), 0.05);
+        assertTrue(result.coverage().orElseThrow() > 0.8, result.coverage()::toString);
     }
 
     private static double trueDistance(Pose pose) {
