@@ -18,6 +18,8 @@ record MapFrame(Pose lowerLeft, double width, double height) {
     /** The step to which the place and the size of a rotated map are rounded, metres. */
     private static final double STEP = 1e-6;
 
+    private static final double STEPS_PER_METRE = 1e6;
+
     /** Returns the frame of a map with a number of cells. */
     static MapFrame of(MapDescription description, int columns, int rows) {
         double width = description.metres(columns);
@@ -31,13 +33,13 @@ record MapFrame(Pose lowerLeft, double width, double height) {
                 turn.toParent(new Vector2(width, 0)),
                 turn.toParent(new Vector2(width, height)),
                 turn.toParent(new Vector2(0, height)));
-        double minX = 0;
-        double minY = 0;
+        double left = 0;
+        double below = 0;
         for (Vector2 corner : corners) {
-            minX = Math.min(minX, corner.x());
-            minY = Math.min(minY, corner.y());
+            left = Math.max(left, -corner.x());
+            below = Math.max(below, -corner.y());
         }
-        Pose lowerLeft = new Pose(round(-minX), round(-minY), description.yaw());
+        Pose lowerLeft = new Pose(roundUp(left), roundUp(below), description.yaw());
         double maxX = 0;
         double maxY = 0;
         for (Vector2 corner : corners) {
@@ -49,6 +51,11 @@ record MapFrame(Pose lowerLeft, double width, double height) {
 
     /** Returns a length rounded to the step. */
     static double round(double metres) {
-        return Math.rint(metres * 1e6) / 1e6;
+        return Math.rint(metres * STEPS_PER_METRE) / STEPS_PER_METRE;
+    }
+
+    /** Returns a length rounded up to the step, so that no part of the map is at negative coordinates. */
+    private static double roundUp(double metres) {
+        return Math.ceil(metres * STEPS_PER_METRE) / STEPS_PER_METRE;
     }
 }
