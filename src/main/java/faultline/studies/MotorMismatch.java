@@ -8,6 +8,7 @@ import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.PeriodicController;
 import faultline.control.TimingRule;
+import faultline.control.wallfollower.SpinClock;
 import faultline.control.wallfollower.WallFollower;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Angles;
@@ -35,16 +36,16 @@ final class MotorMismatch implements Figure {
 
     /** The timing of one row of the table. */
     private enum Variant {
-        EQUAL_READINGS(TimingRule.EQUAL_READINGS, false),
-        RANGE(TimingRule.RANGE, false),
-        RANGE_REAL_CLOCK(TimingRule.RANGE, true);
+        EQUAL_READINGS(TimingRule.EQUAL_READINGS, SpinClock.TURNED_ANGLE),
+        RANGE(TimingRule.RANGE, SpinClock.TURNED_ANGLE),
+        RANGE_REAL_CLOCK(TimingRule.RANGE, SpinClock.ELAPSED_TIME);
 
         private final TimingRule rule;
-        private final boolean realClock;
+        private final SpinClock clock;
 
-        Variant(TimingRule rule, boolean realClock) {
+        Variant(TimingRule rule, SpinClock clock) {
             this.rule = rule;
-            this.realClock = realClock;
+            this.clock = clock;
         }
     }
 
@@ -89,7 +90,7 @@ final class MotorMismatch implements Figure {
                         mismatch.timeConstant() * motor.timeConstant(), motor.speedConstant(), motor.maxVoltage()));
         World world = new World(setup.world(), real, setup.start(), setup.dt(), setup.seed());
         WallFollowing spec = (WallFollowing) setup.controller();
-        Controller follower = new PeriodicController(new WallFollower(spec, variant.realClock), spec.period());
+        Controller follower = new PeriodicController(new WallFollower(spec, variant.clock), spec.period());
         ControllerState before = FollowerState.SEARCH;
         double left = 0;
         double right = 0;

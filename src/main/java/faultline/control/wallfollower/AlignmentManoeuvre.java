@@ -27,7 +27,7 @@ final class AlignmentManoeuvre {
     private final StateEstimate estimate;
     private TimingRule rule;
     private TimingRule nextRule;
-    private final boolean realClock;
+    private final SpinClock clock;
     private EdgeTimer edgeTimer;
     private long startTick;
     private double startHeading;
@@ -35,11 +35,11 @@ final class AlignmentManoeuvre {
     private double nearestReading;
     private double remainingTurn;
 
-    AlignmentManoeuvre(StateEstimate estimate, TimingRule rule, boolean realClock) {
+    AlignmentManoeuvre(StateEstimate estimate, TimingRule rule, SpinClock clock) {
         this.estimate = estimate;
         this.rule = rule;
         this.nextRule = rule;
-        this.realClock = realClock;
+        this.clock = clock;
         this.edgeTimer = new EdgeTimer(rule);
     }
 
@@ -160,13 +160,11 @@ final class AlignmentManoeuvre {
         return estimate.left();
     }
 
-    /**
-     * Returns the time in which a spin to the right at the constant rate reaches the current heading, seconds: the
-     * clock of t_F3, t_F4 and t_p.
-     */
+    /** Returns the time since the spin began on the clock of t_F3, t_F4 and t_p, seconds. */
     private double spinClock() {
-        return realClock
-                ? (estimate.tick() - startTick) * estimate.dt()
-                : (startHeading - estimate.odometer().heading()) / estimate.turnRate();
+        return switch (clock) {
+            case TURNED_ANGLE -> (startHeading - estimate.odometer().heading()) / estimate.turnRate();
+            case ELAPSED_TIME -> (estimate.tick() - startTick) * estimate.dt();
+        };
     }
 }

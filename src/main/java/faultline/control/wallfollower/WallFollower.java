@@ -85,18 +85,17 @@ public final class WallFollower implements Controller {
      * @param spec its settings
      */
     public WallFollower(ControllerSpec.WallFollowing spec) {
-        this(spec, false);
+        this(spec, SpinClock.TURNED_ANGLE);
     }
 
     /**
      * Creates a follower in its initial state.
      *
      * @param spec its settings
-     * @param realClock whether F3, F4 and t_p are times of a real clock, for studies; otherwise they are angles by dead
-     *     reckoning in units of the constant rate
+     * @param clock the clock of the times F3, F4 and t_p
      */
-    public WallFollower(ControllerSpec.WallFollowing spec, boolean realClock) {
-        this(spec, realClock, new Odometer());
+    public WallFollower(ControllerSpec.WallFollowing spec, SpinClock clock) {
+        this(spec, clock, new Odometer());
     }
 
     /**
@@ -106,15 +105,15 @@ public final class WallFollower implements Controller {
      * @param odometer the odometer of the robot's motion, which its owner updates before each decision
      */
     public WallFollower(ControllerSpec.WallFollowing spec, Odometer odometer) {
-        this(spec, false, odometer);
+        this(spec, SpinClock.TURNED_ANGLE, odometer);
     }
 
-    private WallFollower(ControllerSpec.WallFollowing spec, boolean realClock, Odometer odometer) {
+    private WallFollower(ControllerSpec.WallFollowing spec, SpinClock clock, Odometer odometer) {
         this.spec = spec;
         this.odometer = odometer;
         entryHeading = odometer.heading();
         estimate = new StateEstimate(spec, odometer);
-        alignment = new AlignmentManoeuvre(estimate, spec.timingRule(), realClock);
+        alignment = new AlignmentManoeuvre(estimate, spec.timingRule(), clock);
         search = new SearchState(estimate);
         SpinStates spin = new SpinStates(estimate, alignment);
         wall = new WallStates(estimate, spin, spec.distance(), spec.gainRule());

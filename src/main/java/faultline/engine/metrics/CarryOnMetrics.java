@@ -62,13 +62,13 @@ public final class CarryOnMetrics implements TickObserver {
     }
 
     /**
-     * Creates metrics of a run that is not made by a simulation.
+     * Creates metrics whose clock starts when the robot first follows a wall after a time.
      *
      * @param circuit the circuit of its world
      * @param speed the speed of the robot, metres per second
-     * @param onset the onset of the last fault, seconds
+     * @param onset the time, such as the onset of the last fault, seconds
      */
-    public CarryOnMetrics(WallCircuit circuit, double speed, double onset) {
+    CarryOnMetrics(WallCircuit circuit, double speed, double onset) {
         this.circuit = circuit;
         this.speed = speed;
         this.onset = onset;
@@ -108,28 +108,13 @@ public final class CarryOnMetrics implements TickObserver {
 
     @Override
     public void observe(Simulation simulation) {
-        update(
-                simulation.time(),
-                simulation.pose().position(),
-                simulation.telemetry().state() == FollowerState.SEARCH,
-                simulation.collision().isPresent());
-    }
-
-    /**
-     * Records the robot's state at a time.
-     *
-     * @param now seconds
-     * @param centre the centre of the robot, metres
-     * @param searching whether it has not met a wall yet
-     * @param contact whether it has touched anything
-     */
-    public void update(double now, Vector2 centre, boolean searching, boolean contact) {
-        time = now;
-        collided = contact;
+        time = simulation.time();
+        collided = simulation.collision().isPresent();
         if (collided || time < onset || circuit.size() == 0) {
             return;
         }
-        if (path < 0 && !searching) {
+        Vector2 centre = simulation.pose().position();
+        if (path < 0 && simulation.telemetry().state() != FollowerState.SEARCH) {
             startClock(centre);
         }
         if (path >= 0 && !(centre.distanceTo(last) < STEP)) {

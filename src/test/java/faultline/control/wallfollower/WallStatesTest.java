@@ -18,8 +18,8 @@ class WallStatesTest {
     private static final double WANTED = 0.25;
 
     private final StateEstimate estimate = Observations.stateEstimate(WANTED);
-    private final SpinStates spin =
-            new SpinStates(estimate, new AlignmentManoeuvre(estimate, TimingRule.EQUAL_READINGS, false));
+    private final SpinStates spin = new SpinStates(
+            estimate, new AlignmentManoeuvre(estimate, TimingRule.EQUAL_READINGS, SpinClock.TURNED_ANGLE));
     private final WallStates wall = new WallStates(estimate, spin, WANTED, GainRule.AUTOMATIC);
     private long tick;
 
