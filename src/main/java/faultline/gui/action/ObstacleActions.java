@@ -29,7 +29,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
 import java.util.stream.Stream;
 import javax.swing.KeyStroke;
@@ -50,8 +49,7 @@ public final class ObstacleActions {
 
     private final CanvasTools tools;
     private final UndoController editor;
-    private final Consumer<String> notifier;
-    private final Consumer<String> noteRemover;
+    private final Notes notes;
     private final DoubleFunction<OptionalDouble> askSpeed;
     private final WindowPreferences preferences;
     private final UiAction snapGrid;
@@ -60,21 +58,18 @@ public final class ObstacleActions {
     private String toolNote = "";
 
     /**
-     * Creates the actions. {@code notifier} shows a note to the user, which {@code noteRemover} removes if it is still
-     * shown; {@code askSpeed} asks for a speed, metres per second, given the present one, and returns empty if
-     * cancelled.
+     * Creates the actions. {@code askSpeed} asks for a speed, metres per second, given the present one, and returns
+     * empty if cancelled.
      */
     public ObstacleActions(
             CanvasTools tools,
             UndoController editor,
-            Consumer<String> notifier,
-            Consumer<String> noteRemover,
+            Notes notes,
             DoubleFunction<OptionalDouble> askSpeed,
             WindowPreferences preferences) {
         this.tools = tools;
         this.editor = editor;
-        this.notifier = notifier;
-        this.noteRemover = noteRemover;
+        this.notes = notes;
         this.askSpeed = askSpeed;
         this.preferences = preferences;
         snapGrid = UiAction.toggle("snapGrid", preferences.get(Preference.SNAP_GRID), on -> applySnap());
@@ -83,7 +78,7 @@ public final class ObstacleActions {
     }
 
     public void addTo(ActionRegistry actions) {
-        tools.addToolListener(inUse -> noteRemover.accept(toolNote));
+        tools.addToolListener(inUse -> notes.remove(toolNote));
         actions.add(createSelectAction().withIcon(Glyph.SELECT).withAccelerator(unmodified(KeyEvent.VK_V)));
         for (ShapePreset shape : ShapePreset.values()) {
             actions.add(createToolAction(UiAction.key("place", shape), () -> tools.placeShape(shape))
@@ -135,7 +130,7 @@ public final class ObstacleActions {
     /** Shows how a tool is used, until it ends. */
     private void showToolNote(String action) {
         toolNote = Messages.get("action." + action + ".tip");
-        notifier.accept(toolNote);
+        notes.show(toolNote);
     }
 
     private void applySnap() {
@@ -149,14 +144,14 @@ public final class ObstacleActions {
             tools.drawMotionPath();
             showToolNote("drawWaypoints");
         } else {
-            notifier.accept(Messages.get("note.selectOne"));
+            notes.show(Messages.get("note.selectOne"));
         }
     }
 
     /** Returns the selected obstacles; if there are none, shows a note that asks the user to select some. */
     private List<Obstacle> selected() {
         if (tools.selected().isEmpty()) {
-            notifier.accept(Messages.get("note.selectObstacle"));
+            notes.show(Messages.get("note.selectObstacle"));
         }
         return tools.selected();
     }
@@ -166,7 +161,7 @@ public final class ObstacleActions {
         List<Obstacle> moving =
                 tools.selected().stream().filter(Obstacle::isMoving).toList();
         if (moving.isEmpty()) {
-            notifier.accept(Messages.get("note.selectMoving"));
+            notes.show(Messages.get("note.selectMoving"));
         }
         return moving;
     }
@@ -211,7 +206,7 @@ public final class ObstacleActions {
             clipboard().setContents(new StringSelection(ObstacleXml.format(selected)), null);
             return true;
         } catch (IllegalStateException busy) {
-            notifier.accept(Messages.get("note.clipboardBusy"));
+            notes.show(Messages.get("note.clipboardBusy"));
             return false;
         }
     }
@@ -223,7 +218,7 @@ public final class ObstacleActions {
         try {
             readClipboardText().ifPresent(this::paste);
         } catch (IllegalStateException busy) {
-            notifier.accept(Messages.get("note.clipboardBusy"));
+            notes.show(Messages.get("note.clipboardBusy"));
         }
     }
 
@@ -236,7 +231,7 @@ public final class ObstacleActions {
         } catch (ScenarioException exception) {
             int more = exception.problems().size() - 1;
             String first = Messages.get(exception.problems().get(0).message());
-            notifier.accept(
+            notes.show(
                     more == 0
                             ? Messages.get("note.notPasted", first)
                             : Messages.get("note.notPasted.more", first, Integer.toString(more)));

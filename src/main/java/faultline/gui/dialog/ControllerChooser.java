@@ -2,6 +2,7 @@ package faultline.gui.dialog;
 
 import faultline.engine.RunFailedException;
 import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ComparisonController;
@@ -19,7 +20,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.function.Consumer;
 import javax.swing.Timer;
 
 /**
@@ -34,8 +34,7 @@ public final class ControllerChooser implements WorkspaceListener {
     private final Workspace workspace;
     private final RunController runController;
     private final ComparisonController comparison;
-    private final Consumer<String> note;
-    private final Consumer<String> removeNote;
+    private final Notes notes;
     private final ErrorLines errorLines;
 
     private final Timer watch = new Timer(WATCH_MILLIS, event -> checkFiles());
@@ -60,24 +59,19 @@ public final class ControllerChooser implements WorkspaceListener {
     /** Read by the threads that start runs. */
     private volatile String scenarioName = "";
 
-    /**
-     * Creates a chooser for the runs of a workspace; {@code note} shows a sentence to the user, and {@code removeNote}
-     * removes it if it is still shown.
-     */
+    /** Creates a chooser for the runs of a workspace. */
     public ControllerChooser(
             Window owner,
             Workspace workspace,
             RunController runController,
             ComparisonController comparison,
-            Consumer<String> note,
-            Consumer<String> removeNote) {
+            Notes notes) {
         this.owner = owner;
         this.workspace = workspace;
         this.runController = runController;
         this.comparison = comparison;
-        this.note = note;
-        this.removeNote = removeNote;
-        this.errorLines = new ErrorLines(note, removeNote);
+        this.notes = notes;
+        this.errorLines = new ErrorLines(notes);
         workspace.addListener(this);
     }
 
@@ -166,7 +160,7 @@ public final class ControllerChooser implements WorkspaceListener {
         watch.stop();
         // The restart has loaded a changed file.
         files = Map.of();
-        removeNote.accept(changedNote);
+        notes.remove(changedNote);
         ControllerSelection chosen = started;
         if (!chosen.isScenarios()) {
             BackgroundTasks.run(
@@ -193,7 +187,7 @@ public final class ControllerChooser implements WorkspaceListener {
             if (files.containsKey(file) && !time.equals(files.get(file))) {
                 changedNote = Messages.get(
                         "chooseController.changed", file.getFileName().toString());
-                note.accept(changedNote);
+                notes.show(changedNote);
             }
         });
         files = now;

@@ -30,9 +30,6 @@ import javax.swing.UIManager;
 /** The window's messages: failures, problems in a file, shortcuts and the about box. */
 public final class Dialogs {
 
-    private static final List<Integer> PROBLEM_COLUMN_WIDTHS = List.of(60, 70, 560);
-    private static final List<Integer> SHORTCUT_COLUMN_WIDTHS = List.of(150, 420);
-
     private final Window owner;
 
     public Dialogs(Window owner) {
@@ -102,8 +99,10 @@ public final class Dialogs {
                         positionText(problem.location().column()),
                         Messages.get(problem.message())))
                 .toList();
-        List<String> columns =
-                List.of(Messages.get("badFile.line"), Messages.get("badFile.column"), Messages.get("badFile.problem"));
+        List<TableDialog.Column> columns = List.of(
+                new TableDialog.Column(Messages.get("badFile.line"), 60),
+                new TableDialog.Column(Messages.get("badFile.column"), 70),
+                new TableDialog.Column(Messages.get("badFile.problem"), 560));
         String heading = Messages.get("badFile.heading", FileNames.lastOf(file)) + " "
                 + Messages.get(keepsScenario ? "badFile.kept" : "badFile.example");
         return new TableDialog(
@@ -112,7 +111,6 @@ public final class Dialogs {
                 heading,
                 UIManager.getIcon("OptionPane.errorIcon"),
                 columns,
-                PROBLEM_COLUMN_WIDTHS,
                 rows);
     }
 
@@ -128,14 +126,15 @@ public final class Dialogs {
         for (String gesture : Messages.get("shortcuts.canvas").split(";")) {
             rows.add(List.of(gesture.split(":")));
         }
-        List<String> columns = List.of(Messages.get("shortcuts.key"), Messages.get("shortcuts.action"));
+        List<TableDialog.Column> columns = List.of(
+                new TableDialog.Column(Messages.get("shortcuts.key"), 150),
+                new TableDialog.Column(Messages.get("shortcuts.action"), 420));
         return new TableDialog(
                 owner,
                 Messages.get("shortcuts.title"),
                 Keystrokes.withMenuModifier(Messages.get("shortcuts.heading")),
                 Glyph.NOTE.icon(),
                 columns,
-                SHORTCUT_COLUMN_WIDTHS,
                 rows);
     }
 

@@ -1,5 +1,6 @@
 package faultline.gui.dialog;
 
+import faultline.gui.action.Notes;
 import java.awt.EventQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -15,8 +16,7 @@ final class ErrorLines {
 
     private record ErrorLine(int controller, String text) {}
 
-    private final Consumer<String> show;
-    private final Consumer<String> remove;
+    private final Notes notes;
     /** The newest line that is not shown yet. */
     private final AtomicReference<ErrorLine> unshown = new AtomicReference<>();
 
@@ -24,13 +24,8 @@ final class ErrorLines {
     private int driving;
     private ErrorLine shown = new ErrorLine(NEVER_REPLACED, "");
 
-    /**
-     * Creates a display, given what shows a line and what removes it if it is still shown, on the event dispatch
-     * thread.
-     */
-    ErrorLines(Consumer<String> show, Consumer<String> remove) {
-        this.show = show;
-        this.remove = remove;
+    ErrorLines(Notes notes) {
+        this.notes = notes;
     }
 
     /** Returns the receiver of the lines of a new controller of the run. Any thread may call both. */
@@ -55,7 +50,7 @@ final class ErrorLines {
         ErrorLine line = unshown.getAndSet(null);
         if (line.controller() >= driving) {
             shown = line;
-            show.accept(line.text());
+            notes.show(line.text());
         }
     }
 
@@ -64,7 +59,7 @@ final class ErrorLines {
         assert EventQueue.isDispatchThread();
         driving = created.get();
         if (shown.controller() < driving) {
-            remove.accept(shown.text());
+            notes.remove(shown.text());
         }
     }
 }

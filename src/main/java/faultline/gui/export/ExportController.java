@@ -1,6 +1,7 @@
 package faultline.gui.export;
 
 import faultline.gui.action.Keystrokes;
+import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.BackgroundTasks;
@@ -50,8 +51,7 @@ public final class ExportController implements WorkspaceListener {
     private final SimulationCanvas canvas;
     private final BiFunction<String, String, Optional<Path>> fileSelector;
     private final Consumer<Path> onWritten;
-    private final Consumer<String> note;
-    private final Consumer<String> removeNote;
+    private final Notes notes;
     private final UiAction recordGif = UiAction.toggle("record", false, this::recordGif)
             .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_M))
             .withIcon(Glyph.RECORD);
@@ -63,8 +63,7 @@ public final class ExportController implements WorkspaceListener {
     /**
      * Creates a controller. {@code fileSelector} asks for a file, given the key of the dialog's title and the extension
      * with its dot, and returns empty if cancelled; {@code onWritten} is called with each file that has been written,
-     * on the event dispatch thread; {@code note} shows a sentence to the user, and {@code removeNote} removes it if it
-     * is still shown.
+     * on the event dispatch thread.
      */
     public ExportController(
             Component parent,
@@ -72,15 +71,13 @@ public final class ExportController implements WorkspaceListener {
             SimulationCanvas canvas,
             BiFunction<String, String, Optional<Path>> fileSelector,
             Consumer<Path> onWritten,
-            Consumer<String> note,
-            Consumer<String> removeNote) {
+            Notes notes) {
         this.parent = parent;
         this.workspace = workspace;
         this.canvas = canvas;
         this.fileSelector = fileSelector;
         this.onWritten = onWritten;
-        this.note = note;
-        this.removeNote = removeNote;
+        this.notes = notes;
         workspace.addListener(this);
     }
 
@@ -180,14 +177,14 @@ public final class ExportController implements WorkspaceListener {
                 request,
                 RESOLUTION_SCALE,
                 Toolkit.getDefaultToolkit().getSystemClipboard(),
-                () -> note.accept(Messages.get("note.imageCopied")),
+                () -> notes.show(Messages.get("note.imageCopied")),
                 failure -> showError(Messages.get("copy.failed", ErrorMessages.describe(failure))));
     }
 
     private void print(RenderRequest request) {
         // The JDK reports this in its own dialog, in English.
         if (printers.get().length == 0) {
-            note.accept(Messages.get("note.noPrinter"));
+            notes.show(Messages.get("note.noPrinter"));
             return;
         }
         PrinterJob job = PrinterJob.getPrinterJob();
@@ -212,12 +209,12 @@ public final class ExportController implements WorkspaceListener {
                 showError(failureText(file, new MessageException("", WriteProblem.OWN_INPUT.with(), null)));
             } else {
                 String writing = Messages.get("export.writing", FileNames.lastOf(file));
-                note.accept(writing);
+                notes.show(writing);
                 new ExportTask(
                                 parent,
                                 export,
                                 file,
-                                () -> removeNote.accept(writing),
+                                () -> notes.remove(writing),
                                 onWritten,
                                 failure -> showError(failureText(file, failure)))
                         .start();

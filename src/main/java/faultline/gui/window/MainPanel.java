@@ -70,26 +70,27 @@ final class MainPanel extends JPanel {
     /** Null before the first frame. */
     private transient SessionFrame shownFrame;
 
+    /** What carries out the user's edits of the run, of the scenario's settings and of its time line. */
+    record Editors(UndoController run, ScenarioEditor scenario, TimelineEditor timeline) {}
+
     /**
      * Creates a panel without a scenario; {@code speed} holds positions of {@link SpeedScale}, and {@code jump}
      * receives the tick of an event to go to.
      */
     MainPanel(
             SimulationCanvas canvas,
-            UndoController editor,
-            ScenarioEditor scenarioEditor,
+            Editors editors,
             ActionRegistry actions,
             BoundedRangeModel speed,
-            LongConsumer jump,
-            TimelineEditor timelineEditor) {
+            LongConsumer jump) {
         super(new BorderLayout());
         this.canvas = canvas;
-        controlPanel = new ControlPanel(editor, scenarioEditor, actions.get("path"));
-        obstacles = new ObstaclePanel(editor, canvas.tools());
+        controlPanel = new ControlPanel(editors.run(), editors.scenario(), actions.get("path"));
+        obstacles = new ObstaclePanel(editors.run(), canvas.tools());
         controlPanel.addTab("panel.obstacles", obstacles);
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;
-        timeline = new TimelinePanel(jump, canvas::setFrame, timelineEditor);
+        timeline = new TimelinePanel(jump, canvas::setFrame, editors.timeline());
         focusAreas = new FocusAreas(List.of(canvas, timeline.bar(), timeline.lanes(), instruments, controlPanel));
         banner = new VerdictBanner(jump);
         overlays = new CanvasOverlays(canvas, banner);

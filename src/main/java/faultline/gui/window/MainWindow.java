@@ -4,6 +4,7 @@ import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
 import faultline.gui.action.Keystrokes;
+import faultline.gui.action.Notes;
 import faultline.gui.action.ObstacleActions;
 import faultline.gui.action.PreferenceActions;
 import faultline.gui.action.RunActions;
@@ -66,8 +67,9 @@ public final class MainWindow extends JFrame {
     private final transient RunController runController = new RunController(workspace);
     private final transient ComparisonController comparisonController =
             new ComparisonController(workspace, runController.navigator());
-    private final transient ControllerChooser controllerChooser = new ControllerChooser(
-            this, workspace, runController, comparisonController, this::showNote, this::removeNote);
+    private final transient Notes notes = new Notes(this::showNote, this::removeNote);
+    private final transient ControllerChooser controllerChooser =
+            new ControllerChooser(this, workspace, runController, comparisonController, notes);
     private final transient UndoController undoController =
             new UndoController(runController::send, this::updateEditActions);
     private final transient ScenarioEditor scenarioEditor = new ScenarioEditor(runController, undoController);
@@ -79,14 +81,8 @@ public final class MainWindow extends JFrame {
     private final transient BatchActions batchActions =
             new BatchActions(this, fileController, controllerChooser, this::showNote);
     private final SimulationCanvas canvas = new SimulationCanvas(undoController);
-    private final transient ExportController exportController = new ExportController(
-            this,
-            workspace,
-            canvas,
-            fileController::chooseExportFile,
-            this::showSavedNote,
-            this::showNote,
-            this::removeNote);
+    private final transient ExportController exportController =
+            new ExportController(this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote, notes);
     private final transient RunActions runActions;
     private final transient WindowPreferences preferences;
     private final transient ThemeAction themeAction;
@@ -110,12 +106,11 @@ public final class MainWindow extends JFrame {
         addActions();
         mainPanel = new MainPanel(
                 canvas,
-                undoController,
-                scenarioEditor,
+                new MainPanel.Editors(
+                        undoController, scenarioEditor, new TimelineEditor(workspace, runController, undoController)),
                 actionRegistry,
                 speed,
-                runController.navigator()::seek,
-                new TimelineEditor(workspace, runController, undoController));
+                runController.navigator()::seek);
         comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun);
         exportController.setChart(mainPanel.instruments().chart()::content);
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
@@ -179,12 +174,7 @@ public final class MainWindow extends JFrame {
         editActions.addTo(actionRegistry);
         editActions.bindTo(getRootPane());
         new ObstacleActions(
-                        canvas.tools(),
-                        undoController,
-                        this::showNote,
-                        this::removeNote,
-                        now -> SpeedDialog.showDialog(this, now),
-                        preferences)
+                        canvas.tools(), undoController, notes, now -> SpeedDialog.showDialog(this, now), preferences)
                 .addTo(actionRegistry);
         new SensorActions(workspace, undoController).addTo(actionRegistry);
         exportController.actions().forEach(actionRegistry::add);

@@ -57,8 +57,7 @@ class ObstacleActionsTest {
         new ObstacleActions(
                         new SimulationCanvas(edits).tools(),
                         edits,
-                        notes::add,
-                        notes::remove,
+                        new Notes(notes::add, notes::remove),
                         now -> OptionalDouble.empty(),
                         WindowPreferences.nonPersistent())
                 .addTo(actions);

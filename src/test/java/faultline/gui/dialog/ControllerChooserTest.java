@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.action.Notes;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.DocumentStore;
@@ -54,7 +55,11 @@ class ControllerChooserTest {
                 }
             });
             chooser = new ControllerChooser(
-                    null, workspace, run, new ComparisonController(workspace, run.navigator()), text -> {}, text -> {});
+                    null,
+                    workspace,
+                    run,
+                    new ComparisonController(workspace, run.navigator()),
+                    new Notes(text -> {}, text -> {}));
             store.open(OFFICE);
         });
         SessionFrames.awaitScenario(workspace);

@@ -3,6 +3,7 @@ package faultline.gui.dialog;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.gui.action.Notes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -12,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class ErrorLinesTest {
 
     private final List<String> shown = new ArrayList<>();
-    private final ErrorLines lines = new ErrorLines(shown::add, shown::remove);
+    private final ErrorLines lines = new ErrorLines(new Notes(shown::add, shown::remove));
 
     private void write(Consumer<String> controller, String line) {
         controller.accept(line);

@@ -15,6 +15,7 @@ import faultline.engine.metrics.TraceFormat;
 import faultline.engine.metrics.TraceWriter;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.DocumentStore;
@@ -100,8 +101,7 @@ class ExportControllerTest {
                     canvas,
                     (action, extension) -> Optional.of(folder.resolve("out" + extension)),
                     written::add,
-                    notes::add,
-                    removedNotes::add);
+                    new Notes(notes::add, removedNotes::add));
             actions = controller.actions();
             documentStore = new DocumentStore(workspace);
             documentStore.open(Path.of("scenarios/office.xml"));

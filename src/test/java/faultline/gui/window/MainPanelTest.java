@@ -14,6 +14,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
+import faultline.gui.action.Notes;
 import faultline.gui.action.ObstacleActions;
 import faultline.gui.action.PreferenceActions;
 import faultline.gui.action.RunActions;
@@ -127,7 +128,13 @@ class MainPanelTest {
             new EditActions(edits).addTo(actions);
             obstacleActions(edits).addTo(actions);
             new SensorActions(workspace, edits).addTo(actions);
-            new ExportController(canvas, workspace, canvas, files::chooseExportFile, file -> {}, text -> {}, text -> {})
+            new ExportController(
+                            canvas,
+                            workspace,
+                            canvas,
+                            files::chooseExportFile,
+                            file -> {},
+                            new Notes(text -> {}, text -> {}))
                     .actions()
                     .forEach(actions::add);
             ViewActions.addTo(actions, canvas);
@@ -151,8 +158,7 @@ class MainPanelTest {
         return new ObstacleActions(
                 canvas.tools(),
                 edits,
-                sentence -> {},
-                sentence -> {},
+                new Notes(sentence -> {}, sentence -> {}),
                 now -> OptionalDouble.empty(),
                 WindowPreferences.nonPersistent());
     }
@@ -161,7 +167,7 @@ class MainPanelTest {
             RunController run, UndoController edits, DefaultBoundedRangeModel speed, Workspace workspace) {
         ScenarioEditor scenario = new ScenarioEditor(run, edits);
         TimelineEditor timeline = new TimelineEditor(workspace, run, edits);
-        return new MainPanel(canvas, edits, scenario, actions, speed, tick -> {}, timeline);
+        return new MainPanel(canvas, new MainPanel.Editors(edits, scenario, timeline), actions, speed, tick -> {});
     }
 
     private static Stream<Arguments> windowSizes() {
