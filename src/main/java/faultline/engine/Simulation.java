@@ -311,7 +311,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * {@return the active faults of a sensor, oldest first}
+     * {@return the active faults of a sensor, oldest first, in an immutable list}
      *
      * @param sensor the sensor's index in the robot's list
      */

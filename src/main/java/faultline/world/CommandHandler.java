@@ -137,12 +137,15 @@ final class CommandHandler {
     /** Changes a sensor's faults. They act in the order in which they were added; the inverse restores that order. */
     private CommandResult withFaults(Command command, String id, Predicate<List<Fault>> change) {
         return withSensor(command, id, (index, sensor) -> {
+            List<Fault> faults = new ArrayList<>(sensors.faults(index));
             List<Command> restore = new ArrayList<>();
             restore.add(new Command.ClearFaults(id));
-            sensors.faults(index).forEach(fault -> restore.add(new Command.InjectFault(id, fault)));
-            return change.test(sensors.faults(index))
-                    ? executed(command, restore.toArray(Command[]::new))
-                    : refused(command, Reason.UNKNOWN_FAULT, id);
+            faults.forEach(fault -> restore.add(new Command.InjectFault(id, fault)));
+            if (!change.test(faults)) {
+                return refused(command, Reason.UNKNOWN_FAULT, id);
+            }
+            sensors.setFaults(index, faults);
+            return executed(command, restore.toArray(Command[]::new));
         });
     }
 

@@ -122,6 +122,10 @@ final class SensorArray {
         return signals[sensor].faults();
     }
 
+    void setFaults(int sensor, List<Fault> faults) {
+        signals[sensor].setFaults(faults);
+    }
+
     double truth(int sensor) {
         return truth[sensor];
     }

@@ -14,7 +14,7 @@ final class SensorSignal {
     private record ActiveFault(Fault fault, FaultContext context) {}
 
     private final long streamKey;
-    private final List<Fault> faults = new ArrayList<>();
+    private List<Fault> faults = List.of();
     private List<ActiveFault> active = new ArrayList<>();
     private SensorSpec spec;
     /** Whether it reports what it sees unless it has faults. */
@@ -27,7 +27,7 @@ final class SensorSignal {
 
     private SensorSignal(SensorSignal other) {
         streamKey = other.streamKey;
-        faults.addAll(other.faults);
+        faults = other.faults;
         other.active.forEach(
                 each -> active.add(new ActiveFault(each.fault(), each.context().copy())));
         configure(other.spec);
@@ -44,9 +44,14 @@ final class SensorSignal {
         exact = newSpec.on() && newSpec.noise() == 0;
     }
 
-    /** Returns the sensor's faults, oldest first; changes of the list take effect at the next {@link #update}. */
+    /** Returns the sensor's faults, oldest first. The list is immutable. */
     List<Fault> faults() {
         return faults;
+    }
+
+    /** Sets the sensor's faults, oldest first, which take effect at the next {@link #update}. */
+    void setFaults(List<Fault> newFaults) {
+        faults = List.copyOf(newFaults);
     }
 
     /** Returns whether the sensor reports what it sees and no fault begins or ends at the next {@link #update}. */

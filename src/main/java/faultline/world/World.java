@@ -112,7 +112,7 @@ public final class World {
         Map<String, List<Fault>> faults = new TreeMap<>();
         for (int i = 0; i < body.spec().sensors().size(); i++) {
             if (!sensors.faults(i).isEmpty()) {
-                faults.put(body.spec().sensors().get(i).id(), List.copyOf(sensors.faults(i)));
+                faults.put(body.spec().sensors().get(i).id(), sensors.faults(i));
             }
         }
         return faults;
@@ -178,7 +178,7 @@ public final class World {
     }
 
     /**
-     * {@return the active faults of a sensor, oldest first}
+     * {@return the active faults of a sensor, oldest first, in an immutable list}
      *
      * @param sensor its place in the robot's list
      */

@@ -2,6 +2,7 @@ package faultline.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
@@ -260,6 +261,17 @@ class WorldReadingsTest {
         assertEquals(0.7, readings[FRONT], 1e-12);
         assertEquals(List.of(new Fault.Bias(0.2)), world.faults(FRONT));
         assertEquals(List.of(), world.faults(FRONT + 1));
+    }
+
+    @Test
+    void onlyCommandsChangeTheFaultsAndAListThatWasReadStaysAsItWas() {
+        World world = room(2.625);
+        world.execute(new Command.InjectFault("front", new Fault.Bias(0.2)));
+        List<Fault> before = world.faults(FRONT);
+        assertThrows(UnsupportedOperationException.class, before::clear);
+        world.execute(new Command.ClearFaults("front"));
+        assertEquals(List.of(), world.faults(FRONT));
+        assertEquals(List.of(new Fault.Bias(0.2)), before);
     }
 
     @Test

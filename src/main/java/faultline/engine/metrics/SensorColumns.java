@@ -75,13 +75,13 @@ final class SensorColumns implements ColumnGroup {
     @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
     private static void append(
             boolean off, List<Fault> faults, SensorHealth health, SensorWords words, TraceRows rows) {
-        boolean sameFaults = areEqual(faults, words.faults);
+        boolean sameFaults = faults.equals(words.faults);
         if (words.written && off == words.off && health == words.health && sameFaults) {
             rows.repeat(WORDS);
             return;
         }
         if (!sameFaults) {
-            words.faults = List.copyOf(faults);
+            words.faults = faults;
             words.faultText = FaultCell.ofSensor(words.faults);
         }
         if (health != words.health) {
@@ -100,10 +100,5 @@ final class SensorColumns implements ColumnGroup {
         } else {
             rows.append(health.evidence());
         }
-    }
-
-    /** Returns whether faults are the same; the comparison of two empty lists would take as long as all other cells. */
-    private static boolean areEqual(List<Fault> faults, List<Fault> others) {
-        return faults.isEmpty() && others.isEmpty() || faults.equals(others);
     }
 }
