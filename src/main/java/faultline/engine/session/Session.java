@@ -79,7 +79,7 @@ public final class Session implements SessionView, AutoCloseable {
     /**
      * Replays an earlier run on the calling thread, at full speed, and starts a session there, paused, with the
      * recording of the replay. The journal's later commands are executed when their ticks come, until a new command is
-     * executed.
+     * executed. A cancellation takes effect when the current tick, or the construction of the world, is complete.
      *
      * @param journal the earlier run, as returned by {@link #fullJournal}
      * @param tick the tick to replay to, not negative
