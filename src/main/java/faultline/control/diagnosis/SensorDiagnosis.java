@@ -89,11 +89,14 @@ public final class SensorDiagnosis {
         }
         for (int i = 0; i < n; i++) {
             MountedCone cone = MountedCone.of(newRobot.sensors().get(i), side);
+            if (!same || !cone.equals(sensors[i].cone())) {
+                // What was learnt about the signal of another cone does not hold for this one.
+                signals[i] = new SignalCheck(cone, motion);
+            }
             if (same) {
                 sensors[i].refit(cone);
             } else {
                 sensors[i] = new InspectedSensor(i, cone);
-                signals[i] = new SignalCheck(cone, motion);
             }
         }
         if (!same) {
