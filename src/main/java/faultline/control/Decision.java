@@ -32,6 +32,24 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
     }
 
     /**
+     * {@return the voltage on the motors on the side of the wall, volts}
+     *
+     * @param side the side of the wall
+     */
+    public double nearVolts(WallSide side) {
+        return side == WallSide.LEFT ? leftVolts : rightVolts;
+    }
+
+    /**
+     * {@return the voltage on the motors on the side away from the wall, volts}
+     *
+     * @param side the side of the wall
+     */
+    public double farVolts(WallSide side) {
+        return side == WallSide.LEFT ? rightVolts : leftVolts;
+    }
+
+    /**
      * {@return a decision for a controller that computes velocities and names its state}
      *
      * @param robot the robot whose motors turn the velocity into voltages

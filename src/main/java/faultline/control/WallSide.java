@@ -5,9 +5,23 @@ import java.util.Locale;
 /** The side of the robot on which the wall is. */
 public enum WallSide {
     /** The wall is on the robot's left, as in the paper. */
-    LEFT,
+    LEFT(1),
     /** The wall is on the robot's right. */
-    RIGHT;
+    RIGHT(-1);
+
+    private final double sign;
+
+    WallSide(double sign) {
+        this.sign = sign;
+    }
+
+    /**
+     * {@return the factor of y coordinates and of angles that moves the wall to the robot's left: 1, or -1 if it is on
+     * the right}
+     */
+    public double sign() {
+        return sign;
+    }
 
     /** {@return the name in scenario files, in lower case} */
     public String fileName() {

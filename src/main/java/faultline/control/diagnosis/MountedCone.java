@@ -1,5 +1,6 @@
 package faultline.control.diagnosis;
 
+import faultline.control.WallSide;
 import faultline.geometry.Angles;
 import faultline.sensor.SensorSpec;
 
@@ -14,11 +15,11 @@ import faultline.sensor.SensorSpec;
  */
 public record MountedCone(double x, double y, double bearing, double half, double range) {
 
-    static MountedCone of(SensorSpec sensor, double side) {
+    static MountedCone of(SensorSpec sensor, WallSide side) {
         return new MountedCone(
                 sensor.mountPosition().x(),
-                side * sensor.mountPosition().y(),
-                Angles.normalize(side * sensor.bearing()),
+                side.sign() * sensor.mountPosition().y(),
+                Angles.normalize(side.sign() * sensor.bearing()),
                 sensor.cone() / 2,
                 sensor.range());
     }

@@ -3,6 +3,7 @@ package faultline.control.diagnosis;
 import faultline.control.Observation;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
+import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import java.util.List;
 
@@ -18,7 +19,7 @@ public final class SensorDiagnosis {
      */
     public static final int MAX_SENSORS = Integer.SIZE - 1;
 
-    private final double side;
+    private final WallSide side;
     private final DeadReckoning reckoning = new DeadReckoning();
     private final MotionClock clock = new MotionClock();
     private final MotionAccumulator motion = new MotionAccumulator();
@@ -41,9 +42,9 @@ public final class SensorDiagnosis {
     /**
      * Creates a diagnosis with all sensors healthy.
      *
-     * @param side 1 if the wall is on the left, -1 if it is on the right
+     * @param side the side of the wall
      */
-    public SensorDiagnosis(double side) {
+    public SensorDiagnosis(WallSide side) {
         this.side = side;
     }
 

@@ -8,7 +8,6 @@ import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.SensorHealth;
 import faultline.control.Telemetry;
-import faultline.control.WallSide;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.control.fallback.MapFollower;
 import faultline.control.wallfollower.WallFollower;
@@ -52,7 +51,7 @@ public final class FaultTolerantFollower implements Controller {
      */
     public FaultTolerantFollower(ControllerSpec.WallFollowing spec) {
         this.spec = spec;
-        this.diagnosis = new SensorDiagnosis(spec.side() == WallSide.LEFT ? 1 : -1);
+        this.diagnosis = new SensorDiagnosis(spec.side());
         diagnosis.setWantedDistance(spec.distance());
         this.mapFollower = new MapFollower(diagnosis, spec);
         this.sixStates = new WallFollower(spec, diagnosis.reckoning().odometer());
@@ -60,13 +59,8 @@ public final class FaultTolerantFollower implements Controller {
 
     @Override
     public Decision decide(Observation observation) {
-        boolean left = spec.side() == WallSide.LEFT;
         long ticks = observation.tick() - lastTick;
-        diagnosis.update(
-                observation,
-                left ? last.leftVolts() : last.rightVolts(),
-                left ? last.rightVolts() : last.leftVolts(),
-                ticks);
+        diagnosis.update(observation, last.nearVolts(spec.side()), last.farVolts(spec.side()), ticks);
         lastTick = observation.tick();
         switchRung();
         last = shown(drive(observation, ticks * observation.dt()));

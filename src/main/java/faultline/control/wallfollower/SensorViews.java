@@ -49,7 +49,7 @@ final class SensorViews {
     private final SensorView[] views = new SensorView[DIRECTIONS.length];
 
     SensorViews(WallSide wallSide) {
-        side = wallSide == WallSide.LEFT ? 1 : -1;
+        side = wallSide.sign();
     }
 
     /**

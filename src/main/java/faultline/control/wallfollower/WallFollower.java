@@ -150,11 +150,10 @@ public final class WallFollower implements Controller {
 
     @Override
     public Decision decide(Observation observation) {
-        boolean left = spec.side() == WallSide.LEFT;
         odometer.advance(
                 observation.robot(),
-                left ? last.leftVolts() : last.rightVolts(),
-                left ? last.rightVolts() : last.leftVolts(),
+                last.nearVolts(spec.side()),
+                last.farVolts(spec.side()),
                 observation.dt(),
                 observation.tick() - lastTick);
         lastTick = observation.tick();

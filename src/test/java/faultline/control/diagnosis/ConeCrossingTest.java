@@ -3,6 +3,7 @@ package faultline.control.diagnosis;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,7 +14,7 @@ class ConeCrossingTest {
     private final MotionAccumulator motion = new MotionAccumulator();
 
     private ConeCrossing of(int sensor) {
-        return new ConeCrossing(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1), motion);
+        return new ConeCrossing(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), WallSide.LEFT), motion);
     }
 
     private void move(int ticks, double rolled, double turned) {

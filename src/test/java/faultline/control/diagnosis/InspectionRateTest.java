@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.SensorFinding;
+import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.util.Arrays;
@@ -30,7 +31,7 @@ class InspectionRateTest {
     @BeforeEach
     void mount() {
         for (int i = 0; i < sensors.length; i++) {
-            sensors[i] = new InspectedSensor(i, MountedCone.of(robot.sensors().get(i), 1));
+            sensors[i] = new InspectedSensor(i, MountedCone.of(robot.sensors().get(i), WallSide.LEFT));
         }
         Arrays.fill(readings, Reading.NOTHING);
         assessment = new TrustAssessment(sensors);

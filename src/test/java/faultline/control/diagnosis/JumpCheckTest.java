@@ -3,6 +3,7 @@ package faultline.control.diagnosis;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.util.stream.IntStream;
@@ -25,7 +26,7 @@ class JumpCheckTest {
 
     private final InspectedSensor[] sensors = IntStream.range(0, 8)
             .mapToObj(i -> new InspectedSensor(
-                    i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), 1)))
+                    i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), WallSide.LEFT)))
             .toArray(InspectedSensor[]::new);
     private final MotionAccumulator motion = new MotionAccumulator();
     private final TrustAssessment assessment = new TrustAssessment(sensors);

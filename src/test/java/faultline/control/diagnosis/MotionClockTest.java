@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Observation;
+import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.util.Arrays;
@@ -12,7 +13,7 @@ import org.junit.jupiter.api.Test;
 
 class MotionClockTest {
 
-    private final SensorDiagnosis diagnosis = new SensorDiagnosis(1);
+    private final SensorDiagnosis diagnosis = new SensorDiagnosis(WallSide.LEFT);
 
     /** Lets a robot that sees nothing stand still. */
     private void stand(double seconds) {

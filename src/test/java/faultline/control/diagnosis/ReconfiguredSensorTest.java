@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.Observation;
 import faultline.control.SensorFinding;
+import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
@@ -21,7 +22,7 @@ class ReconfiguredSensorTest {
     private static final int FRONT = ROBOT.indexOf("front");
     private static final SensorSpec FRONT_SENSOR = ROBOT.sensors().get(FRONT);
 
-    private final SensorDiagnosis diagnosis = new SensorDiagnosis(1);
+    private final SensorDiagnosis diagnosis = new SensorDiagnosis(WallSide.LEFT);
     private long tick;
 
     private void observe(RobotSpec robot, double frontReading) {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.SensorFinding;
+import faultline.control.WallSide;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
@@ -24,7 +25,7 @@ class SignalCheckTest {
     private static SensorFinding run(int sensor, int ticks, double rolled, double turned, IntToDoubleFunction reading) {
         MotionAccumulator motion = new MotionAccumulator();
         SignalCheck test =
-                new SignalCheck(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1), motion);
+                new SignalCheck(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), WallSide.LEFT), motion);
         SensorFinding finding = SensorFinding.NONE;
         for (int i = 0; i < ticks; i++) {
             motion.advance(rolled, turned, 0.01);
@@ -78,7 +79,7 @@ class SignalCheckTest {
 
     @Test
     void aConstantReadingIsStuckIfTheRobotSteers() {
-        MountedCone left = MountedCone.of(RobotSpec.DEFAULT.sensors().get(2), 1);
+        MountedCone left = MountedCone.of(RobotSpec.DEFAULT.sensors().get(2), WallSide.LEFT);
         assertEquals(20, stepsUntilStuck(left, 1e-5, 1));
         // 2e-7 for each of 51 steps.
         assertEquals(51, stepsUntilStuck(left, 1e-7, 1));
@@ -87,7 +88,7 @@ class SignalCheckTest {
 
     @Test
     void aSensorOfCoarseStepsMustReadTheSameForTwiceAsLongAsBefore() {
-        MountedCone left = MountedCone.of(RobotSpec.DEFAULT.sensors().get(2), 1);
+        MountedCone left = MountedCone.of(RobotSpec.DEFAULT.sensors().get(2), WallSide.LEFT);
         // Ten readings are the same for nine steps after the first.
         assertEquals(20, stepsUntilStuck(left, 0x1p-17, 10));
         assertEquals(29, stepsUntilStuck(left, 0x1p-17, 15));
@@ -96,7 +97,7 @@ class SignalCheckTest {
     @Test
     void aSensorInTheCentreOfTheRobotMayReadTheSameInATurn() {
         SensorSpec left = RobotSpec.DEFAULT.sensors().get(2);
-        MountedCone centred = MountedCone.of(left.withMountPosition(Vector2.ZERO), 1);
+        MountedCone centred = MountedCone.of(left.withMountPosition(Vector2.ZERO), WallSide.LEFT);
         assertEquals(0, stepsUntilStuck(centred, 1e-5, 1));
     }
 
@@ -162,8 +163,8 @@ class SignalCheckTest {
         "0.3, 0.3, NaN, false"
     })
     void aReadingJumpsIfItDiffersFromTheExtrapolation(double one, double two, double three, boolean jumps) {
-        SignalCheck check =
-                new SignalCheck(MountedCone.of(RobotSpec.DEFAULT.sensors().get(2), 1), new MotionAccumulator());
+        SignalCheck check = new SignalCheck(
+                MountedCone.of(RobotSpec.DEFAULT.sensors().get(2), WallSide.LEFT), new MotionAccumulator());
         check.test(one);
         check.test(two);
         check.test(three);
@@ -302,7 +303,7 @@ class SignalCheckTest {
     @ValueSource(longs = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
     void readingsThatNeedNoTestWouldPassIt(long seed) {
         MotionAccumulator motion = new MotionAccumulator();
-        MountedCone cone = MountedCone.of(RobotSpec.DEFAULT.sensors().get(1), 1);
+        MountedCone cone = MountedCone.of(RobotSpec.DEFAULT.sensors().get(1), WallSide.LEFT);
         SignalCheck check = new SignalCheck(cone, motion);
         SignalCheck judge = new SignalCheck(cone, motion);
         SplittableRandom changes = new SplittableRandom(seed);

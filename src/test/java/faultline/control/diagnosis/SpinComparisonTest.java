@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.WallSide;
 import faultline.geometry.Angles;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
@@ -23,7 +24,7 @@ class SpinComparisonTest {
 
     private final DeadReckoning reckoning = new DeadReckoning();
     private final InspectedSensor[] sensors = IntStream.range(0, 8)
-            .mapToObj(i -> new InspectedSensor(i, MountedCone.of(ROBOT.sensors().get(i), 1)))
+            .mapToObj(i -> new InspectedSensor(i, MountedCone.of(ROBOT.sensors().get(i), WallSide.LEFT)))
             .toArray(InspectedSensor[]::new);
     private final SpinComparison comparison = new SpinComparison(sensors, reckoning, new TrustAssessment(sensors));
     private final MotionAccumulator motion = new MotionAccumulator();

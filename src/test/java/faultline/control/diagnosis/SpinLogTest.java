@@ -3,6 +3,7 @@ package faultline.control.diagnosis;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.WallSide;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
@@ -18,7 +19,7 @@ class SpinLogTest {
 
     private final DeadReckoning reckoning = new DeadReckoning();
     private final InspectedSensor left =
-            new InspectedSensor(LEFT, MountedCone.of(ROBOT.sensors().get(LEFT), 1));
+            new InspectedSensor(LEFT, MountedCone.of(ROBOT.sensors().get(LEFT), WallSide.LEFT));
     private final SpinLog log = new SpinLog(8);
 
     @BeforeEach

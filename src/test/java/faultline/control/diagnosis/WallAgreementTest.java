@@ -2,6 +2,7 @@ package faultline.control.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.util.stream.IntStream;
@@ -17,7 +18,7 @@ class WallAgreementTest {
 
     private final WallLine line = new WallLine(IntStream.range(0, 8)
             .mapToObj(i -> new InspectedSensor(
-                    i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), 1)))
+                    i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), WallSide.LEFT)))
             .toArray(InspectedSensor[]::new));
     private final WallAgreement agreement = new WallAgreement();
     private double way;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.util.Arrays;
@@ -26,7 +27,7 @@ class WallComparisonTest {
     private final MotionAccumulator motion = new MotionAccumulator();
     private final DeadReckoning reckoning = new DeadReckoning();
     private final InspectedSensor[] sensors = IntStream.range(0, 8)
-            .mapToObj(i -> new InspectedSensor(i, MountedCone.of(robot.sensors().get(i), 1)))
+            .mapToObj(i -> new InspectedSensor(i, MountedCone.of(robot.sensors().get(i), WallSide.LEFT)))
             .toArray(InspectedSensor[]::new);
     private final WallLine line = new WallLine(sensors);
     private final TrustAssessment assessment = new TrustAssessment(sensors);

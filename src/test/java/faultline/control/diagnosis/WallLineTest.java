@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.SensorFinding;
+import faultline.control.WallSide;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
@@ -21,7 +22,7 @@ class WallLineTest {
     private static InspectedSensor[] sensors() {
         return IntStream.range(0, 8)
                 .mapToObj(i -> new InspectedSensor(
-                        i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), 1)))
+                        i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), WallSide.LEFT)))
                 .toArray(InspectedSensor[]::new);
     }
 

@@ -3,6 +3,7 @@ package faultline.control.fallback;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.Observation;
+import faultline.control.WallSide;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
@@ -17,18 +18,18 @@ class DriveDirectionTest {
 
     @ParameterizedTest
     @CsvSource({
-        "1, front rear-left, FORWARDS",
-        "1, front-left, FORWARDS",
-        "1, left rear-left, FORWARDS",
-        "1, rear-left front-right, FORWARDS",
-        "1, rear-left, BACKWARDS",
-        "1, rear-left right, BACKWARDS",
-        "1, rear-left rear rear-right right, BACKWARDS",
-        "-1, right, FORWARDS",
-        "-1, rear-right front-left, FORWARDS",
-        "-1, rear-right left, BACKWARDS"
+        "LEFT, front rear-left, FORWARDS",
+        "LEFT, front-left, FORWARDS",
+        "LEFT, left rear-left, FORWARDS",
+        "LEFT, rear-left front-right, FORWARDS",
+        "LEFT, rear-left, BACKWARDS",
+        "LEFT, rear-left right, BACKWARDS",
+        "LEFT, rear-left rear rear-right right, BACKWARDS",
+        "RIGHT, right, FORWARDS",
+        "RIGHT, rear-right front-left, FORWARDS",
+        "RIGHT, rear-right left, BACKWARDS"
     })
-    void theRearGoesFirstIfAllTrustedSensorsLookBack(double side, String on, DriveDirection expected) {
+    void theRearGoesFirstIfAllTrustedSensorsLookBack(WallSide side, String on, DriveDirection expected) {
         List<String> trusted = List.of(on.split(" "));
         double[] readings = RobotSpec.DEFAULT.sensors().stream()
                 .map(SensorSpec::id)

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Observation;
+import faultline.control.WallSide;
 import faultline.control.diagnosis.DeadReckoning;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.robot.MotorSpec;
@@ -20,7 +21,7 @@ class FreeDirectionFinderTest {
     private static final double LENGTH = 0.3;
     private static final double DISTANCE = 0.2;
 
-    private final SensorDiagnosis diagnosis = new SensorDiagnosis(1);
+    private final SensorDiagnosis diagnosis = new SensorDiagnosis(WallSide.LEFT);
     private final DeadReckoning at = diagnosis.reckoning();
     private final LocalMap map = new LocalMap();
     private final FreeDirectionFinder directionFinder = new FreeDirectionFinder(map);
@@ -122,7 +123,7 @@ class FreeDirectionFinderTest {
     @Test
     void allThreeLinesOfTheStripAreTested() {
         for (int side = -1; side <= 1; side++) {
-            SensorDiagnosis fresh = new SensorDiagnosis(1);
+            SensorDiagnosis fresh = new SensorDiagnosis(WallSide.LEFT);
             fresh.update(new Observation(0, 0.01, BLIND, new double[0]), 0, 0, 1);
             for (double x = 0.21; x < 0.3; x += 0.02) {
                 fresh.markUnseen(x, side * 0.08);

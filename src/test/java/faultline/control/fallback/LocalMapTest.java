@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Observation;
+import faultline.control.WallSide;
 import faultline.control.diagnosis.EvidenceGrid;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.robot.MotorSpec;
@@ -24,7 +25,7 @@ class LocalMapTest {
     private static final RobotSpec BLIND =
             RobotSpec.DEFAULT.withMotor(new MotorSpec(0, 0.1, 6)).withSensors(List.of());
 
-    private final SensorDiagnosis diagnosis = new SensorDiagnosis(1);
+    private final SensorDiagnosis diagnosis = new SensorDiagnosis(WallSide.LEFT);
     private final LocalMap map = new LocalMap();
 
     private void drive(RobotSpec robot, double left, double right, int ticks) {

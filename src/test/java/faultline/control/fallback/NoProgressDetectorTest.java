@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Observation;
+import faultline.control.WallSide;
 import faultline.control.diagnosis.DeadReckoning;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.robot.MotorSpec;
@@ -23,7 +24,7 @@ class NoProgressDetectorTest {
     private static final double SIDE = 0.4;
     private static final double SPEED = 0.2;
 
-    private final SensorDiagnosis diagnosis = new SensorDiagnosis(1);
+    private final SensorDiagnosis diagnosis = new SensorDiagnosis(WallSide.LEFT);
     private final DeadReckoning at = diagnosis.reckoning();
     private final NoProgressDetector detector = new NoProgressDetector();
 

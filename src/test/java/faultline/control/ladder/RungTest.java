@@ -3,6 +3,7 @@ package faultline.control.ladder;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.Observation;
+import faultline.control.WallSide;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.geometry.Degrees;
 import faultline.robot.RobotSpec;
@@ -16,7 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class RungTest {
 
-    private static SensorDiagnosis diagnosis(RobotSpec robot, double side, String on) {
+    private static SensorDiagnosis diagnosis(RobotSpec robot, WallSide side, String on) {
         List<String> trusted = List.of(on.split(" "));
         double[] readings = robot.sensors().stream()
                 .map(SensorSpec::id)
@@ -30,29 +31,29 @@ class RungTest {
     private static SensorDiagnosis turned(String id, double degrees, String on) {
         RobotSpec robot = RobotSpec.DEFAULT;
         SensorSpec sensor = robot.sensor(id).orElseThrow();
-        return diagnosis(robot.withSensor(sensor.withBearing(Degrees.toRadians(degrees))), 1, on);
+        return diagnosis(robot.withSensor(sensor.withBearing(Degrees.toRadians(degrees))), WallSide.LEFT, on);
     }
 
     @ParameterizedTest
     @CsvSource({
-        "1, front front-left left rear-left rear rear-right right front-right, ALL, SIX_STATES",
-        "1, front front-left left rear-left rear rear-right right, REDUCED, SIX_STATES",
-        "1, front left, REDUCED, SIX_STATES",
-        "1, left rear right, THREE, MAP",
-        "1, front front-left rear, THREE, MAP",
-        "1, front rear-left, TWO, MAP",
-        "1, left right, TWO, MAP",
-        "1, left, ONE, MAP",
-        "1, front-left, ONE, MAP",
-        "1, rear-left, ONE, MAP",
-        "1, front, STOP, STOP",
-        "1, front rear rear-right right front-right, STOP, STOP",
-        "1, none, STOP, STOP",
-        "-1, front right, REDUCED, SIX_STATES",
-        "-1, front-right, ONE, MAP",
-        "-1, left front, STOP, STOP"
+        "LEFT, front front-left left rear-left rear rear-right right front-right, ALL, SIX_STATES",
+        "LEFT, front front-left left rear-left rear rear-right right, REDUCED, SIX_STATES",
+        "LEFT, front left, REDUCED, SIX_STATES",
+        "LEFT, left rear right, THREE, MAP",
+        "LEFT, front front-left rear, THREE, MAP",
+        "LEFT, front rear-left, TWO, MAP",
+        "LEFT, left right, TWO, MAP",
+        "LEFT, left, ONE, MAP",
+        "LEFT, front-left, ONE, MAP",
+        "LEFT, rear-left, ONE, MAP",
+        "LEFT, front, STOP, STOP",
+        "LEFT, front rear rear-right right front-right, STOP, STOP",
+        "LEFT, none, STOP, STOP",
+        "RIGHT, front right, REDUCED, SIX_STATES",
+        "RIGHT, front-right, ONE, MAP",
+        "RIGHT, left front, STOP, STOP"
     })
-    void theHighestRungWhoseNeedsAreMetDrives(double side, String on, Rung rung, Rung.Strategy strategy) {
+    void theHighestRungWhoseNeedsAreMetDrives(WallSide side, String on, Rung rung, Rung.Strategy strategy) {
         assertEquals(rung, Rung.of(diagnosis(RobotSpec.DEFAULT, side, on)));
         assertEquals(strategy, rung.strategy());
     }
@@ -78,8 +79,12 @@ class RungTest {
 
     @Test
     void theTrustedSensorClosestToThePerpendicularFacesTheWall() {
-        assertEquals(OptionalInt.of(2), Rung.facingWall(diagnosis(RobotSpec.DEFAULT, 1, "front-left left rear-left")));
-        assertEquals(OptionalInt.empty(), Rung.facingWall(diagnosis(RobotSpec.DEFAULT, 1, "front-left rear-left")));
+        assertEquals(
+                OptionalInt.of(2),
+                Rung.facingWall(diagnosis(RobotSpec.DEFAULT, WallSide.LEFT, "front-left left rear-left")));
+        assertEquals(
+                OptionalInt.empty(),
+                Rung.facingWall(diagnosis(RobotSpec.DEFAULT, WallSide.LEFT, "front-left rear-left")));
         assertEquals(OptionalInt.of(1), Rung.facingWall(turned("front-left", 88, "front-left rear-left")));
         assertEquals(OptionalInt.of(2), Rung.facingWall(turned("front-left", 75, "front-left left")));
         assertEquals(OptionalInt.of(3), Rung.facingWall(turned("rear-left", 95, "front-left rear-left")));
