@@ -99,10 +99,10 @@ public final class Dialogs {
                         positionText(problem.location().column()),
                         Messages.get(problem.message())))
                 .toList();
-        List<TableDialog.Column> columns = List.of(
-                new TableDialog.Column(Messages.get("badFile.line"), 60),
-                new TableDialog.Column(Messages.get("badFile.column"), 70),
-                new TableDialog.Column(Messages.get("badFile.problem"), 560));
+        List<TableDialog.DialogColumn> columns = List.of(
+                new TableDialog.DialogColumn(Messages.get("badFile.line"), 60),
+                new TableDialog.DialogColumn(Messages.get("badFile.column"), 70),
+                new TableDialog.DialogColumn(Messages.get("badFile.problem"), 560));
         String heading = Messages.get("badFile.heading", FileNames.lastOf(file)) + " "
                 + Messages.get(keepsScenario ? "badFile.kept" : "badFile.example");
         return new TableDialog(
@@ -126,9 +126,9 @@ public final class Dialogs {
         for (String gesture : Messages.get("shortcuts.canvas").split(";")) {
             rows.add(List.of(gesture.split(":")));
         }
-        List<TableDialog.Column> columns = List.of(
-                new TableDialog.Column(Messages.get("shortcuts.key"), 150),
-                new TableDialog.Column(Messages.get("shortcuts.action"), 420));
+        List<TableDialog.DialogColumn> columns = List.of(
+                new TableDialog.DialogColumn(Messages.get("shortcuts.key"), 150),
+                new TableDialog.DialogColumn(Messages.get("shortcuts.action"), 420));
         return new TableDialog(
                 owner,
                 Messages.get("shortcuts.title"),

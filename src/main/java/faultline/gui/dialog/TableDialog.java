@@ -28,17 +28,23 @@ final class TableDialog extends JDialog {
     private static final int MAX_TABLE_HEIGHT = 360;
 
     /** A column: its heading and its minimum width, pixels. */
-    record Column(String heading, int minWidth) {}
+    record DialogColumn(String heading, int minWidth) {}
 
     /** Creates a dialog that is not yet visible, with a sentence and an icon above a table of texts. */
-    TableDialog(Window owner, String title, String heading, Icon icon, List<Column> columns, List<List<String>> rows) {
+    TableDialog(
+            Window owner,
+            String title,
+            String heading,
+            Icon icon,
+            List<DialogColumn> columns,
+            List<List<String>> rows) {
         super(owner, title, ModalityType.APPLICATION_MODAL);
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         content.add(createHeading(heading, icon), BorderLayout.NORTH);
         JTable table = createTable(columns, rows);
         WrappedCellRenderer.install(
-                table, columns.stream().map(Column::minWidth).toList());
+                table, columns.stream().map(DialogColumn::minWidth).toList());
         content.add(createScrollPane(table, title), BorderLayout.CENTER);
         content.add(DialogButtons.createSingleButton(this, "dialog.close", this::dispose), BorderLayout.SOUTH);
         setContentPane(content);
@@ -60,8 +66,8 @@ final class TableDialog extends JDialog {
         return row;
     }
 
-    private static JTable createTable(List<Column> columns, List<List<String>> rows) {
-        Object[] headings = columns.stream().map(Column::heading).toArray();
+    private static JTable createTable(List<DialogColumn> columns, List<List<String>> rows) {
+        Object[] headings = columns.stream().map(DialogColumn::heading).toArray();
         DefaultTableModel model = new DefaultTableModel(headings, 0) {
             @Override
             public boolean isCellEditable(int row, int column) {
