@@ -242,20 +242,24 @@ public final class FileController {
         return fileDialogs.chooseNewFolder(action, suggestedFile(ending));
     }
 
+    /** Returns the open file with its folder, also if the command line names it without one; empty if there is none. */
+    private Optional<Path> openFile() {
+        return workspace.file().map(Path::toAbsolutePath);
+    }
+
     /** Returns the open file if its extension is one of scenario files, or else a name with the first of these. */
-    private Path suggestedScenarioFile() {
-        return workspace
-                .file()
+    Path suggestedScenarioFile() {
+        return openFile()
                 .filter(file ->
                         FileNames.hasScenarioExtension(file.getFileName().toString()))
                 .orElseGet(() -> suggestedFile(".xml"));
     }
 
     /** Returns the name of the open file, or of the scenario, with another ending. */
-    private Path suggestedFile(String ending) {
+    Path suggestedFile(String ending) {
         String scenario =
                 FileNames.forScenario(workspace.scenario().map(Scenario::name).orElse(""));
-        Path file = workspace.file().orElse(Path.of(scenario + ".xml"));
+        Path file = openFile().orElse(Path.of(scenario + ".xml"));
         return file.resolveSibling(FileNames.withoutExtension(file.getFileName().toString()) + ending);
     }
 
