@@ -83,7 +83,7 @@ final class CachedSceneRenderer {
                 division.separate(),
                 driven.tailStart(path.shownContent().orElse(null)));
         paintSelection(context, scene);
-        painter.paintOverlays(context, frame.snapshot());
+        painter.paintOverlays(context, frame.snapshot(), covered);
         reference.ifPresent(earlier ->
                 ReferenceOverlayPainter.paintAnnotations(context, earlier, frame.snapshot(), captionCorner, covered));
     }

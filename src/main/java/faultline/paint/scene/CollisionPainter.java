@@ -6,6 +6,7 @@ import faultline.paint.surface.Shapes;
 import faultline.world.Collision;
 import faultline.world.Snapshot;
 import java.awt.Color;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -21,7 +22,9 @@ final class CollisionPainter {
 
     private static final double CONTACT_RADIUS = 7;
     private static final double CROSS_ARM = 4;
-    private static final Vector2 BADGE_CORNER = new Vector2(5, 5);
+    /** The distance of the badge from the edges of the picture and from what covers it, pixels. */
+    private static final double BADGE_MARGIN = 5;
+
     private static final double DOT_RADIUS = 4.5;
 
     private CollisionPainter() {}
@@ -44,10 +47,20 @@ final class CollisionPainter {
         context.drawCross(Shapes.circle(at, CROSS_ARM).getBounds2D(), colour);
     }
 
-    static void paintBadge(DrawContext context, Collision collision, SceneLabels labels) {
+    /** Paints the badge in the upper left corner, below the areas there that will be covered, pixels. */
+    static void paintBadge(DrawContext context, Collision collision, SceneLabels labels, List<Rectangle2D> covered) {
         Color colour = context.palette().collision();
         List<String> lines = badgeLines(collision, labels);
-        Vector2 dot = BadgePainter.paint(context, BADGE_CORNER, lines, 2 * DOT_RADIUS, colour, 1.6);
+        Rectangle2D badge = new Rectangle2D.Double(
+                BADGE_MARGIN,
+                BADGE_MARGIN,
+                BadgePainter.width(context, lines, 2 * DOT_RADIUS),
+                BadgePainter.height(context, lines.size()));
+        double top = covered.stream()
+                .filter(badge::intersects)
+                .mapToDouble(area -> area.getMaxY() + BADGE_MARGIN)
+                .reduce(BADGE_MARGIN, Math::max);
+        Vector2 dot = BadgePainter.paint(context, new Vector2(BADGE_MARGIN, top), lines, 2 * DOT_RADIUS, colour, 1.6);
         context.fill(Shapes.circle(dot.plus(new Vector2(DOT_RADIUS, 0)), DOT_RADIUS), colour);
     }
 

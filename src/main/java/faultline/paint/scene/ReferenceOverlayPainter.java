@@ -28,6 +28,8 @@ public final class ReferenceOverlayPainter {
     private static final double BADGE_HEIGHT = 20;
 
     private static final double SAMPLE_LENGTH = 26;
+    /** The distance from the caption down to the scale bar, pixels. */
+    private static final double SCALE_BAR_GAP = 3;
 
     private ReferenceOverlayPainter() {}
 
@@ -120,13 +122,10 @@ public final class ReferenceOverlayPainter {
                         MARGIN, MARGIN, picture.getWidth() - 2 * MARGIN, picture.getHeight() - 2 * MARGIN),
                 size,
                 avoided);
+        Rectangle2D scaleBar = ScaleBarPainter.area(context);
+        double top = place.intersects(scaleBar) ? scaleBar.getY() - size.getHeight() - SCALE_BAR_GAP : place.getY();
         Vector2 start = BadgePainter.paint(
-                context,
-                new Vector2(Math.rint(place.getX()), Math.rint(place.getY())),
-                caption,
-                SAMPLE_LENGTH,
-                colour,
-                1);
+                context, new Vector2(Math.rint(place.getX()), Math.rint(top)), caption, SAMPLE_LENGTH, colour, 1);
         Shape sample = Shapes.polyline(List.of(start, start.plus(new Vector2(SAMPLE_LENGTH, 0))));
         context.draw(sample, colour, DASHED_STROKE);
     }

@@ -1,12 +1,12 @@
 package faultline.paint.scene;
 
-import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.NiceSteps;
 import faultline.paint.surface.Palette;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
 
 /** Paints a scale bar of a nice length in the lower right corner, below the band around a world that just fits. */
 final class ScaleBarPainter {
@@ -21,12 +21,35 @@ final class ScaleBarPainter {
 
     private ScaleBarPainter() {}
 
+    /** Returns the area of the bar with its name, pixels. */
+    static Rectangle2D area(DrawContext context) {
+        double metres = metres(context);
+        Rectangle2D name = context.measureText(NiceSteps.format(metres));
+        double width = metres * context.camera().scale() + NAME_GAP + name.getWidth();
+        double height = Math.max(2 * TICK_HEIGHT, name.getHeight());
+        double top = baseline(context) - height / 2;
+        return new Rectangle2D.Double(
+                right(context) - width, top, width, context.camera().height() - top);
+    }
+
+    private static double metres(DrawContext context) {
+        return NiceSteps.atLeast(MIN_LENGTH / context.camera().scale());
+    }
+
+    private static double right(DrawContext context) {
+        return Math.floor(context.camera().width() - MARGIN_RIGHT) + 0.5;
+    }
+
+    /** Returns the y coordinate of the bar, pixels. */
+    private static double baseline(DrawContext context) {
+        return Math.floor(context.camera().height() - MARGIN_BOTTOM) + 0.5;
+    }
+
     static void paint(DrawContext context) {
-        Camera camera = context.camera();
-        double metres = NiceSteps.atLeast(MIN_LENGTH / camera.scale());
-        double length = metres * camera.scale();
-        double right = Math.floor(camera.width() - MARGIN_RIGHT) + 0.5;
-        double y = Math.floor(camera.height() - MARGIN_BOTTOM) + 0.5;
+        double metres = metres(context);
+        double length = metres * context.camera().scale();
+        double right = right(context);
+        double y = baseline(context);
         Shape bar = barShape(right - length, right, y);
         Color halo = Palette.withAlpha(context.palette().canvas(), 200);
         context.draw(bar, halo, DrawContext.solidStroke(5));

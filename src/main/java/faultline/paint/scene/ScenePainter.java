@@ -5,6 +5,7 @@ import faultline.paint.surface.DrawContext;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Set;
 
@@ -37,7 +38,7 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         List<Obstacle> moving =
                 world.obstacles().stream().filter(Obstacle::isMoving).toList();
         paintDynamic(context, frame, moving, 0);
-        paintOverlays(context, world);
+        paintOverlays(context, world, List.of());
         references.forEach(reference -> ReferenceOverlayPainter.paintAnnotations(
                 context, reference, world, ReferenceOverlayPainter.createCornerChoice(), List.of()));
     }
@@ -95,14 +96,17 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         CollisionPainter.paint(context, world);
     }
 
-    /** Paints what belongs to the picture and not to the world, on top of everything. */
-    public void paintOverlays(DrawContext context, Snapshot world) {
+    /**
+     * Paints what belongs to the picture and not to the world, on top of everything, so that it can be seen beside the
+     * areas that will be covered, pixels.
+     */
+    public void paintOverlays(DrawContext context, Snapshot world, List<Rectangle2D> covered) {
         if (layers.contains(Layer.SCALE_BAR)) {
             ScaleBarPainter.paint(context.withFont(labels.font()));
         }
         world.collision()
-                .ifPresent(
-                        collision -> CollisionPainter.paintBadge(context.withFont(labels.font()), collision, labels));
+                .ifPresent(collision ->
+                        CollisionPainter.paintBadge(context.withFont(labels.font()), collision, labels, covered));
     }
 
     private void paintMovingObstacle(DrawContext context, Obstacle obstacle) {
