@@ -124,6 +124,9 @@ final class BatchForm extends JPanel {
         addField(fields, "batch.duration", duration, "s");
         UiText.tip(untilVerdict, "batch.untilVerdict.tip");
         fields.add(untilVerdict, FormConstraints.fillRow(0, row++));
+        JLabel controller = UiText.label("batch.controller.scenario");
+        UiText.tip(controller, "batch.controller.tip");
+        addField(fields, "batch.controller", controller, "");
         UiText.name(diagnosis, "batch.diagnosis");
         fields.add(FormConstraints.label("batch.diagnosis", diagnosis), FormConstraints.cell(0, row));
         fields.add(diagnosis, FormConstraints.fillRow(1, row++));

@@ -73,6 +73,12 @@ class BatchFormTest {
         assertTrue(labels().contains("|" + expected + " runs"), labels());
     }
 
+    /** A controller that is chosen for the window has no effect on a batch. */
+    @Test
+    void theControllerIsThatOfTheScenario() {
+        assertTrue(labels().contains("|Controller|As in the scenario|"), labels());
+    }
+
     @Test
     void allKindsHaveValuesThatTheScenarioTakes() throws Exception {
         click("All");
