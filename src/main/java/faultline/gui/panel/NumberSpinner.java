@@ -100,6 +100,8 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
                 }
             }
         });
+        // As when the field gets the focus, so that the next number replaces this one.
+        text.addActionListener(event -> text.selectAll());
         text.addPropertyChangeListener("editValid", event -> {
             // The outline of the spinner shows whether the text is valid.
             repaint();

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
+import java.awt.event.ActionEvent;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.text.ParseException;
@@ -94,6 +95,23 @@ class NumberSpinnerTest {
             spinner.setWorldValue(3);
             assertNull(text.getSelectedText());
         });
+    }
+
+    @Test
+    void anEnteredNumberIsSelectedSoThatTheNextOneReplacesIt() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(0.8);
+            JFormattedTextField text = spinner.textField();
+            focus();
+            text.replaceSelection("1.5");
+            text.getActionMap()
+                    .get(JTextField.notifyAction)
+                    .actionPerformed(new ActionEvent(text, ActionEvent.ACTION_PERFORMED, ""));
+            assertEquals("1.50", text.getSelectedText());
+            text.replaceSelection("2");
+            assertEquals("2", text.getText());
+        });
+        assertEquals(List.of(1.5), reported);
     }
 
     @Test
