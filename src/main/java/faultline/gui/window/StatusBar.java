@@ -29,12 +29,16 @@ import javax.swing.JPanel;
 final class StatusBar extends JPanel {
 
     private static final int GAP = 14;
-    /** Minimum number of frames for which a note stays: five seconds at sixty frames per second. */
-    private static final int MIN_NOTE_FRAMES = 300;
-    /** Minimum number of frames for which a note stays that no longer holds: one second. */
-    private static final int MIN_READ_FRAMES = 60;
-    /** Number of frames per character for which a note stays, so that a long one can be read to its end. */
-    private static final int NOTE_FRAMES_PER_CHARACTER = 5;
+    /** Minimum time for which a note stays, milliseconds. */
+    private static final int MIN_NOTE_MILLIS = 5000;
+    /** Minimum time for which a note stays that no longer holds, milliseconds. */
+    private static final int MIN_READ_MILLIS = 1000;
+    /** Time per character for which a note stays, so that a long one can be read to its end, milliseconds. */
+    private static final int NOTE_MILLIS_PER_CHARACTER = 80;
+
+    private static final int NANOS_PER_MILLI = 1_000_000;
+    /** The smallest scale that is shown without decimals, pixels per metre. */
+    private static final int WHOLE_SCALE = 10;
 
     private final StatusCell running =
             cell("status.runState", () -> Stream.of("running", "paused", "collided", "failed")
@@ -49,9 +53,11 @@ final class StatusBar extends JPanel {
     private final StatusCell scale = cell("status.scale", "0000 px/m");
     private final JLabel note = new JLabel();
     private final transient StalledRun stalledRun;
-    private int noteFramesLeft;
-    /** Number of frames for which the note has been shown. */
-    private int noteFrames;
+    private final transient LongSupplier nanoTime;
+    /** The time at which the note was shown. */
+    private long noteNanos;
+    /** How long the note stays, milliseconds; 0 if there is none. */
+    private int noteMillis;
     /** Whether the note still holds in a world. */
     private transient Predicate<Snapshot> noteHolds = world -> true;
     /** Null while the cursor is outside the canvas. */
@@ -67,6 +73,7 @@ final class StatusBar extends JPanel {
 
     StatusBar(LongSupplier nanoTime) {
         super(new StatusLayout(GAP, StatusCell.class::isInstance));
+        this.nanoTime = nanoTime;
         stalledRun = new StalledRun(nanoTime);
         setBorder(SeparatorBorder.above(3, 14, 3));
         for (StatusCell cell : new StatusCell[] {running, time, pace, state, pose, cursor, scale, tick}) {
@@ -104,7 +111,7 @@ final class StatusBar extends JPanel {
                         : "–");
         state.setStatusText(StateText.name(frame.telemetry().state()));
         pose.setStatusText(poseText(world.pose()));
-        if (++noteFrames > MIN_READ_FRAMES && !noteHolds.test(world)) {
+        if (isNoteOlderThan(MIN_READ_MILLIS) && !noteHolds.test(world)) {
             clearNote();
         }
         showNote(status);
@@ -141,16 +148,20 @@ final class StatusBar extends JPanel {
         if (status.refusals() != shownRefusals) {
             shownRefusals = status.refusals();
             status.lastRefusal().map(RefusalText::format).ifPresent(this::showNote);
-        } else if (noteFramesLeft > 0 && --noteFramesLeft == 0) {
+        } else if (isNoteShown() && isNoteOlderThan(noteMillis)) {
             clearNote();
         }
+    }
+
+    private boolean isNoteOlderThan(int millis) {
+        return nanoTime.getAsLong() - noteNanos > (long) millis * NANOS_PER_MILLI;
     }
 
     /** Removes a note that is shown. */
     void clearNote() {
         note.setText("");
         note.setToolTipText(null);
-        noteFramesLeft = 0;
+        noteMillis = 0;
         noteHolds = world -> true;
     }
 
@@ -168,16 +179,16 @@ final class StatusBar extends JPanel {
 
     /** Shows a sentence for as long as it takes to read, and no longer than it holds in the world that is shown. */
     void showNote(String sentence, Predicate<Snapshot> holds) {
-        noteFrames = 0;
+        noteNanos = nanoTime.getAsLong();
         noteHolds = holds;
         note.setText(sentence);
         note.setToolTipText(sentence);
-        noteFramesLeft = Math.max(MIN_NOTE_FRAMES, NOTE_FRAMES_PER_CHARACTER * sentence.length());
+        noteMillis = Math.max(MIN_NOTE_MILLIS, NOTE_MILLIS_PER_CHARACTER * sentence.length());
     }
 
     /** Returns whether a note is shown that will be removed. */
     boolean isNoteShown() {
-        return noteFramesLeft > 0;
+        return noteMillis > 0;
     }
 
     /** Removes what belongs to the previous session. */
@@ -197,6 +208,7 @@ final class StatusBar extends JPanel {
 
     /** Shows the scale of the canvas in pixels per metre. */
     void showScale(double pixelsPerMetre) {
-        scale.setStatusText(NumberText.format("%.0f px/m", pixelsPerMetre));
+        scale.setStatusText(
+                NumberText.format(pixelsPerMetre < WHOLE_SCALE ? "%.3f px/m" : "%.0f px/m", pixelsPerMetre));
     }
 }

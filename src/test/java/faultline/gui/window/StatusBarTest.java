@@ -16,8 +16,10 @@ import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.paint.surface.Camera;
 import faultline.world.Refusal;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -28,7 +30,8 @@ class StatusBarTest {
     private static final SessionStatus FAILED =
             new SessionStatus(false, 1, 0, 0, null, RunProblem.OTHER.with("the controller does not answer"));
 
-    private final StatusBar bar = callOnEdt(StatusBar::new);
+    private final AtomicLong nanos = new AtomicLong();
+    private final StatusBar bar = callOnEdt(() -> new StatusBar(nanos::get));
 
     @Test
     void aRunIsSummarisedInOneLine() {
@@ -59,19 +62,15 @@ class StatusBarTest {
 
     @Test
     void aRunWhoseControllerDoesNotAnswerSaysSo() {
-        AtomicLong nanos = new AtomicLong();
-        StatusBar watching = callOnEdt(() -> new StatusBar(nanos::get));
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
-        runOnEdt(() -> watching.setFrame(frame, running(2.0)));
-        nanos.set(1_900_000_000L);
-        runOnEdt(() -> watching.setFrame(frame, running(2.0)));
-        assertTrue(texts(watching).contains("2.00× real time"));
-        nanos.set(2_100_000_000L);
-        runOnEdt(() -> watching.setFrame(frame, running(2.0)));
-        assertTrue(texts(watching).contains("Waiting for an answer of the controller"));
-        assertFalse(texts(watching).contains("2.00× real time"));
-        runOnEdt(() -> watching.setFrame(frame, new SessionStatus(false, 1, 0, 0, null, null)));
-        assertFalse(texts(watching).contains("Waiting for an answer of the controller"));
+        show(frame, running(2.0));
+        show(1900, frame, running(2.0));
+        assertTrue(texts().contains("2.00× real time"));
+        show(2100, frame, running(2.0));
+        assertTrue(texts().contains("Waiting for an answer of the controller"));
+        assertFalse(texts().contains("2.00× real time"));
+        show(frame, new SessionStatus(false, 1, 0, 0, null, null));
+        assertFalse(texts().contains("Waiting for an answer of the controller"));
     }
 
     @Test
@@ -83,15 +82,23 @@ class StatusBarTest {
     }
 
     @Test
+    void theScaleOfALargeWorldIsNotRoundedToZero() {
+        runOnEdt(() -> bar.showScale(64.6));
+        assertEquals("65 px/m", texts().get(6));
+        runOnEdt(() -> bar.showScale(Camera.MIN_SCALE));
+        assertEquals("0.005 px/m", texts().get(6));
+    }
+
+    @Test
     void aRefusalIsShownForSomeTime() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         SessionStatus refused =
-                new SessionStatus(true, 1, 1, 1, new Refusal(Refusal.Reason.UNKNOWN_OBSTACLE, "box"), null);
+                new SessionStatus(false, 1, 1, 1, new Refusal(Refusal.Reason.UNKNOWN_OBSTACLE, "box"), null);
         show(frame, refused);
         assertTrue(texts().contains("there is no obstacle box"));
-        for (int i = 0; i < 400; i++) {
-            show(frame, refused);
-        }
+        show(4900, frame, refused);
+        assertTrue(texts().contains("there is no obstacle box"), "however often it was painted");
+        show(5100, frame, refused);
         assertFalse(texts().contains("there is no obstacle box"));
     }
 
@@ -100,10 +107,10 @@ class StatusBarTest {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         String sentence = "word ".repeat(30);
         runOnEdt(() -> bar.showNote(sentence));
-        for (int i = 0; i < 700; i++) {
-            show(frame, running(1));
-        }
+        show(11_900, frame, running(1));
         assertTrue(texts().contains(sentence));
+        show(12_100, frame, running(1));
+        assertFalse(texts().contains(sentence));
     }
 
     @Test
@@ -121,9 +128,7 @@ class StatusBarTest {
         Frame elsewhere = SampleFrames.frameOf(new Pose(2, 1, 0));
         runOnEdt(() -> bar.showNote(
                 "no room", world -> world.pose().equals(there.snapshot().pose())));
-        for (int i = 0; i < 100; i++) {
-            show(there, running(1));
-        }
+        show(1700, there, running(1));
         assertTrue(texts().contains("no room"));
         show(elsewhere, running(1));
         assertFalse(texts().contains("no room"));
@@ -131,18 +136,15 @@ class StatusBarTest {
         show(elsewhere, running(1));
         assertTrue(texts().contains("no room"), "at once it could not be read");
         runOnEdt(() -> bar.showNote("another note"));
-        for (int i = 0; i < 100; i++) {
-            show(elsewhere, running(1));
-        }
+        show(3400, elsewhere, running(1));
         assertTrue(texts().contains("another note"));
     }
 
     @Test
     void theReasonOfAFailedRunStays() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
-        for (int i = 0; i < 400; i++) {
-            show(frame, FAILED);
-        }
+        show(frame, FAILED);
+        show(60_000, frame, FAILED);
         assertEquals("Failed", texts().get(0));
         assertTrue(texts().contains("the controller does not answer"));
     }
@@ -194,12 +196,13 @@ class StatusBarTest {
         runOnEdt(() -> bar.setFrame(frame, status));
     }
 
-    private List<String> texts() {
-        return texts(bar);
+    private void show(long atMillis, Frame frame, SessionStatus status) {
+        nanos.set(TimeUnit.MILLISECONDS.toNanos(atMillis));
+        show(frame, status);
     }
 
-    private static List<String> texts(StatusBar from) {
+    private List<String> texts() {
         return callOnEdt(() ->
-                ComponentFinder.findAll(from, JLabel.class).map(JLabel::getText).toList());
+                ComponentFinder.findAll(bar, JLabel.class).map(JLabel::getText).toList());
     }
 }
