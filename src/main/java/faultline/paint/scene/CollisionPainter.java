@@ -47,21 +47,33 @@ final class CollisionPainter {
         context.drawCross(Shapes.circle(at, CROSS_ARM).getBounds2D(), colour);
     }
 
-    /** Paints the badge in the upper left corner, below the areas there that will be covered, pixels. */
-    static void paintBadge(DrawContext context, Collision collision, SceneLabels labels, List<Rectangle2D> covered) {
+    /**
+     * Paints the badge in an upper corner, below the areas there that will be covered, pixels: in the left one, unless
+     * only there it would hide the robot.
+     */
+    static void paintBadge(DrawContext context, Snapshot world, SceneLabels labels, List<Rectangle2D> covered) {
         Color colour = context.palette().collision();
-        List<String> lines = badgeLines(collision, labels);
-        Rectangle2D badge = new Rectangle2D.Double(
-                BADGE_MARGIN,
-                BADGE_MARGIN,
-                BadgePainter.width(context, lines, 2 * DOT_RADIUS),
-                BadgePainter.height(context, lines.size()));
+        List<String> lines = badgeLines(world.collision().orElseThrow(), labels);
+        double width = BadgePainter.width(context, lines, 2 * DOT_RADIUS);
+        double height = BadgePainter.height(context, lines.size());
+        Rectangle2D robot = CornerChoice.robotArea(context.camera(), world.robot(), world.pose());
+        Rectangle2D left = belowOf(new Rectangle2D.Double(BADGE_MARGIN, BADGE_MARGIN, width, height), covered);
+        Rectangle2D right = belowOf(
+                new Rectangle2D.Double(
+                        Math.floor(context.camera().width() - BADGE_MARGIN - width), BADGE_MARGIN, width, height),
+                covered);
+        Rectangle2D badge = left.intersects(robot) && !right.intersects(robot) ? right : left;
+        Vector2 dot = BadgePainter.paint(
+                context, new Vector2(badge.getX(), badge.getY()), lines, 2 * DOT_RADIUS, colour, 1.6);
+        context.fill(Shapes.circle(dot.plus(new Vector2(DOT_RADIUS, 0)), DOT_RADIUS), colour);
+    }
+
+    private static Rectangle2D belowOf(Rectangle2D badge, List<Rectangle2D> covered) {
         double top = covered.stream()
                 .filter(badge::intersects)
                 .mapToDouble(area -> area.getMaxY() + BADGE_MARGIN)
-                .reduce(BADGE_MARGIN, Math::max);
-        Vector2 dot = BadgePainter.paint(context, new Vector2(BADGE_MARGIN, top), lines, 2 * DOT_RADIUS, colour, 1.6);
-        context.fill(Shapes.circle(dot.plus(new Vector2(DOT_RADIUS, 0)), DOT_RADIUS), colour);
+                .reduce(badge.getY(), Math::max);
+        return new Rectangle2D.Double(badge.getX(), top, badge.getWidth(), badge.getHeight());
     }
 
     static List<String> badgeLines(Collision collision, SceneLabels labels) {

@@ -104,9 +104,9 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         if (layers.contains(Layer.SCALE_BAR)) {
             ScaleBarPainter.paint(context.withFont(labels.font()));
         }
-        world.collision()
-                .ifPresent(collision ->
-                        CollisionPainter.paintBadge(context.withFont(labels.font()), collision, labels, covered));
+        if (world.collision().isPresent()) {
+            CollisionPainter.paintBadge(context.withFont(labels.font()), world, labels, covered);
+        }
     }
 
     private void paintMovingObstacle(DrawContext context, Obstacle obstacle) {

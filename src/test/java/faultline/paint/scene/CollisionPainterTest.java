@@ -1,24 +1,32 @@
 package faultline.paint.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.engine.SampleFrames;
+import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
 import faultline.sensor.Fault;
 import faultline.world.Collision;
+import faultline.world.Snapshot;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class CollisionPainterTest {
 
     private static final int WIDTH = 800;
+    private static final int HEIGHT = 400;
     private static final Vector2 POINT = new Vector2(3.1416, 1.8714);
 
     @Test
@@ -31,25 +39,46 @@ class CollisionPainterTest {
 
     @Test
     void theBadgeIsBelowTheBanner() {
-        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of());
         Rectangle2D banner = new Rectangle2D.Double(0, 0, WIDTH, 54);
-        assertEquals(54 + 4, topOfBadge(collision, List.of(banner)));
-        assertEquals(4, topOfBadge(collision, List.of(new Rectangle2D.Double(WIDTH - 200, 0, 200, 54))));
-        assertEquals(4, topOfBadge(collision, List.of()));
+        Pose below = new Pose(4, 1, 0);
+        assertEquals(new Point(4, 54 + 4), cornerOfBadge(below, List.of(banner)));
+        Rectangle2D card = new Rectangle2D.Double(WIDTH - 200, 0, 200, 54);
+        assertEquals(new Point(4, 4), cornerOfBadge(below, List.of(card)));
+        assertEquals(new Point(4, 4), cornerOfBadge(below, List.of()));
     }
 
-    /** Returns the first row of pixels that the badge changes. */
-    private static int topOfBadge(Collision collision, List<Rectangle2D> covered) {
-        BufferedImage image = new BufferedImage(WIDTH, 200, BufferedImage.TYPE_INT_ARGB);
+    @Test
+    void theBadgeDoesNotHideTheRobot() {
+        assertEquals(new Point(4, 4), cornerOfBadge(new Pose(7, 3.6, 0), List.of()));
+        Point right = cornerOfBadge(new Pose(1, 3.6, 0), List.of());
+        assertEquals(4, right.y);
+        assertTrue(right.x > WIDTH / 2 - 100, right.toString());
+    }
+
+    /** Returns the upper left corner of the pixels that the badge changes in a picture of 8 m by 4 m. */
+    private static Point cornerOfBadge(Pose robot, List<Rectangle2D> covered) {
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of());
+        Snapshot world = SampleFrames.frame(
+                        robot,
+                        SampleFrames.pathThrough(robot.position()),
+                        List.of(),
+                        List.of(),
+                        List.of(),
+                        Optional.of(collision))
+                .snapshot();
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_ARGB);
         Graphics2D graphics = image.createGraphics();
-        Camera camera = new Camera(0, 0, 100, WIDTH, 200);
+        Camera camera = new Camera(4, 2, 100, WIDTH, HEIGHT);
         CollisionPainter.paintBadge(
-                new DrawContext(graphics, camera, Palette.LIGHT), collision, SceneLabels.ENGLISH, covered);
+                new DrawContext(graphics, camera, Palette.LIGHT), world, SceneLabels.ENGLISH, covered);
         graphics.dispose();
-        return IntStream.range(0, image.getHeight())
-                .filter(y -> IntStream.range(0, WIDTH).anyMatch(x -> image.getRGB(x, y) != 0))
-                .findFirst()
-                .orElseThrow();
+        return new Point(
+                firstWhere(WIDTH, x -> IntStream.range(0, HEIGHT).anyMatch(y -> image.getRGB(x, y) != 0)),
+                firstWhere(HEIGHT, y -> IntStream.range(0, WIDTH).anyMatch(x -> image.getRGB(x, y) != 0)));
+    }
+
+    private static int firstWhere(int end, IntPredicate condition) {
+        return IntStream.range(0, end).filter(condition).findFirst().orElseThrow();
     }
 
     @Test
