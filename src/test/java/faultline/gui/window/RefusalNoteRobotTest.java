@@ -17,6 +17,9 @@ import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JTabbedPane;
@@ -85,11 +88,9 @@ class RefusalNoteRobotTest {
         JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
         runOnEdt(() -> tabs.setSelectedIndex(1));
         driver.typeInto("Distance, m", KeyEvent.VK_9, KeyEvent.VK_9, KeyEvent.VK_TAB);
-        driver.robot().waitFor("the note", () -> notes().anyMatch(
-                        note -> note.getTipText().startsWith("99 is not allowed. Allowed: 0.05 to 10")));
+        Rectangle note = waitForNote("99 is not allowed. Allowed: 0.05 to 10", tip -> {});
         JComboBox<?> next = ComponentFinder.find(driver.window(), JComboBox.class, "Wall side");
         driver.robot().waitFor("the next field has the focus", next::isFocusOwner);
-        Rectangle note = callOnEdt(() -> boundsOnScreen(notes().findAny().orElseThrow()));
         assertFalse(note.intersects(callOnEdt(() -> boundsOnScreen(next))), note.toString());
     }
 
@@ -99,22 +100,38 @@ class RefusalNoteRobotTest {
         driver.typeInto("Linear velocity", KeyEvent.VK_9);
         runOnEdt(() -> speed.setText("9".repeat(400)));
         driver.robot().pressKeys(KeyEvent.VK_TAB);
-        waitForNote(speed, "999");
+        String sentence = waitForNote(speed, "999");
         assertTrue(
-                callOnEdt(() -> speed.getAccessibleContext().getAccessibleDescription())
-                        .endsWith("... is not allowed. Allowed: 0.01 to 0.6. The value stays 0.30"),
+                sentence.endsWith("... is not allowed. Allowed: 0.01 to 0.6. The value stays 0.30"),
                 "the sentence is whole");
     }
 
-    private void waitForNote(JTextField field, String start) {
-        driver.robot().waitFor("the note says " + start, () -> notes().anyMatch(
-                        note -> note.getTipText().startsWith(start)));
-        assertTrue(callOnEdt(
-                () -> field.getAccessibleContext().getAccessibleDescription().startsWith(start)));
-        Rectangle at = callOnEdt(() -> boundsOnScreen(notes().findAny().orElseThrow()));
+    /** Waits for a note beside a field, and returns what screen readers get with it. */
+    private String waitForNote(JTextField field, String start) {
+        List<String> described = new ArrayList<>();
+        Rectangle at = waitForNote(
+                start, tip -> described.add(field.getAccessibleContext().getAccessibleDescription()));
+        assertTrue(described.get(0).startsWith(start), described.get(0));
         Rectangle beside = callOnEdt(() -> boundsOnScreen(field));
         assertTrue(at.intersects(beside.x, beside.y, beside.width, 2.0 * beside.height), at + " beside " + beside);
         assertTrue(callOnEdt(() -> boundsOnScreen(driver.window())).contains(at), at.toString());
+        return described.get(0);
+    }
+
+    /**
+     * Waits for a note and returns its bounds on the screen. {@code seen} receives it at the moment it is found: a busy
+     * machine may need the seconds for which it stays until the next look.
+     */
+    private Rectangle waitForNote(String start, Consumer<JToolTip> seen) {
+        List<Rectangle> bounds = new ArrayList<>();
+        driver.robot().waitFor("the note says " + start, () -> {
+            notes().filter(tip -> tip.getTipText().startsWith(start)).findAny().ifPresent(tip -> {
+                seen.accept(tip);
+                bounds.add(boundsOnScreen(tip));
+            });
+            return !bounds.isEmpty();
+        });
+        return bounds.get(0);
     }
 
     private static Rectangle boundsOnScreen(Component part) {
