@@ -52,7 +52,7 @@ public enum FloorPlanProblem implements Message.Template {
     /** A chunk of a PNG file does not match its checksum. */
     CHECKSUM("the checksum of the chunk {0} at byte {1} is wrong; the image is damaged"),
     /** The file is no image. */
-    IMAGE_FORMAT("the format of the image is not known; expected PGM (P2, P5), PNG, BMP, GIF or TIFF"),
+    IMAGE_FORMAT("the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF"),
     /** The image has too many pixels or none. */
     IMAGE_SIZE("the image has {0} x {1} pixels; expected 1 to {2}"),
     /** The pixels of the image have too many bits. */

@@ -15,6 +15,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
+import java.util.Set;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -25,6 +26,12 @@ final class MapImageReader {
     private static final long MAX_BYTES = 512L << 20;
     private static final int BUFFER_BYTES = 1 << 16;
     private static final int MAX_GREY_BITS = 16;
+    /**
+     * The names that the JDK's readers give their formats. It can also read JPEG, whose compression changes pixels so
+     * that the outlines would not be those of the map.
+     */
+    private static final Set<String> FORMATS = Set.of("png", "bmp", "gif", "tif");
+
     /** The sum of the red, green and blue of white. */
     private static final int WHITE_SUM = 3 * 255;
 
@@ -119,6 +126,9 @@ final class MapImageReader {
         }
         ImageReader reader = readers.next();
         try {
+            if (!FORMATS.contains(reader.getFormatName())) {
+                throw new FloorPlanException(file, FloorPlanProblem.IMAGE_FORMAT.with());
+            }
             reader.setInput(in, true, true);
             // A size that is stored in 32 bits without a sign is negative here.
             requireSize(file, Integer.toUnsignedLong(reader.getWidth(0)), Integer.toUnsignedLong(reader.getHeight(0)));

@@ -347,7 +347,7 @@ class FloorPlanTest {
             P5 99999 99999 255 0     | the image has 99999 x 99999 pixels; expected 1 to 64000000
             P6 2 1 255 0             | the format of the image is P6; expected P2 or P5
             P2 2 x                   | the height is missing at byte 5
-            not an image             | the format of the image is not known; expected PGM (P2, P5), PNG, BMP, GIF or TIFF
+            not an image             | the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF
             """)
     void aDamagedImageIsReportedInOneSentence(String content, String expected) throws IOException {
         Path image = write("m.pgm", content.strip());
@@ -355,6 +355,21 @@ class FloorPlanTest {
                 FloorPlanException.class,
                 () -> FloorPlan.readImage(image, new BigDecimal("0.05"), FloorPlan.Options.DEFAULT));
         assertEquals(image + ": " + expected, e.getMessage());
+    }
+
+    /** JPEG changes pixels, and neither format is one of those that the documentation lists. */
+    @ParameterizedTest
+    @ValueSource(strings = {"jpg", "wbmp"})
+    void otherFormatsThatTheJdkReadsAreRefused(String format) throws IOException {
+        Path image = folder.resolve("m." + format);
+        int type = format.equals("jpg") ? BufferedImage.TYPE_BYTE_GRAY : BufferedImage.TYPE_BYTE_BINARY;
+        assertTrue(ImageIO.write(new BufferedImage(40, 30, type), format, image.toFile()));
+        IOException e = assertThrows(
+                FloorPlanException.class,
+                () -> FloorPlan.readImage(image, new BigDecimal("0.05"), FloorPlan.Options.DEFAULT));
+        assertEquals(
+                image + ": the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF",
+                e.getMessage());
     }
 
     @Test
