@@ -85,6 +85,17 @@ final class MessageReader {
         throw wrong(name, tooLarge ? WHOLE_NUMBERS : ControllerProblem.WHOLE.with());
     }
 
+    /** Returns a whole number within limits, both of which are included and less than 2^53. */
+    long whole(String name, long min, long max) throws ProtocolException {
+        if (members.get(name) instanceof Number number
+                && number.doubleValue() == Math.rint(number.doubleValue())
+                && number.doubleValue() >= min
+                && number.doubleValue() <= max) {
+            return number.longValue();
+        }
+        throw wrong(name, Allowed.WHOLE_NUMBER.with(Allowed.CLOSED.with(min, max)));
+    }
+
     /** Returns a truth value, or another if there is none. */
     boolean flag(String name, boolean defaultValue) throws ProtocolException {
         if (!has(name)) {

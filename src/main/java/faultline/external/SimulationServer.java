@@ -137,11 +137,7 @@ public final class SimulationServer {
         if (episode.isOver()) {
             throw new ProtocolException("wrote a drive message", " after the end of the run; expected reset or close");
         }
-        long ticks = request.has("ticks") ? request.whole("ticks") : 1;
-        if (ticks < 1 || ticks > MAX_TICKS) {
-            throw new ProtocolException(
-                    "wrote a drive message", " for " + ticks + " ticks; expected 1 to " + MAX_TICKS);
-        }
+        long ticks = request.has("ticks") ? request.whole("ticks", 1, MAX_TICKS) : 1;
         episode.drive(DriveMessage.read(request, episode.simulation.robot()), ticks);
     }
 

@@ -230,7 +230,10 @@ class SimulationServerTest {
             textBlock =
                     """
             {"type":"jump"}                                    | the client wrote a message at tick 0 of type "jump"; expected reset, drive or close
-            {"type":"drive","left_v":1,"right_v":1,"ticks":0}  | the client wrote a drive message at tick 0 for 0 ticks; expected 1 to 1000000000
+            {"type":"drive","left_v":1,"right_v":1,"ticks":0}  | the client wrote a message at tick 0 whose "ticks" is "0"; expected a whole number from 1 to 1000000000
+            {"type":"drive","left_v":1,"right_v":1,"ticks":1.5} | the client wrote a message at tick 0 whose "ticks" is "1.5"; expected a whole number from 1 to 1000000000
+            {"type":"drive","left_v":1,"right_v":1,"ticks":1e300} | the client wrote a message at tick 0 whose "ticks" is "1E+300"; expected a whole number from 1 to 1000000000
+            {"type":"drive","left_v":1,"right_v":1,"ticks":1000000001} | the client wrote a message at tick 0 whose "ticks" is "1000000001"; expected a whole number from 1 to 1000000000
             {"type":"drive","left_v":1}                        | the client wrote a message at tick 0 whose "right_v" is missing; expected a finite number
             {"type":"reset","seed":"7"}                        | the client wrote a message at tick 0 whose "seed" is the string "7"; expected a whole number
             {"type":"reset","seed":1.5}                        | the client wrote a message at tick 0 whose "seed" is "1.5"; expected a whole number
