@@ -88,12 +88,24 @@ final class CompareCommand {
         }
         int seeds = arguments.positive("--seeds", MAX_SEEDS, 1);
         Scenario loaded = Scenario.load(file);
+        requireSeeds(loaded.setup().seed(), seeds);
         Scenario scenario = loaded.withSetup(RunOptions.duration(arguments).apply(loaded.setup()));
         int code = compare(scenario, choices, seeds, options, files, windowCommands(file, choices, options));
         if (open && code == ExitCode.SUCCESS) {
             openWindow(file, loaded, choices, options);
         }
         return code;
+    }
+
+    /** Throws an exception if not all seeds from the first on are numbers of 64 bits. */
+    private static void requireSeeds(long first, int seeds) throws UsageException {
+        if (first > Long.MAX_VALUE - (seeds - 1)) {
+            throw UsageException.ofValue(
+                    "--seeds",
+                    String.valueOf(seeds),
+                    "at most " + (Long.MAX_VALUE - first + 1) + ", because the first seed is " + first
+                            + " and the last possible one " + Long.MAX_VALUE);
+        }
     }
 
     private int compare(

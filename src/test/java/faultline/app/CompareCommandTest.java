@@ -278,6 +278,31 @@ class CompareCommandTest {
                 ends.get(1).startsWith("{\"type\":\"end\",\"reason\":\"duration\",\"trajectory_hash\":\""), result.err);
     }
 
+    /** The seeds after the greatest one would be negative. */
+    @Test
+    void seedsBeyondTheGreatestAreRefused() throws Exception {
+        Path file = Files.writeString(
+                folder.resolve("last-seeds.xml"),
+                """
+                <scenario xmlns="urn:faultline:scenario:1" seed="9223372036854775806" duration="1">
+                  <world width="4" height="3"/><robot x="2" y="1"/>
+                </scenario>
+                """);
+        String[] two = ("compare " + file + " --controller none --controller wall-follower --out " + page()).split(" ");
+        String[] three =
+                Stream.concat(Stream.of(two), Stream.of("--seeds", "3")).toArray(String[]::new);
+        CommandResult refused = command(three);
+        assertEquals(2, refused.code);
+        assertEquals(
+                "faultline: --seeds is \"3\"; expected at most 2, because the first seed is 9223372036854775806 and the"
+                        + " last possible one 9223372036854775807 (see faultline --help)",
+                refused.err.lines().findFirst().orElseThrow());
+        assertFalse(Files.exists(page()));
+        three[three.length - 1] = "2";
+        assertEquals(0, command(three).code);
+        assertTrue(table().get(2).startsWith("none,9223372036854775807,"), table().get(2));
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
