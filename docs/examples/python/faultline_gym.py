@@ -24,6 +24,9 @@ class WallFollowingEnv(gymnasium.Env):
         robot = self._simulator.hello["robot"]
         self._supply = robot["max_voltage_v"]
         self._ranges = {sensor["id"]: sensor["range_m"] for sensor in robot["sensors"]}
+        if "left" not in self._ranges:
+            self._simulator.close()
+            raise ValueError('the reward needs a sensor "left"; the robot has ' + (", ".join(self._ranges) or "none"))
         self._pose = None
         count = len(self._ranges)
         self.observation_space = gymnasium.spaces.Box(0.0, 1.0, (2 * count,), numpy.float32)

@@ -254,6 +254,38 @@ class PythonClientTest {
         assertEquals(0, output.code());
     }
 
+    /** The packages that the environment needs are replaced by empty ones. */
+    @Test
+    void theGymnasiumEnvironmentRefusesARobotWithoutALeftSensor(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("eye.xml");
+        Files.writeString(
+                file,
+                """
+                <scenario xmlns="urn:faultline:scenario:1">
+                  <world width="2" height="2"/>
+                  <robot x="1" y="1" defaultSensors="false"><sensor id="eye" x="0.1" y="0" bearing="0"/></robot>
+                </scenario>
+                """);
+        Output output = python(
+                "-c",
+                """
+                import sys, types
+                for name in ("gymnasium", "numpy"):
+                    sys.modules[name] = types.ModuleType(name)
+                sys.modules["gymnasium"].Env = object
+                sys.modules["gymnasium"].register = lambda *name, **entry: None
+                import faultline_gym
+                try:
+                    faultline_gym.WallFollowingEnv(sys.argv[1])
+                except ValueError as e:
+                    print(e)
+                """,
+                file.toString());
+        assertEquals(
+                "the reward needs a sensor \"left\"; the robot has eye",
+                output.text().strip());
+    }
+
     @Test
     void theDocumentedUseOfTheEnvironmentRuns() throws Exception {
         assumeTrue(python("-c", "import gymnasium").code() == 0, "needs the Python package gymnasium");
