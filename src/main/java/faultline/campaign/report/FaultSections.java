@@ -21,9 +21,9 @@ import java.util.stream.Collectors;
 final class FaultSections {
 
     private static final String DELAYS_EXPLAINED =
-            "Seconds from a fault until the controller distrusts the sensor: the median, the 90 % quantile, and the"
-                    + " share of runs in which it does, of those with a diagnosis. A fault with little effect need"
-                    + " not be detected.";
+            "Seconds from a fault until the controller distrusts the sensor: the median and the 90 % quantile of the"
+                    + " runs in which it does, and their share of the runs with a diagnosis. A fault with little"
+                    + " effect need not be detected.";
 
     /** The column of the delay until a fault is detected. */
     static final String DELAY = "detection_delay_s";

@@ -58,10 +58,10 @@ final class SurvivalTables {
                 .append(rungs());
         out.append("\nOther cases, all with diagnosis unless they say otherwise:\n\n")
                 .append(cases());
-        out.append("\nDetection with diagnosis, medians. For sudden faults: seconds until the sensor is distrusted,")
-                .append(" counting only the time during which a surface is within its range. For drifts: the largest")
-                .append(" error of a reading until then, in millimetres. In brackets: in how many of the runs the")
-                .append(" fault is detected.\n\n")
+        out.append("\nDetection with diagnosis, medians of the runs in which the fault is detected, with their")
+                .append(" number in brackets. For sudden faults: seconds until the sensor is distrusted, counting only")
+                .append(" the time during which a surface is within its range. For drifts: the largest error of a")
+                .append(" reading until then, in millimetres.\n\n")
                 .append(detection());
         return out.append('\n').toString();
     }

@@ -26,7 +26,7 @@ class SurvivalTablesTest {
     void thePageOnFaultsHasTheDelaysOfTheFile() throws IOException {
         List<Map<String, String>> cells = SurvivalTables.read(FOLDER, "survival");
         String page = Files.readString(Path.of("docs/faults.md"));
-        List<String> rows = page.substring(page.indexOf("| fault | `left`: median, s"))
+        List<String> rows = page.substring(page.indexOf("| fault | `left`: found"))
                 .lines()
                 .takeWhile(line -> line.startsWith("|"))
                 .skip(2)
@@ -36,10 +36,12 @@ class SurvivalTablesTest {
             String[] said = row.substring(2, row.length() - 2).split(" \\| ");
             Map<String, String> left = cell(cells, "on", said[0], "left");
             Map<String, String> front = cell(cells, "on", said[0], "front");
-            assertSaid(said[1], left.get("delay_median_s"), row);
-            assertSaid(said[2], left.get("delay_90_s"), row);
-            assertSaid(said[3], front.get("delay_median_s"), row);
-            assertSaid(said[4], front.get("delay_90_s"), row);
+            assertEquals(left.get("detected"), said[1], row);
+            assertSaid(said[2], left.get("delay_median_s"), row);
+            assertSaid(said[3], left.get("delay_90_s"), row);
+            assertEquals(front.get("detected"), said[4], row);
+            assertSaid(said[5], front.get("delay_median_s"), row);
+            assertSaid(said[6], front.get("delay_90_s"), row);
         }
     }
 
