@@ -34,11 +34,12 @@ final class ReportCommand {
         if (LinkResolver.findConflict(List.of(), targets).isPresent()) {
             throw new UsageException("--out and --table are the same file; expected two files");
         }
-        Arguments.requireDistinct(ControllerOptions.addJar(parsed), targets);
+        List<Path> jars = ControllerOptions.addJar(parsed);
+        Arguments.requireDistinct(jars, targets);
         CampaignReport report = new CampaignReport(folder);
         requireOtherFiles(folder, targets);
         try (AtomicFileGroup files = new AtomicFileGroup()) {
-            files.write(target, report.html().getBytes(StandardCharsets.UTF_8));
+            files.write(target, report.html(jars).getBytes(StandardCharsets.UTF_8));
             if (table.isPresent()) {
                 files.write(table.get(), report.cellsCsv().getBytes(StandardCharsets.UTF_8));
             }

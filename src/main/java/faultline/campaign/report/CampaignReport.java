@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** Makes the report of a campaign: one self-contained HTML page. */
 public final class CampaignReport {
@@ -49,8 +50,12 @@ public final class CampaignReport {
         return new CellTable(data).csv();
     }
 
-    /** {@return the page} */
-    public String html() {
+    /**
+     * {@return the page}
+     *
+     * @param jars the jars that the plan's controllers in Java come from, for the commands that open runs
+     */
+    public String html(List<Path> jars) {
         CampaignPlan plan = data.plan();
         String title =
                 plan.header().name().isEmpty() ? "Campaign" : plan.header().name();
@@ -66,7 +71,7 @@ public final class CampaignReport {
                         + faults.delays()
                         + variants.responses()
                         + variants.distributions()
-                        + worstRuns()
+                        + worstRuns(jars)
                         + dictionary());
     }
 
@@ -120,7 +125,7 @@ public final class CampaignReport {
     }
 
     /** Returns the runs that have a separate scenario file; none in an unfinished campaign. */
-    private String worstRuns() {
+    private String worstRuns(List<Path> jars) {
         List<RunRow> worst = data.rows().stream()
                 .filter(row -> Outcome.ofWord(row.text("outcome")).isPresent())
                 .sorted(Comparator.comparing(CampaignReport::rank))
@@ -130,7 +135,11 @@ public final class CampaignReport {
         if (worst.isEmpty()) {
             return "";
         }
-        List<List<String>> rows = worst.stream().map(this::worstRow).toList();
+        String options = jars.stream()
+                .map(jar -> " --jar " + ShellText.quoted(jar.toString()))
+                .collect(Collectors.joining());
+        List<List<String>> rows =
+                worst.stream().map(row -> worstRow(row, options)).toList();
         return Html.section(
                 "Worst runs",
                 Html.paragraph("Each command opens the run in the window, from its start.")
@@ -144,7 +153,7 @@ public final class CampaignReport {
                 Long.parseLong(row.text("run")));
     }
 
-    private List<String> worstRow(RunRow row) {
+    private List<String> worstRow(RunRow row, String options) {
         StringBuilder varied = new StringBuilder();
         for (Column column : data.plan().factorColumns()) {
             String text = row.text(column.name());
@@ -156,7 +165,7 @@ public final class CampaignReport {
             }
         }
         Path replay = folder.resolve(WorstRuns.replayName(Long.parseLong(row.text("run"))));
-        String command = ProgramCommand.text() + " " + ShellText.quoted(replay.toString());
+        String command = ProgramCommand.text() + " " + ShellText.quoted(replay.toString()) + options;
         String collision = row.text("collided_with");
         return List.of(
                 row.text("run"),

@@ -44,7 +44,7 @@ class CampaignReportTest {
     private String reportOf(String elements) throws Exception {
         CampaignPlan plan = SamplePlan.read(SamplePlan.text("", elements));
         new CampaignRunner(plan, new CampaignFolder(folder), Shard.ALL, 2).run(true, (made, runs) -> {}, () -> false);
-        return new CampaignReport(folder).html();
+        return new CampaignReport(folder).html(List.of());
     }
 
     @Test
@@ -132,10 +132,15 @@ class CampaignReportTest {
         Path out = folder.resolve("a folder");
         new CampaignRunner(PlanFiles.read(file), new CampaignFolder(out), Shard.ALL, 1)
                 .run(false, (made, runs) -> {}, () -> false);
-        String html = new CampaignReport(out).html();
+        String html = new CampaignReport(out).html(List.of());
         assertTrue(html.contains("<th scope=\"row\">1</th><td>1</td>"), "one sensor");
         assertTrue(html.contains("<th scope=\"row\">20</th><td>1</td>"), "twenty sensors");
         assertTrue(html.contains("java -jar target/faultline.jar &quot;" + out.resolve("replays/run-")), "in quotes");
+        assertTrue(html.contains(".xml&quot;</code>"), "no jar");
+        String withJar = new CampaignReport(out).html(List.of(Path.of("my controller.jar")));
+        assertTrue(
+                withJar.contains(".xml&quot; --jar &quot;my controller.jar&quot;</code>"),
+                "a run needs its controller");
     }
 
     @Test
@@ -195,7 +200,7 @@ class CampaignReportTest {
         String html = report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
         assertFalse(html.contains("<script") || html.contains("http:") || html.contains("https:"));
         assertFalse(html.contains("<link") || html.contains("<img") || html.contains("NaN"));
-        assertEquals(html, new CampaignReport(folder).html(), "the same table gives the same page");
+        assertEquals(html, new CampaignReport(folder).html(List.of()), "the same table gives the same page");
         String xml = html.replace("<!DOCTYPE html>", "")
                 .replaceAll("<meta[^>]*>|<br>", "")
                 .replaceAll("&(ndash|thinsp);", " ")
@@ -213,7 +218,7 @@ class CampaignReportTest {
                         + rows.get(4).substring(0, 20));
         CampaignReport report = new CampaignReport(folder);
         assertEquals(3, report.runCount());
-        assertTrue(report.html().contains("3 of 8 runs"));
+        assertTrue(report.html(List.of()).contains("3 of 8 runs"));
     }
 
     @ParameterizedTest
