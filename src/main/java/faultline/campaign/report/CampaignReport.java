@@ -94,8 +94,8 @@ public final class CampaignReport {
                 : "All runs are in one world: intervals cover other seeds and draws in it, but not other worlds.";
         return Html.section(
                 "Summary",
-                Html.paragraph(size + meaning + pairing) + undecided() + "<p>All runs: " + Html.survival(all) + "</p>\n"
-                        + Html.table("numbers", List.of("outcome", "runs", "share"), rows));
+                Html.paragraph(size + meaning + pairing) + undecided() + broken() + "<p>All runs: " + Html.survival(all)
+                        + "</p>\n" + Html.table("numbers", List.of("outcome", "runs", "share"), rows));
     }
 
     private String undecided() {
@@ -106,6 +106,15 @@ public final class CampaignReport {
                         "Undecided runs (" + count + ") ended before their verdict was known, and no share counts"
                                 + " them. Shares count short runs with a contact, so they are lower than those of"
                                 + " longer runs. A greater @duration in the plan decides more runs.");
+    }
+
+    private String broken() {
+        long count = count(Outcome.BROKEN);
+        return count == 0
+                ? ""
+                : Html.paragraph(
+                        "Broken runs (" + count + ") have no verdict, and no share counts them. If a controller"
+                                + " breaks off some of its runs, its shares are those of the others only.");
     }
 
     private long count(String outcome) {

@@ -250,6 +250,23 @@ class CampaignReportTest {
         assertEquals(good, Files.readString(table));
     }
 
+    /** A controller that breaks in difficult rooms would otherwise seem better than one that collides there. */
+    @Test
+    void brokenRunsAreInNoShareAndTheReportSaysSo() throws Exception {
+        String elements = "<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>";
+        assertFalse(report(elements).contains("Broken runs"));
+        Path table = folder.resolve("runs.csv");
+        List<String> lines = new ArrayList<>(Files.readAllLines(table));
+        List<String> names = Csv.cells(lines.get(0));
+        List<String> cells = Csv.cells(lines.get(3));
+        cells.set(names.indexOf("outcome"), "broken");
+        cells.set(names.indexOf("carried_on"), "");
+        lines.set(3, Csv.row(cells).strip());
+        Files.write(table, lines);
+        String html = new CampaignReport(folder).html(List.of());
+        assertTrue(html.contains("<p>Broken runs (1) have no verdict, and no share counts them."), html);
+    }
+
     @Test
     void aRowThatLacksACellIsRefusedInOneSentence() throws Exception {
         report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
