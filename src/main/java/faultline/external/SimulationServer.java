@@ -56,8 +56,8 @@ public final class SimulationServer {
     /** One run and its controller. */
     private static final class Episode implements AutoCloseable {
         private final DriveTelemetry telemetry = new DriveTelemetry("EXTERN");
-        /** The decision that was last received. */
-        private Decision decision = telemetry.decide(new DriveMessage(0, 0, "", ""), 0);
+        /** The decision that was last received, null before the first. */
+        private Decision decision;
 
         private final Simulation simulation;
 

@@ -219,6 +219,36 @@ class SimulationServerTest {
     }
 
     @Test
+    void noRequestIsAnsweredAfterAnAnswerThatCannotBeWritten() throws Exception {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        PrintStream closedAfterTheGreeting = new PrintStream(new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                if (out.toString(StandardCharsets.UTF_8).endsWith("\n")) {
+                    throw new IOException("broken pipe");
+                }
+                out.write(b);
+            }
+        });
+        byte[] in = "{\"type\":\"reset\"}\ngarbage\n".getBytes(StandardCharsets.UTF_8);
+        new SimulationServer("faultline test", "Office", false, new ByteArrayInputStream(in), closedAfterTheGreeting)
+                .run(office());
+        assertEquals(1, out.toString(StandardCharsets.UTF_8).lines().count());
+    }
+
+    @Test
+    void theMostTicksOfADriveEndTheRunAfterWhichOnlyAResetIsAllowed() throws Exception {
+        String drive = "{\"type\":\"drive\",\"left_v\":1,\"right_v\":1,\"ticks\":1000000000}";
+        List<String> answers = serve(drive, "{\"type\":\"reset\"}", drive);
+        assertTrue(answers.get(1).startsWith("{\"type\":\"end\""), answers.get(1));
+        assertEquals(answers.get(1), answers.get(3));
+        RunFailedException e = assertThrows(RunFailedException.class, () -> serve(drive, drive));
+        assertEquals(
+                "the client wrote a drive message at tick 100 after the end of the run; expected reset or close",
+                e.getMessage());
+    }
+
+    @Test
     void aReplacementCharacterInALineIsAllowed() throws Exception {
         assertEquals(2, serve("{\"type\":\"reset\",\"who\":\"\uFFFD\"}").size());
     }
