@@ -6,7 +6,7 @@ import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
@@ -68,7 +68,7 @@ public final class WorstRuns {
 
     /** Writes the scenario files, and removes those of an earlier table. */
     void writeReplays() throws IOException {
-        List<Candidate> worst = find();
+        Collection<Candidate> worst = find();
         Files.createDirectories(folder.replays());
         Set<String> names = new HashSet<>();
         for (Candidate candidate : worst) {
@@ -94,7 +94,7 @@ public final class WorstRuns {
         }
     }
 
-    private List<Candidate> find() throws IOException {
+    private Collection<Candidate> find() throws IOException {
         PriorityQueue<Candidate> worst = new PriorityQueue<>(Candidate.WORST_FIRST.reversed());
         try (LineReader in = new LineReader(folder.runs())) {
             List<String> header = Csv.cells(in.next().strip());
@@ -108,9 +108,7 @@ public final class WorstRuns {
                 }
             }
         }
-        List<Candidate> ordered = new ArrayList<>(worst);
-        ordered.sort(Candidate.WORST_FIRST);
-        return ordered;
+        return worst;
     }
 
     private void requireGood(List<String> header, List<String> cells) throws IOException {

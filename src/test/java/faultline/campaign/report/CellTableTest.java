@@ -50,10 +50,20 @@ class CellTableTest {
     }
 
     private void addRun(String outcome, String carriedOn, String collided, String coverage, String delay, int alarms) {
-        String number = Integer.toString(lines.size() - 1);
+        addRun(Integer.toString(lines.size() - 1), outcome, carriedOn, collided, coverage, delay, alarms);
+    }
+
+    private void addRun(
+            String block,
+            String outcome,
+            String carriedOn,
+            String collided,
+            String coverage,
+            String delay,
+            int alarms) {
         lines.add(List.of(
-                number,
-                number,
+                Integer.toString(lines.size() - 1),
+                block,
                 "a",
                 "off",
                 "front",
@@ -108,6 +118,28 @@ class CellTableTest {
         assertEquals(9.0 / 10, cell.withoutContact().share());
         assertEquals((0.5 + 0.1 + 7 * 0.9) / 9, cell.coverageOrNaN(), 1e-12);
         assertTrue(Double.isNaN(cell.distanceRmsOrNaN()));
+    }
+
+    /** Three blocks of two equal runs are worth two runs; see {@link DesignEffectTest}. */
+    @Test
+    void theIntervalCountsRunsOfOneBlockThatAgreeAsFewerRuns() {
+        for (String block : List.of("0", "1", "2")) {
+            String carriedOn = block.equals("2") ? "0" : "1";
+            addRun(block, "finished", carriedOn, "0", "", "", 0);
+            addRun(block, "finished", carriedOn, "0", "", "", 0);
+        }
+        Survival survival = Survival.of(data().rows());
+        Interval two = Interval.wilson(2 * 2 / 3.0, 2);
+        assertEquals(4 / 6.0, survival.share());
+        assertEquals(two.low(), survival.interval().low(), 1e-12);
+        assertEquals(two.high(), survival.interval().high(), 1e-12);
+    }
+
+    @Test
+    void withoutAVerdictEveryShareIsPossible() {
+        addRun("undecided", "", "0", "", "", 0);
+        assertEquals(new Survival(0, 0, new Interval(0, 1)), Survival.of(data().rows()));
+        assertEquals(0, Survival.of(data().rows()).share());
     }
 
     /** Other programs write a missing number in these ways. */

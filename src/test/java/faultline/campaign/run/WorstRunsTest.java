@@ -1,6 +1,7 @@
 package faultline.campaign.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
@@ -101,6 +102,15 @@ class WorstRunsTest {
         Files.write(folder.resolve("runs.csv"), (rows.get(0) + Csv.row(cells)).getBytes(StandardCharsets.ISO_8859_1));
         new WorstRuns(plan, new CampaignFolder(folder)).writeReplays();
         assertEquals(names(0), replayNames());
+    }
+
+    @Test
+    void aRowThatIsNotOneOfARunIsReportedWithTheNameOfItsTable() {
+        addRow("lost", "0.2");
+        rows.add("1,lost\n");
+        IOException e = assertThrows(IOException.class, this::replays);
+        assertEquals(
+                folder.resolve("runs.csv") + ": a row has 2 cells; expected " + header.size(), e.getMessage());
     }
 
     @Test
