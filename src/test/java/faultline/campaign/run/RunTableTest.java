@@ -10,12 +10,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tables that cannot be written to the end. */
+/** Tables that are continued, or cannot be written to the end. */
 class RunTableTest {
 
     private static final String HEADER = "run,outcome,wall_share,simulated_s\n";
-    private static final String ROW = "0,finished,,1\n";
+    private static final String TIMING_HEADER = "run,wall_s,ticks,ticks_per_s\n";
+    private static final String ROW = "0,lost,,1\n";
 
     @TempDir
     Path folder;
@@ -62,19 +65,72 @@ class RunTableTest {
     void ofARunThatIsInTheTableOfTimesTwiceOnlyTheFirstRowIsKept() throws IOException {
         Files.writeString(folder.resolve("runs.csv"), HEADER + "0,lost,,1\n1,lost,,1\n");
         Path timing = folder.resolve("timing.csv");
-        String good = "run,wall_s,ticks,ticks_per_s\n0,0.5,100,200\n";
+        String good = TIMING_HEADER + "0,0.5,100,200\n";
         Files.writeString(timing, good + "0,0.5,100,200\n1,0.5,100,200\n");
         new RunTable(new CampaignFolder(folder), HEADER, 0, 2).close();
         assertEquals(good, Files.readString(timing));
     }
 
+    /** This part ends before run 3. */
     @Test
-    void rowsThatWereFlushedAreThereWithoutAClose() throws IOException {
-        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 1)) {
+    void ofTheRowsOfAnEarlierProcessThoseOfThePartCount() throws IOException {
+        Path file = folder.resolve("runs.csv");
+        String good = HEADER + "0,broken,,\n1,lost,,1\n2,lost,,1\n";
+        Files.writeString(file, good + "3,broken,,\n");
+        Path timing = folder.resolve("timing.csv");
+        String timed = TIMING_HEADER + "1,0.5,100,200\n2,0.5,100,200\n";
+        Files.writeString(timing, timed + "3,0.5,100,200\n");
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 3)) {
+            assertEquals(3, table.next());
+            assertEquals(1, table.broken());
+        }
+        assertEquals(good, Files.readString(file));
+        assertEquals(timed, Files.readString(timing));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"2,lost,,1\n", "1,tired,,1\n", "1,lost,,1", "1,lost\n"})
+    void theFirstRowThatIsNotTheNextRunEndsTheTable(String row) throws IOException {
+        Path file = folder.resolve("runs.csv");
+        Files.writeString(file, HEADER + ROW + row + "1,lost,,1\n");
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 9)) {
+            assertEquals(1, table.next());
+            table.add(new RunMaker.MadeRun(1, "1,stopped,,1\n", false, 100, 0.5));
+        }
+        assertEquals(HEADER + ROW + "1,stopped,,1\n", Files.readString(file));
+    }
+
+    @Test
+    void anIncompleteHeaderIsWrittenAgain() throws IOException {
+        Files.writeString(folder.resolve("runs.csv"), "run,outc");
+        Files.writeString(folder.resolve("timing.csv"), "run,wal");
+        new RunTable(new CampaignFolder(folder), HEADER, 0, 1).close();
+        assertEquals(HEADER, Files.readString(folder.resolve("runs.csv")));
+        assertEquals(TIMING_HEADER, Files.readString(folder.resolve("timing.csv")));
+    }
+
+    @Test
+    void rowsThatWereFlushedAreThereWithoutACloseAndTheOthersAfterIt() throws IOException {
+        String rows = HEADER + ROW + "1,broken,,\n";
+        String times = TIMING_HEADER + "0,0.500000,100,200\n1,0.000000,0,0\n";
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 3)) {
             table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));
+            table.add(new RunMaker.MadeRun(1, "1,broken,,\n", true, 0, 0));
             assertEquals(HEADER, Files.readString(folder.resolve("runs.csv")));
             table.flush();
-            assertEquals(HEADER + ROW, Files.readString(folder.resolve("runs.csv")));
+            assertEquals(rows, Files.readString(folder.resolve("runs.csv")));
+            assertEquals(times, Files.readString(folder.resolve("timing.csv")));
+            table.add(new RunMaker.MadeRun(2, "2,lost,,1\n", false, 100, 0.5));
+            assertEquals(1, table.broken());
+        }
+        assertEquals(rows + "2,lost,,1\n", Files.readString(folder.resolve("runs.csv")));
+        assertEquals(times + "2,0.500000,100,200\n", Files.readString(folder.resolve("timing.csv")));
+    }
+
+    @Test
+    void aRunOutOfOrderIsRefused() throws IOException {
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 1, 3)) {
+            assertThrows(IllegalStateException.class, () -> table.add(new RunMaker.MadeRun(2, ROW, false, 100, 0.5)));
         }
     }
 }
