@@ -118,12 +118,12 @@ public final class ResultColumns {
             new ResultColumn(
                     "detection_view_s",
                     "s",
-                    "part of the detection delay during which a surface was within the range of the sensor",
+                    "time with a surface in the sensor's range, from the tick of the fault to that of its detection",
                     run -> fixed(run.diagnosis().secondsInView().orElse(Double.NaN), 3)),
             new ResultColumn(
                     "detection_error_m",
                     "m",
-                    "largest error of a reading of the sensor during the detection delay",
+                    "largest error of a reading of the sensor from the tick of the fault to that of its detection",
                     run -> fixed(run.diagnosis().errorBeforeDetection().orElse(Double.NaN), 4)),
             new ResultColumn("failure", "", "why the run failed, empty if it did not", run -> ""));
 

@@ -92,16 +92,17 @@ public final class DiagnosisMetrics implements TickObserver {
     }
 
     /**
-     * {@return the part of the delay during which a surface was within the range of the sensor, so that a fault could
-     * be seen, seconds; empty if the sensor is always trusted}
+     * {@return the time with a surface within the range of the sensor, so that a fault could be seen, from the tick of
+     * the first fault to that of its detection, both included, seconds; empty if the sensor is always trusted} It can
+     * be longer than the delay by one tick.
      */
     public OptionalDouble secondsInView() {
         return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(secondsInView);
     }
 
     /**
-     * {@return the largest difference between a reading and the distance from the first fault until its sensor is not
-     * trusted, metres; empty if it always is}
+     * {@return the largest difference between a reading and the distance from the tick of the first fault to that of
+     * its detection, both included, metres; empty if its sensor is always trusted}
      */
     public OptionalDouble errorBeforeDetection() {
         return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(largestError);

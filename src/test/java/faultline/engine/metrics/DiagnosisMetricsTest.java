@@ -3,7 +3,16 @@ package faultline.engine.metrics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
+import faultline.control.Decision;
+import faultline.control.FollowerState;
+import faultline.control.SensorFinding;
+import faultline.control.SensorHealth;
+import faultline.control.SensorTrust;
+import faultline.control.Telemetry;
+import faultline.engine.CommandListener;
 import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -12,6 +21,9 @@ import faultline.sensor.SignalFault;
 import faultline.world.Command;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.function.LongFunction;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -39,8 +51,8 @@ class DiagnosisMetricsTest {
     void theErrorOfADriftBesideAWallGrowsUntilItIsDetected() {
         DiagnosisMetrics metrics = run("left", new SignalFault.Drift(0.01));
         double delay = metrics.detectionDelay().orElseThrow();
-        assertEquals(delay, metrics.secondsInView().orElseThrow(), 0.02);
-        assertEquals(0.01 * delay, metrics.errorBeforeDetection().orElseThrow(), 0.0002);
+        assertEquals(delay + office.dt(), metrics.secondsInView().orElseThrow(), 1e-9, "both ticks are included");
+        assertEquals(0.01 * delay, metrics.errorBeforeDetection().orElseThrow(), 1e-9);
         assertTrue(delay > 1, "a small error cannot be detected: " + delay);
     }
 
@@ -64,5 +76,77 @@ class DiagnosisMetricsTest {
         assertTrue(metrics.detectionDelay().isEmpty());
         assertTrue(metrics.secondsInView().isEmpty());
         assertTrue(metrics.errorBeforeDetection().isEmpty());
+    }
+
+    /** Returns the metrics of a run of 20 ticks whose diagnosis is given by the tick of the observation. */
+    private static DiagnosisMetrics observe(SimulationSetup setup, LongFunction<List<SensorHealth>> diagnosis) {
+        DiagnosisMetrics metrics = new DiagnosisMetrics(setup);
+        Controller controller = observation -> new Decision(
+                0,
+                0,
+                new Telemetry(
+                        FollowerState.SEARCH,
+                        "",
+                        0,
+                        0,
+                        Telemetry.WallControl.NONE,
+                        Telemetry.EdgeTimes.NONE,
+                        new Telemetry.Diagnosis("ALL", diagnosis.apply(observation.tick()))));
+        try (Simulation simulation =
+                new Simulation(setup, controller, ControllerMode.DIRECT, CommandListener.NONE)) {
+            metrics.observe(simulation);
+            for (int tick = 1; tick <= 20; tick++) {
+                simulation.tick();
+                metrics.observe(simulation);
+            }
+        }
+        return metrics;
+    }
+
+    private static SensorHealth distrusted(String sensor) {
+        return new SensorHealth(sensor, SensorTrust.DISTRUSTED, SensorFinding.STUCK, 1, 0);
+    }
+
+    /** The first fault is that of {@code left} at 0.05 s, and {@code rear} is switched off. */
+    private SimulationSetup twoFaults() {
+        return office.withTimeline(List.of(
+                new SimulationSetup.TimedCommand(0.1, new Command.InjectFault("right", new Fault.Dead())),
+                new SimulationSetup.TimedCommand(0.01, new Command.SwitchSensor("rear", false)),
+                new SimulationSetup.TimedCommand(0.05, new Command.InjectFault("left", new Fault.Bias(0.1)))));
+    }
+
+    @Test
+    void aSensorWithoutAFaultThatIsNotTrustedOnceIsAFalseAlarm() {
+        List<SensorHealth> some = List.of(
+                SensorHealth.trusted("front-left"),
+                distrusted("front"),
+                distrusted("left"),
+                distrusted("rear"),
+                distrusted("right"));
+        DiagnosisMetrics metrics = observe(twoFaults(), tick -> tick == 2 ? some : List.of());
+        assertEquals(OptionalInt.of(1), metrics.falseAlarms(), "front; the others fail or are switched off");
+        assertEquals(OptionalDouble.empty(), metrics.detectionDelay(), "left fails later");
+        assertEquals(OptionalInt.empty(), observe(twoFaults(), tick -> List.of()).falseAlarms());
+    }
+
+    /** The decision on observation 7 acts at tick 8. */
+    @Test
+    void theDelayIsThatOfTheFirstFault() {
+        List<SensorHealth> right = List.of(distrusted("right"));
+        List<SensorHealth> left = List.of(distrusted("left"));
+        assertEquals(
+                0.03,
+                observe(twoFaults(), tick -> tick >= 7 ? left : right)
+                        .detectionDelay()
+                        .orElseThrow(),
+                1e-9);
+        assertEquals(OptionalDouble.of(0), observe(twoFaults(), tick -> left).detectionDelay());
+    }
+
+    @Test
+    void withoutAFaultEachSensorThatIsNotTrustedIsAFalseAlarm() {
+        DiagnosisMetrics metrics = observe(office.withTimeline(List.of()), tick -> List.of(distrusted("left")));
+        assertEquals(OptionalInt.of(1), metrics.falseAlarms());
+        assertEquals(OptionalDouble.empty(), metrics.detectionDelay());
     }
 }

@@ -4,12 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
+import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
+import faultline.control.Telemetry;
 import faultline.engine.ControllerMode;
 import faultline.engine.Frame;
 import faultline.engine.Simulation;
@@ -32,6 +35,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongFunction;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -317,5 +322,58 @@ class RecorderTest {
                     1024, recorder.view().frameAt(1025).orElseThrow().snapshot().tick());
             assertNotEquals(early.size(), recorder.view().size());
         }
+    }
+
+    /** Returns the events of a run of eight ticks whose telemetry is given by the tick of the observation. */
+    private List<RunEvent> events(LongFunction<Telemetry> telemetry) {
+        SimulationSetup setup = setup(List.of());
+        Controller controller = observation -> new Decision(0, 0, telemetry.apply(observation.tick()));
+        Recorder recorder = new Recorder(setup);
+        try (Simulation simulation = new Simulation(setup, controller, ControllerMode.DIRECT, recorder)) {
+            recorder.observe(simulation);
+            while (simulation.ticks() < 8) {
+                simulation.tick();
+                recorder.observe(simulation);
+            }
+        }
+        EventLog log = recorder.view().events();
+        return LongStream.range(log.firstIndex(), log.endIndex())
+                .mapToObj(log::get)
+                .toList();
+    }
+
+    private static Telemetry telemetry(ControllerState state, String why, int transitions, List<SensorHealth> health) {
+        return new Telemetry(
+                state,
+                why,
+                0,
+                transitions,
+                Telemetry.WallControl.NONE,
+                Telemetry.EdgeTimes.NONE,
+                new Telemetry.Diagnosis("", health));
+    }
+
+    @Test
+    void aTransitionToTheSameStateAndOneThatIsNotCountedAreEvents() {
+        Telemetry start = telemetry(FollowerState.SEARCH, "", 0, List.of());
+        Telemetry again = telemetry(FollowerState.SEARCH, "again", 1, List.of());
+        Telemetry turn = telemetry(FollowerState.TURN, "wall", 1, List.of());
+        assertEquals(
+                List.of(
+                        new RunEvent.StateChanged(4, 0.04, FollowerState.SEARCH, FollowerState.SEARCH, "again"),
+                        new RunEvent.StateChanged(7, 0.07, FollowerState.SEARCH, FollowerState.TURN, "wall")),
+                events(tick -> tick < 3 ? start : tick < 6 ? again : turn));
+    }
+
+    @Test
+    void onlySensorsWhoseTrustChangesHaveEvents() {
+        SensorHealth front = new SensorHealth("front", SensorTrust.DISTRUSTED, SensorFinding.OFF, 1, 3);
+        List<SensorHealth> trusted = List.of(SensorHealth.trusted("front"), SensorHealth.trusted("left"));
+        List<SensorHealth> off = List.of(front, SensorHealth.trusted("left"));
+        assertEquals(
+                List.of(
+                        new RunEvent.HealthChanged(4, 0.04, SensorTrust.TRUSTED, front),
+                        new RunEvent.HealthChanged(7, 0.07, SensorTrust.DISTRUSTED, trusted.get(0))),
+                events(tick -> telemetry(FollowerState.SEARCH, "", 0, tick < 3 || tick >= 6 ? trusted : off)));
     }
 }
