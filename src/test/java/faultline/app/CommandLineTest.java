@@ -120,6 +120,15 @@ class CommandLineTest {
     }
 
     @Test
+    void aValueMayContainAnEqualsSignAndTheLargestWholeNumberIsAllowed() {
+        Path trace = folder.resolve("a=b.csv");
+        CommandResult run =
+                command("run", COLLIDING_SCENARIO, "--until=0", "--trace=" + trace, "--seed=" + Long.MAX_VALUE);
+        assertEquals("9223372036854775807", run.value("seed"), run.err);
+        assertTrue(Files.exists(trace));
+    }
+
+    @Test
     void untilAndSeedTakeThePlaceOfTheFiles() {
         CommandResult run = command("run", COLLIDING_SCENARIO, "--until", "2.5", "--seed=-7");
         assertEquals("250", run.value("ticks"));

@@ -89,6 +89,14 @@ class CompareCommandTest {
     }
 
     @Test
+    void controllersAndOtherValuesMayFollowAnEqualsSign() throws Exception {
+        assertEquals(0, compare("--controller", "none", "--controller", "wall-follower", "--until", "1").code);
+        List<String> separate = table();
+        assertEquals(0, compare("--controller=none", "--controller=wall-follower", "--until=1").code);
+        assertEquals(separate, table());
+    }
+
+    @Test
     void aDifferenceIsTheMeanOverPairsOfRunsWithTheSameSeed() throws Exception {
         CommandResult result =
                 compare("--controller", "none", "--controller", "wall-follower", "--seeds", "3", "--until", "6");
