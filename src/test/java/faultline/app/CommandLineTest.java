@@ -128,6 +128,13 @@ class CommandLineTest {
         assertTrue(Files.exists(trace));
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"0.001", "1000000"})
+    void aPaceMayBeALimit(String pace) {
+        CommandResult run = command("run", COLLIDING_SCENARIO, "--until", "0", "--pace", pace);
+        assertEquals("0", run.value("ticks"), run.err);
+    }
+
     @Test
     void untilAndSeedTakeThePlaceOfTheFiles() {
         CommandResult run = command("run", COLLIDING_SCENARIO, "--until", "2.5", "--seed=-7");
@@ -247,6 +254,8 @@ class CommandLineTest {
             run a.xml --sed 1               | there is no option "--sed" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
             run a.xml -x                    | there is no option "-x" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
             run a.xml --pace 0              | --pace is "0"; expected a multiple of real time from 0.001 to 1000000
+            run a.xml --pace 1000000.1      | --pace is "1000000.1"; expected a multiple of real time from 0.001 to 1000000
+            run a.xml --truth --controller none | --truth needs --controller COMMAND
             run a.xml --pace 1e-320         | --pace is "1e-320"; expected a multiple of real time from 0.001 to 1000000
             run a.xml --jar pom.xml         | --jar is "pom.xml", which is not a jar
             run a.xml --jar none.jar        | --jar is "none.jar", and there is no such file

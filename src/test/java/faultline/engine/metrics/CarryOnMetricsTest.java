@@ -1,0 +1,181 @@
+package faultline.engine.metrics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.WorldSpec;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The verdict on a robot at 0.5 m/s whose fault begins at 5 s, beside a wall of 12.5 m along y = 0 and one of 5 m along
+ * y = 5. It has 2 (12.5 / 0.5 + 10) = 70 s for the long wall and 40 s for the short one.
+ */
+class CarryOnMetricsTest {
+
+    private static final double SPACING = 0.125;
+    private static final double ONSET = 5;
+
+    /** The robot passes 80 of the 100 places of the long wall if it drives as far as this, and 79 up to the second. */
+    private static final double ENOUGH = 9.8;
+
+    private static final double TOO_LITTLE = 9.675;
+
+    private final CarryOnMetrics metrics = new CarryOnMetrics(circuit(), 0.5, ONSET);
+
+    private static WallCircuit circuit() {
+        List<WallReference.WallSample> places = new ArrayList<>();
+        for (int i = 0; i < 100; i++) {
+            places.add(new WallReference.WallSample(new Vector2(i * SPACING, 0), SPACING));
+        }
+        for (int i = 0; i < 40; i++) {
+            places.add(new WallReference.WallSample(new Vector2(i * SPACING, 5), SPACING));
+        }
+        return new WallCircuit(places, SPACING, 0.13, 0.16);
+    }
+
+    /** Drives along the long wall at a time, in steps of 25 mm. */
+    private void drive(double time, double from, double to) {
+        int steps = (int) Math.round(Math.abs(to - from) / 0.025);
+        for (int i = 0; i <= steps; i++) {
+            metrics.update(time, new Vector2(from + (to - from) * i / steps, 0), false, false);
+        }
+    }
+
+    @Test
+    void fourFifthsOfTheWallInTimeAreEnough() {
+        drive(ONSET, 0, TOO_LITTLE);
+        assertEquals(OptionalDouble.of(0.79), metrics.share());
+        assertFalse(metrics.carriedOn());
+        drive(75, TOO_LITTLE, ENOUGH);
+        assertEquals(OptionalDouble.of(0.8), metrics.share());
+        assertTrue(metrics.carriedOn());
+        assertFalse(metrics.isDecided());
+        drive(75.01, ENOUGH, 0);
+        assertTrue(metrics.isDecided() && metrics.carriedOn(), "what is passed in time counts later, too");
+    }
+
+    @Test
+    void whatIsPassedTooLateOrBeforeTheFaultIsNotEnough() {
+        drive(4.99, 0, 12);
+        assertEquals(OptionalDouble.empty(), metrics.share());
+        assertEquals(OptionalDouble.empty(), metrics.laps());
+        assertEquals(OptionalDouble.empty(), metrics.clockStart());
+        drive(ONSET, 0, TOO_LITTLE);
+        drive(75.01, TOO_LITTLE, ENOUGH);
+        assertEquals(OptionalDouble.of(0.8), metrics.share());
+        assertFalse(metrics.carriedOn());
+    }
+
+    @Test
+    void theClockStartsWhenTheRobotMeetsAWall() {
+        metrics.update(20, new Vector2(0, 0), true, false);
+        assertEquals(OptionalDouble.empty(), metrics.clockStart());
+        drive(25, 0, TOO_LITTLE);
+        drive(95, TOO_LITTLE, ENOUGH);
+        assertEquals(OptionalDouble.of(25), metrics.clockStart());
+        assertTrue(metrics.carriedOn());
+    }
+
+    @Test
+    void aRobotThatMeetsNoWallHasTheTimeOfTheLongestWall() {
+        metrics.update(75, new Vector2(0, 2), true, false);
+        assertFalse(metrics.isDecided());
+        metrics.update(75.01, new Vector2(0, 2), true, false);
+        assertTrue(metrics.isDecided());
+        assertFalse(metrics.carriedOn());
+    }
+
+    @Test
+    void onlyTheWallThatTheRobotMeetsFirstCounts() {
+        metrics.update(ONSET, new Vector2(0, 4.9), false, false);
+        assertEquals(OptionalDouble.of(1 / 40.0), metrics.share());
+        drive(ONSET, 0, 12);
+        assertEquals(OptionalDouble.of(1 / 40.0), metrics.share());
+        drive(45, 0, 1);
+        assertFalse(metrics.isDecided());
+        drive(45.01, 0, 1);
+        assertTrue(metrics.isDecided());
+    }
+
+    @Test
+    void aContactDecidesAtOnce() {
+        metrics.update(1, new Vector2(0, 0), true, true);
+        assertTrue(metrics.isDecided());
+    }
+
+    @Test
+    void aContactLaterTakesTheVerdictBack() {
+        drive(ONSET, 0, ENOUGH);
+        assertTrue(metrics.carriedOn());
+        metrics.update(6, new Vector2(ENOUGH, 0), false, true);
+        assertTrue(metrics.isDecided());
+        assertFalse(metrics.carriedOn());
+        assertEquals(OptionalDouble.of(0.8), metrics.share());
+    }
+
+    /** Six places, up to 0.625 m before the turn, are passed again before the robot has driven a metre. */
+    @Test
+    void aPlaceIsPassedAgainOnlyAfterAMetre() {
+        drive(ONSET, 0, 12.375);
+        assertEquals(OptionalDouble.of(1), metrics.laps());
+        drive(ONSET, 12.375, 0);
+        assertEquals(OptionalDouble.of(1.94), metrics.laps());
+        assertEquals(OptionalDouble.of(1), metrics.share());
+    }
+
+    @Test
+    void aPlaceThatIsPassedAgainAddsNothingToTheShare() {
+        drive(ONSET, 0, 6);
+        OptionalDouble share = metrics.share();
+        drive(ONSET, 6, 0);
+        assertEquals(share, metrics.share());
+    }
+
+    @Test
+    void theFaultThatBeginsLastCountsAlsoIfItIsOfAMotor() {
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1, 0))
+                .withTimeline(List.of(
+                        new SimulationSetup.TimedCommand(
+                                5, new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.NoDrive())),
+                        new SimulationSetup.TimedCommand(2, new Command.InjectFault("left", new Fault.Dead())),
+                        new SimulationSetup.TimedCommand(9, new Command.SwitchSensor("rear", false))));
+        CarryOnMetrics motor = new CarryOnMetrics(setup, circuit());
+        motor.update(4.99, Vector2.ZERO, false, false);
+        assertEquals(OptionalDouble.empty(), motor.clockStart());
+        motor.update(5, Vector2.ZERO, false, false);
+        assertEquals(OptionalDouble.of(5), motor.clockStart());
+    }
+
+    /** The default distance is 0.25 m from the side of the platform, which is 0.2 m wide. */
+    @Test
+    void aControllerFromOutsideKeepsItsDistanceFromTheSideOfThePlatform() {
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1, 0));
+        assertEquals(
+                0.35,
+                CarryOnMetrics.wantedDistance(setup.withController(new ControllerSpec.Extern(0)))
+                        .orElseThrow());
+        assertEquals(
+                OptionalDouble.empty(),
+                CarryOnMetrics.wantedDistance(setup.withController(new ControllerSpec.Drive(1, 1))));
+    }
+
+    @Test
+    void withoutAnyWallNothingIsDecided() {
+        CarryOnMetrics open = new CarryOnMetrics(WallCircuit.empty(), 0.5, ONSET);
+        open.update(1000, Vector2.ZERO, false, false);
+        assertFalse(open.isDecided());
+        assertEquals(OptionalDouble.empty(), open.share());
+    }
+}
