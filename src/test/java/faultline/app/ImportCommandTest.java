@@ -3,6 +3,7 @@ package faultline.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.geometry.Pose;
 import faultline.scenario.Scenario;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -46,11 +47,44 @@ class ImportCommandTest {
     void anImageBecomesAScenarioThatCanBeRun() throws Exception {
         Path file = folder.resolve("room.xml");
         assertEquals(
-                0, importMap("--out", file.toString(), "--resolution", "0.05", "--start", "1,1,90"), err::toString);
+                0, importMap("--out", file.toString(), "--resolution", "0.05", "--start", "1,1.5,90"), err::toString);
         Scenario scenario = Scenario.load(file);
         assertEquals(2.0, scenario.setup().world().width());
-        assertEquals(1.0, scenario.setup().start().x());
-        assertTrue(out.toString(StandardCharsets.UTF_8).contains("solid_cells: 40\nrings: 1\nsegments: 4\n"));
+        assertEquals(new Pose(1, 1.5, Math.PI / 2), scenario.setup().start());
+        assertEquals(
+                List.of(
+                        "scenario: " + file,
+                        "cells: 40 x 40",
+                        "solid_cells: 40",
+                        "rings: 1",
+                        "segments: 4",
+                        "start: 1,1.5,90"),
+                out.toString(StandardCharsets.UTF_8).lines().toList());
+    }
+
+    @Test
+    void aGroupOfOneCellIsKeptUnlessMoreAreWanted() throws Exception {
+        Path map = Files.writeString(
+                folder.resolve("spot.pgm"), "P2 40 40 255\n" + "255 ".repeat(820) + "0 " + "255 ".repeat(779));
+        String[] command = {"import", map.toString(), "--out", folder + "/x.xml", "--resolution=0.05", "--start=0.3,0.3,0"};
+        assertEquals(0, commandLine().run(command), err::toString);
+        assertTrue(out.toString(StandardCharsets.UTF_8).contains("solid_cells: 1\n"));
+        out.reset();
+        String[] without = Arrays.copyOf(command, command.length + 1);
+        without[command.length] = "--min-cells=2";
+        assertEquals(0, commandLine().run(without), err::toString);
+        assertTrue(out.toString(StandardCharsets.UTF_8).contains("solid_cells: 0\n"));
+    }
+
+    @Test
+    void theResolutionOfAYamlFileIsItsOwn() throws Exception {
+        importMap("--out", "x.xml");
+        err.reset();
+        Path map = Files.writeString(folder.resolve("map.yaml"), "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
+        assertEquals(2, commandLine().run("import", map.toString(), "--out", "x.xml", "--resolution", "1"));
+        assertEquals(
+                "faultline: --resolution is for an image; " + map + " gives its own (see faultline --help)\n",
+                err.toString(StandardCharsets.UTF_8));
     }
 
     @Test

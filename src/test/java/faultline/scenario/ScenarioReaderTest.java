@@ -183,6 +183,9 @@ class ScenarioReaderTest {
                 controller(SampleScenario.withReplacement(
                         plain, "<controller type=\"drive\" left=\"2\" right=\"-1.5\"/>")));
         assertEquals(
+                new ControllerSpec.Drive(0, 0),
+                controller(SampleScenario.withReplacement(plain, "<controller type=\"drive\"/>")));
+        assertEquals(
                 new ControllerSpec.None(),
                 controller(SampleScenario.withReplacement(plain, "<controller type=\"none\"/>")));
     }

@@ -52,6 +52,14 @@ class PacerTest {
     }
 
     @Test
+    void settingTheSpeedThatItHasStartsNoNewMeasurement() {
+        makeTicks(1);
+        now += 4 * MILLISECOND;
+        pacer.setSpeed(1);
+        assertEquals(6 * MILLISECOND, pacer.nanosToWait());
+    }
+
+    @Test
     void aLongerPauseIsNotCaughtUp() {
         makeTicks(1);
         now += 111 * MILLISECOND;
