@@ -135,6 +135,14 @@ class CommandLineTest {
         assertEquals("0", run.value("ticks"), run.err);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"none", "0.5", "10000000"})
+    void thePatienceMayBeALimitOrNone(String patience) {
+        CommandResult run =
+                command("run", COLLIDING_SCENARIO, "--until", "0", "--controller", "none", "--patience", patience);
+        assertEquals("0", run.value("ticks"), run.err);
+    }
+
     @Test
     void untilAndSeedTakeThePlaceOfTheFiles() {
         CommandResult run = command("run", COLLIDING_SCENARIO, "--until", "2.5", "--seed=-7");
@@ -255,6 +263,8 @@ class CommandLineTest {
             run a.xml -x                    | there is no option "-x" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
             run a.xml --pace 0              | --pace is "0"; expected a multiple of real time from 0.001 to 1000000
             run a.xml --pace 1000000.1      | --pace is "1000000.1"; expected a multiple of real time from 0.001 to 1000000
+            run a.xml --controller none --patience 0 | --patience is "0"; expected none or a number of seconds above 0, up to 10000000
+            run a.xml --controller none --patience 10000000.1 | --patience is "10000000.1"; expected none or a number of seconds above 0, up to 10000000
             run a.xml --truth --controller none | --truth needs --controller COMMAND
             run a.xml --pace 1e-320         | --pace is "1e-320"; expected a multiple of real time from 0.001 to 1000000
             run a.xml --jar pom.xml         | --jar is "pom.xml", which is not a jar
