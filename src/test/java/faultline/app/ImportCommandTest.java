@@ -66,7 +66,9 @@ class ImportCommandTest {
     void aGroupOfOneCellIsKeptUnlessMoreAreWanted() throws Exception {
         Path map = Files.writeString(
                 folder.resolve("spot.pgm"), "P2 40 40 255\n" + "255 ".repeat(820) + "0 " + "255 ".repeat(779));
-        String[] command = {"import", map.toString(), "--out", folder + "/x.xml", "--resolution=0.05", "--start=0.3,0.3,0"};
+        String[] command = {
+            "import", map.toString(), "--out", folder + "/x.xml", "--resolution=0.05", "--start=0.3,0.3,0"
+        };
         assertEquals(0, commandLine().run(command), err::toString);
         assertTrue(out.toString(StandardCharsets.UTF_8).contains("solid_cells: 1\n"));
         out.reset();
@@ -80,7 +82,8 @@ class ImportCommandTest {
     void theResolutionOfAYamlFileIsItsOwn() throws Exception {
         importMap("--out", "x.xml");
         err.reset();
-        Path map = Files.writeString(folder.resolve("map.yaml"), "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
+        Path map =
+                Files.writeString(folder.resolve("map.yaml"), "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
         assertEquals(2, commandLine().run("import", map.toString(), "--out", "x.xml", "--resolution", "1"));
         assertEquals(
                 "faultline: --resolution is for an image; " + map + " gives its own (see faultline --help)\n",

@@ -92,8 +92,7 @@ class DiagnosisMetricsTest {
                         Telemetry.WallControl.NONE,
                         Telemetry.EdgeTimes.NONE,
                         new Telemetry.Diagnosis("ALL", diagnosis.apply(observation.tick()))));
-        try (Simulation simulation =
-                new Simulation(setup, controller, ControllerMode.DIRECT, CommandListener.NONE)) {
+        try (Simulation simulation = new Simulation(setup, controller, ControllerMode.DIRECT, CommandListener.NONE)) {
             metrics.observe(simulation);
             for (int tick = 1; tick <= 20; tick++) {
                 simulation.tick();
@@ -126,7 +125,8 @@ class DiagnosisMetricsTest {
         DiagnosisMetrics metrics = observe(twoFaults(), tick -> tick == 2 ? some : List.of());
         assertEquals(OptionalInt.of(1), metrics.falseAlarms(), "front; the others fail or are switched off");
         assertEquals(OptionalDouble.empty(), metrics.detectionDelay(), "left fails later");
-        assertEquals(OptionalInt.empty(), observe(twoFaults(), tick -> List.of()).falseAlarms());
+        assertEquals(
+                OptionalInt.empty(), observe(twoFaults(), tick -> List.of()).falseAlarms());
     }
 
     /** The decision on observation 7 acts at tick 8. */
