@@ -27,8 +27,8 @@ final class MapImageReader {
     private static final int BUFFER_BYTES = 1 << 16;
     private static final int MAX_GREY_BITS = 16;
     /**
-     * The names that the JDK's readers give their formats. It can also read JPEG, whose compression changes pixels so
-     * that the outlines would not be those of the map.
+     * The names that the JDK's readers give their formats. It can also read JPEG, whose compression changes pixels, and
+     * whose decoders may differ by a level of grey, so that the outlines would not be those of the map on each machine.
      */
     private static final Set<String> FORMATS = Set.of("png", "bmp", "gif", "tif");
 
