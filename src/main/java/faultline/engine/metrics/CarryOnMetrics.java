@@ -1,6 +1,7 @@
 package faultline.engine.metrics;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.control.wallfollower.WallFollower;
 import faultline.engine.Simulation;
@@ -108,13 +109,21 @@ public final class CarryOnMetrics implements TickObserver {
 
     @Override
     public void observe(Simulation simulation) {
-        time = simulation.time();
-        collided = simulation.collision().isPresent();
+        update(
+                simulation.time(),
+                simulation.pose().position(),
+                simulation.telemetry().state(),
+                simulation.collision().isPresent());
+    }
+
+    /** Records the centre of the robot, metres, the state of its controller and whether it has touched anything. */
+    void update(double now, Vector2 centre, ControllerState state, boolean contact) {
+        time = now;
+        collided = contact;
         if (collided || time < onset || circuit.size() == 0) {
             return;
         }
-        Vector2 centre = simulation.pose().position();
-        if (path < 0 && simulation.telemetry().state() != FollowerState.SEARCH) {
+        if (path < 0 && state != FollowerState.SEARCH) {
             startClock(centre);
         }
         if (path >= 0 && !(centre.distanceTo(last) < STEP)) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.FollowerState;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -49,7 +50,7 @@ class CarryOnMetricsTest {
     private void drive(double time, double from, double to) {
         int steps = (int) Math.round(Math.abs(to - from) / 0.025);
         for (int i = 0; i <= steps; i++) {
-            metrics.update(time, new Vector2(from + (to - from) * i / steps, 0), false, false);
+            metrics.update(time, new Vector2(from + (to - from) * i / steps, 0), FollowerState.FOLLOW, false);
         }
     }
 
@@ -80,7 +81,7 @@ class CarryOnMetricsTest {
 
     @Test
     void theClockStartsWhenTheRobotMeetsAWall() {
-        metrics.update(20, new Vector2(0, 0), true, false);
+        metrics.update(20, new Vector2(0, 0), FollowerState.SEARCH, false);
         assertEquals(OptionalDouble.empty(), metrics.clockStart());
         drive(25, 0, TOO_LITTLE);
         drive(95, TOO_LITTLE, ENOUGH);
@@ -90,16 +91,16 @@ class CarryOnMetricsTest {
 
     @Test
     void aRobotThatMeetsNoWallHasTheTimeOfTheLongestWall() {
-        metrics.update(75, new Vector2(0, 2), true, false);
+        metrics.update(75, new Vector2(0, 2), FollowerState.SEARCH, false);
         assertFalse(metrics.isDecided());
-        metrics.update(75.01, new Vector2(0, 2), true, false);
+        metrics.update(75.01, new Vector2(0, 2), FollowerState.SEARCH, false);
         assertTrue(metrics.isDecided());
         assertFalse(metrics.carriedOn());
     }
 
     @Test
     void onlyTheWallThatTheRobotMeetsFirstCounts() {
-        metrics.update(ONSET, new Vector2(0, 4.9), false, false);
+        metrics.update(ONSET, new Vector2(0, 4.9), FollowerState.FOLLOW, false);
         assertEquals(OptionalDouble.of(1 / 40.0), metrics.share());
         drive(ONSET, 0, 12);
         assertEquals(OptionalDouble.of(1 / 40.0), metrics.share());
@@ -111,7 +112,7 @@ class CarryOnMetricsTest {
 
     @Test
     void aContactDecidesAtOnce() {
-        metrics.update(1, new Vector2(0, 0), true, true);
+        metrics.update(1, new Vector2(0, 0), FollowerState.SEARCH, true);
         assertTrue(metrics.isDecided());
     }
 
@@ -119,7 +120,7 @@ class CarryOnMetricsTest {
     void aContactLaterTakesTheVerdictBack() {
         drive(ONSET, 0, ENOUGH);
         assertTrue(metrics.carriedOn());
-        metrics.update(6, new Vector2(ENOUGH, 0), false, true);
+        metrics.update(6, new Vector2(ENOUGH, 0), FollowerState.FOLLOW, true);
         assertTrue(metrics.isDecided());
         assertFalse(metrics.carriedOn());
         assertEquals(OptionalDouble.of(0.8), metrics.share());
@@ -152,9 +153,9 @@ class CarryOnMetricsTest {
                         new SimulationSetup.TimedCommand(2, new Command.InjectFault("left", new Fault.Dead())),
                         new SimulationSetup.TimedCommand(9, new Command.SwitchSensor("rear", false))));
         CarryOnMetrics motor = new CarryOnMetrics(setup, circuit());
-        motor.update(4.99, Vector2.ZERO, false, false);
+        motor.update(4.99, Vector2.ZERO, FollowerState.FOLLOW, false);
         assertEquals(OptionalDouble.empty(), motor.clockStart());
-        motor.update(5, Vector2.ZERO, false, false);
+        motor.update(5, Vector2.ZERO, FollowerState.FOLLOW, false);
         assertEquals(OptionalDouble.of(5), motor.clockStart());
     }
 
@@ -174,7 +175,7 @@ class CarryOnMetricsTest {
     @Test
     void withoutAnyWallNothingIsDecided() {
         CarryOnMetrics open = new CarryOnMetrics(WallCircuit.empty(), 0.5, ONSET);
-        open.update(1000, Vector2.ZERO, false, false);
+        open.update(1000, Vector2.ZERO, FollowerState.FOLLOW, false);
         assertFalse(open.isDecided());
         assertEquals(OptionalDouble.empty(), open.share());
     }
