@@ -99,12 +99,17 @@ public final class CarryOnMetrics implements TickObserver {
                 : wanted;
     }
 
-    /** Returns when the faults of a setup's timeline begin, seconds. */
+    /** Returns when the faults of a setup's timeline begin by the clock of the simulation, seconds. */
     static DoubleStream faultTimes(SimulationSetup setup) {
         return setup.timeline().stream()
                 .filter(timed -> timed.command() instanceof Command.InjectFault
                         || timed.command() instanceof Command.InjectMotorFault)
-                .mapToDouble(SimulationSetup.TimedCommand::time);
+                .mapToDouble(timed -> startTime(setup, timed));
+    }
+
+    /** Returns the time of a command, seconds; the clock may show a little less in its tick, by a rounding error. */
+    static double startTime(SimulationSetup setup, SimulationSetup.TimedCommand timed) {
+        return Math.min(timed.time(), setup.tickAt(timed.time()) * setup.dt());
     }
 
     @Override

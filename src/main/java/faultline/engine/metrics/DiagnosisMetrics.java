@@ -40,7 +40,8 @@ public final class DiagnosisMetrics implements TickObserver {
                 .filter(timed -> timed.command() instanceof Command.InjectFault)
                 .forEach(timed -> faulty.add(((Command.InjectFault) timed.command()).sensor()));
         firstFaulty = setup.timeline().stream()
-                .filter(timed -> timed.time() == onset && timed.command() instanceof Command.InjectFault)
+                .filter(timed -> CarryOnMetrics.startTime(setup, timed) == onset
+                        && timed.command() instanceof Command.InjectFault)
                 .map(timed -> ((Command.InjectFault) timed.command()).sensor())
                 .findFirst()
                 .orElse("");

@@ -159,6 +159,20 @@ class CarryOnMetricsTest {
         assertEquals(OptionalDouble.of(5), motor.clockStart());
     }
 
+    /** The product of 11 and 0.03, the time of the tick of the fault, is less than 0.33. */
+    @Test
+    void theClockStartsInTheTickOfTheFaultWhateverTheRoundingErrorOfItsTime() {
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1, 0))
+                .withTick(0.03)
+                .withTimeline(List.of(
+                        new SimulationSetup.TimedCommand(0.33, new Command.InjectFault("left", new Fault.Dead()))));
+        CarryOnMetrics rounded = new CarryOnMetrics(setup, circuit());
+        rounded.update(10 * setup.dt(), Vector2.ZERO, FollowerState.FOLLOW, false);
+        assertEquals(OptionalDouble.empty(), rounded.clockStart());
+        rounded.update(11 * setup.dt(), Vector2.ZERO, FollowerState.FOLLOW, false);
+        assertEquals(OptionalDouble.of(11 * setup.dt()), rounded.clockStart());
+    }
+
     /** The default distance is 0.25 m from the side of the platform, which is 0.2 m wide. */
     @Test
     void aControllerFromOutsideKeepsItsDistanceFromTheSideOfThePlatform() {

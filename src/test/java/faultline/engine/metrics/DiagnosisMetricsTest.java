@@ -143,6 +143,17 @@ class DiagnosisMetricsTest {
         assertEquals(OptionalDouble.of(0), observe(twoFaults(), tick -> left).detectionDelay());
     }
 
+    /** The product of 11 and 0.03 is less than 0.33. */
+    @Test
+    void theDelayStartsInTheTickOfTheFaultWhateverTheRoundingErrorOfItsTime() {
+        SimulationSetup setup = office.withTick(0.03)
+                .withTimeline(List.of(
+                        new SimulationSetup.TimedCommand(0.33, new Command.InjectFault("left", new Fault.Dead()))));
+        assertTrue(11 * setup.dt() < 0.33);
+        DiagnosisMetrics metrics = observe(setup, tick -> List.of(distrusted("left")));
+        assertEquals(OptionalDouble.of(0), metrics.detectionDelay());
+    }
+
     @Test
     void withoutAFaultEachSensorThatIsNotTrustedIsAFalseAlarm() {
         DiagnosisMetrics metrics = observe(office.withTimeline(List.of()), tick -> List.of(distrusted("left")));
