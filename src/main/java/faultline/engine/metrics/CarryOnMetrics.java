@@ -8,6 +8,7 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.geometry.Vector2;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
@@ -90,13 +91,16 @@ public final class CarryOnMetrics implements TickObserver {
      * @param setup the setup
      */
     public static OptionalDouble wantedDistance(SimulationSetup setup) {
-        if (setup.controller() instanceof ControllerSpec.WallFollowing follower) {
-            return OptionalDouble.of(WallFollower.wantedCentreDistance(follower, setup.robot()));
+        return wantedDistance(setup.controller(), setup.robot());
+    }
+
+    /** Returns {@link #wantedDistance} of a controller in a robot. */
+    static OptionalDouble wantedDistance(ControllerSpec controller, RobotSpec robot) {
+        if (controller instanceof ControllerSpec.WallFollowing follower) {
+            return OptionalDouble.of(WallFollower.wantedCentreDistance(follower, robot));
         }
-        OptionalDouble wanted = setup.controller().wantedDistance();
-        return wanted.isPresent()
-                ? OptionalDouble.of(wanted.getAsDouble() + setup.robot().width() / 2)
-                : wanted;
+        OptionalDouble wanted = controller.wantedDistance();
+        return wanted.isPresent() ? OptionalDouble.of(wanted.getAsDouble() + robot.width() / 2) : wanted;
     }
 
     /** Returns when the faults of a setup's timeline begin by the clock of the simulation, seconds. */

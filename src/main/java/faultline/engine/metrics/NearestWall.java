@@ -38,9 +38,10 @@ final class NearestWall {
      * The nearest wall of a point.
      *
      * @param distance metres; positive infinity if there is no wall within the range
+     * @param foot its nearest point
      * @param straight whether it is straight there
      */
-    record Wall(double distance, boolean straight) {}
+    record Wall(double distance, Vector2 foot, boolean straight) {}
 
     /**
      * Returns the nearest wall of a point; of several, the first in the world.
@@ -69,8 +70,8 @@ final class NearestWall {
         }
         last = nearest;
         return least <= range
-                ? new Wall(least, isStraight(near.shape(nearest), foot, margin))
-                : new Wall(Double.POSITIVE_INFINITY, false);
+                ? new Wall(least, foot, isStraight(near.shape(nearest), foot, margin))
+                : new Wall(Double.POSITIVE_INFINITY, NOWHERE, false);
     }
 
     private void search(Vector2 point) {

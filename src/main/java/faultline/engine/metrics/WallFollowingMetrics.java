@@ -32,7 +32,14 @@ final class WallFollowingMetrics implements TickObserver {
     /** Whether states that the built-in follower does not have count as following. */
     private final boolean hasOwnStates;
 
-    private final double distance;
+    private final SimulationSetup setup;
+    /** The settings from which the wanted distance is. */
+    private ControllerSpec controller;
+    /** The wanted distance of the robot's centre from the wall, metres. */
+    private double distance;
+    /** The wanted distance at the start, by which the places are found that the robot must pass, metres. */
+    private final double startDistance;
+
     private final WallReference walls;
     private final Coverage coverage;
     /** Null until it is needed, because finding the walls takes a long time in large worlds. */
@@ -48,37 +55,67 @@ final class WallFollowingMetrics implements TickObserver {
 
     /** Creates metrics of one run with a coverage for its walls and the wanted distance. */
     WallFollowingMetrics(SimulationSetup setup, BiFunction<WallReference, Double, Coverage> newCoverage) {
+        this.setup = setup;
         OptionalDouble wanted = CarryOnMetrics.wantedDistance(setup);
         isWallFollower = wanted.isPresent();
-        hasOwnStates = !(setup.controller() instanceof ControllerSpec.WallFollowing);
+        controller = setup.controller();
+        hasOwnStates = !(controller instanceof ControllerSpec.WallFollowing);
         walls = new WallReference(setup.world());
-        distance = wanted.orElse(0);
-        coverage = newCoverage.apply(walls, distance);
+        startDistance = wanted.orElse(0);
+        distance = startDistance;
+        coverage = newCoverage.apply(walls, startDistance);
     }
 
     @Override
+    @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
     public void observe(Simulation simulation) {
         if (!isWallFollower || simulation.collision().isPresent()) {
             return;
+        }
+        if (simulation.controllerSpec() != controller) {
+            controller = simulation.controllerSpec();
+            setDistance(CarryOnMetrics.wantedDistance(controller, setup.robot()).orElse(distance));
         }
         walls.share(simulation);
         Vector2 centre = simulation.pose().position();
         ControllerState state = simulation.telemetry().state();
         boolean follows = state == FollowerState.FOLLOW || hasOwnStates && !FOLLOWER_STATES.contains(state);
         if (follows || state == FollowerState.ROUND) {
-            coverage.visit(centre);
+            coverage.visit(distance == startDistance ? centre : atStartDistance(centre));
         }
         if (follows) {
             addError(centre);
         }
     }
 
-    /** Adds how much farther than wanted the nearest wall is, unless it is more than twice as far. */
-    private void addError(Vector2 centre) {
+    private void setDistance(double wanted) {
+        if (wanted != distance) {
+            distance = wanted;
+            nearestWall = null;
+        }
+    }
+
+    /** Returns the nearest wall, infinitely far away if it is more than twice as far as wanted. */
+    private NearestWall.Wall nearestWall(Vector2 centre) {
         if (nearestWall == null) {
             nearestWall = new NearestWall(walls.walls(), 2 * distance);
         }
-        NearestWall.Wall nearest = nearestWall.of(centre, STRAIGHT_MARGIN);
+        return nearestWall.of(centre, STRAIGHT_MARGIN);
+    }
+
+    /** Moves a point away from its nearest wall or towards it, by the change of the wanted distance since the start. */
+    private Vector2 atStartDistance(Vector2 centre) {
+        NearestWall.Wall nearest = nearestWall(centre);
+        if (nearest.distance() == 0 || Double.isInfinite(nearest.distance())) {
+            return centre;
+        }
+        double moved = Math.max(0, nearest.distance() + startDistance - distance);
+        return nearest.foot().plus(centre.minus(nearest.foot()).times(moved / nearest.distance()));
+    }
+
+    /** Adds how much farther than wanted the nearest wall is, unless it is more than twice as far. */
+    private void addError(Vector2 centre) {
+        NearestWall.Wall nearest = nearestWall(centre);
         if (nearest.distance() <= 2 * distance) {
             double error = nearest.distance() - distance;
             followError.add(error);

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 class NearestWallTest {
 
     private static final double RANGE = 0.7;
+    private static final Vector2 NOWHERE = new Vector2(Double.POSITIVE_INFINITY, 0);
     private static final double MARGIN = 0.5;
 
     private static NearestWall.Wall nearest(double x, double y, Obstacle... obstacles) {
@@ -42,7 +43,7 @@ class NearestWallTest {
     @Test
     void wallsBeyondTheRangeAreIgnored() {
         assertEquals(0.7, nearest(2, 0.7).distance(), 1e-12);
-        assertEquals(new NearestWall.Wall(Double.POSITIVE_INFINITY, false), nearest(2, 0.71));
+        assertEquals(new NearestWall.Wall(Double.POSITIVE_INFINITY, NOWHERE, false), nearest(2, 0.71));
     }
 
     @Test
@@ -85,6 +86,7 @@ class NearestWallTest {
 
     private static NearestWall.Wall bruteForce(SpatialIndex walls, double range, Vector2 point) {
         double least = Double.POSITIVE_INFINITY;
+        Vector2 nearest = NOWHERE;
         boolean straight = false;
         for (int i = 0; i < walls.size(); i++) {
             ConvexShape wall = walls.shape(i);
@@ -92,11 +94,12 @@ class NearestWallTest {
             double distance = foot.distanceTo(point);
             if (distance <= range && distance < least) {
                 least = distance;
+                nearest = foot;
                 straight = wall instanceof Segment segment
                         && foot.distanceTo(segment.a()) >= MARGIN
                         && foot.distanceTo(segment.b()) >= MARGIN;
             }
         }
-        return new NearestWall.Wall(least, straight);
+        return new NearestWall.Wall(least, nearest, straight);
     }
 }

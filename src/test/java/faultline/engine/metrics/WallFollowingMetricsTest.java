@@ -17,6 +17,7 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -85,6 +86,35 @@ class WallFollowingMetricsTest {
                 0.40,
                 CarryOnMetrics.wantedDistance(setup.withRobot(robot.withSensor(left.withOn(false))))
                         .orElse(-1));
+    }
+
+    /**
+     * The robot passes most of the wall only at the new distance, and needs a few seconds to reach it. At a greater one
+     * it does not come to the places in the corners: from 0.25 to 0.4 m, these are 0.1 m on both sides of each, and it
+     * has passed one of the four before.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.25, 0.4, 0.955", "0.4, 0.2, 1"})
+    void afterAChangeOfTheWantedDistanceTheNewOneCounts(double from, double to, double coverage) {
+        ControllerSpec.WallFollowing start = ControllerSpec.WallFollowing.DEFAULT.withDistance(from);
+        RunResult result = run(
+                start,
+                160,
+                new SimulationSetup.TimedCommand(20, new Command.ConfigureController(start.withDistance(to))));
+        assertEquals(coverage, result.coverage().orElse(-1), 0.005);
+        assertTrue(result.distanceRms().orElse(1) < 0.04, () -> "error " + result.distanceRms());
+    }
+
+    @Test
+    void afterAChangeOfTheWantedDistanceADeviationIsMeasuredFromTheNewOne() {
+        ControllerSpec.WallFollowing start = ControllerSpec.WallFollowing.DEFAULT;
+        RunResult result = run(
+                start,
+                160,
+                new SimulationSetup.TimedCommand(0, new Command.ConfigureController(start.withDistance(0.4))),
+                new SimulationSetup.TimedCommand(0, new Command.InjectFault("left", new Fault.Bias(0.02))));
+        assertEquals(0.02, result.distanceRms().orElse(1), 0.001);
+        assertEquals(0.94, result.coverage().orElse(-1), 0.005, "all but the corners");
     }
 
     @Test
