@@ -41,6 +41,8 @@ public enum ControllerProblem implements Message.Template {
     USUAL_PYTHON("{0}; Python is usually started by \"{1}\""),
     /** A reason with the command that starts a script. */
     PYTHON_SCRIPT("{0}; a program in Python is started by \"{1} {2}\""),
+    /** A reason with the way to use a jar. */
+    JAR("{0}; the controllers of a jar are added with --jar or in the window with \"File\", and chosen by name"),
     /** The hint for a misspelt name. */
     NAMES("; controllers in Java are {0}"),
 

@@ -36,9 +36,9 @@ final class StartFailure {
             return RunProblem.OTHER.with(message);
         }
         return switch (error.group(1)) {
-            case MISSING -> withPythonHint(missing(program), program);
-            case NOT_PERMITTED -> withPythonHint(ControllerProblem.NOT_EXECUTABLE, program);
-            case NO_PROGRAM -> withPythonHint(ControllerProblem.NOT_A_PROGRAM, program);
+            case MISSING -> withHint(missing(program), program);
+            case NOT_PERMITTED -> withHint(ControllerProblem.NOT_EXECUTABLE, program);
+            case NO_PROGRAM -> withHint(ControllerProblem.NOT_A_PROGRAM, program);
             default -> RunProblem.OTHER.with(error.group(2));
         };
     }
@@ -50,10 +50,13 @@ final class StartFailure {
                 : ControllerProblem.NO_PROGRAM;
     }
 
-    private static Message withPythonHint(ControllerProblem reason, String program) {
+    private static Message withHint(ControllerProblem reason, String program) {
         String python = PythonCommand.text();
         if (PYTHON.matcher(program).matches() && !program.equals(python)) {
             return ControllerProblem.USUAL_PYTHON.with(reason.with(), python);
+        }
+        if (program.endsWith(".jar")) {
+            return ControllerProblem.JAR.with(reason.with());
         }
         return program.endsWith(".py") && new File(program).exists()
                 ? ControllerProblem.PYTHON_SCRIPT.with(reason.with(), python, ShellText.quoted(program))

@@ -52,6 +52,14 @@ class StartFailureTest {
     }
 
     @Test
+    void aJarIsNoProgram() {
+        assertEquals(
+                "the file is not executable; the controllers of a jar are added with --jar or in the window with"
+                        + " \"File\", and chosen by name",
+                describe("my.jar", "Cannot run program: error=13, Permission denied"));
+    }
+
+    @Test
     void theUsualNameOfPythonIsSuggestedForAnotherOne() {
         String missing = "Cannot run program: error=2, No such file or directory";
         String python = PythonCommand.text();
