@@ -87,9 +87,7 @@ public final class ControllerChooser implements WorkspaceListener {
     }
 
     private Optional<ControllerSelection> ask(String key, ControllerSelection now) {
-        return new ControllerDialog(
-                        Messages.get(key + ".title"), now, workspace.file().orElse(null))
-                .showDialog(owner);
+        return new ControllerDialog(key, now, workspace.file().orElse(null)).showDialog(owner);
     }
 
     /** Restarts the run with a controller, which is also that of later runs if it can be started. */

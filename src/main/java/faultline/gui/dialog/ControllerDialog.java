@@ -42,7 +42,9 @@ final class ControllerDialog {
 
     private final JComboBox<String> field = new JComboBox<>();
     private final JTextArea help = UiText.wrappedText();
-    private final String title;
+    /** The prefix of the keys of its title and of the help. */
+    private final String key;
+
     private final Path scenario;
     private List<Path> jars;
     /** The number of times that names have been loaded; only the last ones are shown. */
@@ -52,9 +54,12 @@ final class ControllerDialog {
      */
     private Path awaited;
 
-    /** Creates a dialog with a title that shows a selection, given the open file, null for none. */
-    ControllerDialog(String title, ControllerSelection now, Path scenario) {
-        this.title = title;
+    /**
+     * Creates a dialog that shows a selection, given the open file, null for none. The key is {@code chooseController}
+     * for the controller of the run or {@code compareController} for that of a ghost.
+     */
+    ControllerDialog(String key, ControllerSelection now, Path scenario) {
+        this.key = key;
         this.scenario = scenario;
         this.jars = now.jars();
         // Its lines are as long as its sentences.
@@ -112,7 +117,7 @@ final class ControllerDialog {
     }
 
     private void showExample() {
-        help.setText(Messages.get("chooseController.help", EXAMPLE));
+        help.setText(Messages.get(key + ".help", EXAMPLE));
     }
 
     private void showNames(ControllerNames found, String selected) {
@@ -143,8 +148,8 @@ final class ControllerDialog {
     Optional<ControllerSelection> showDialog(Component parent) {
         JPanel panel = createPanel();
         field.getEditor().selectAll();
-        boolean accepted =
-                FormDialog.showDialog(parent, title, panel, field.getEditor().getEditorComponent());
+        boolean accepted = FormDialog.showDialog(
+                parent, Messages.get(key + ".title"), panel, field.getEditor().getEditorComponent());
         return accepted ? Optional.of(selected()) : Optional.empty();
     }
 

@@ -94,9 +94,12 @@ public final class StateDiagramView extends AccessibleComponent {
 
     /** Returns what is shown instead of the diagram. */
     static String otherText(SessionFrame shown) {
-        return shown.controller() instanceof ControllerSpec.BuiltIn
-                ? Messages.get("diagram.other", StateText.name(shown.telemetry().state()))
-                : foreignText(shown);
+        if (!(shown.controller() instanceof ControllerSpec.BuiltIn)) {
+            return foreignText(shown);
+        }
+        String kind =
+                shown.controller() instanceof ControllerSpec.None ? "controller.kind.NONE" : "controller.kind.DRIVE";
+        return Messages.get("diagram.foreign", Messages.get("diagram.controller.named", Messages.get(kind)));
     }
 
     private static String foreignText(SessionFrame shown) {

@@ -14,6 +14,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,8 +37,9 @@ class ControllerDialogTest {
     }
 
     private Path startFolder(ControllerSelection now, Path scenario) {
-        return callOnEdt(() ->
-                new ControllerDialog("Controller", now, scenario).startFolder().toPath());
+        return callOnEdt(() -> new ControllerDialog("chooseController", now, scenario)
+                .startFolder()
+                .toPath());
     }
 
     private Path create(String name) throws IOException {
@@ -79,12 +81,20 @@ class ControllerDialogTest {
             Messages.setLanguage(language);
             TextSize.LARGEST.install();
             Theme.LIGHT.install();
-            return new ControllerDialog("Controller", ControllerSelection.SCENARIO, null)
-                    .createPanel()
-                    .getPreferredSize()
-                    .width;
+            return Stream.of("chooseController", "compareController")
+                    .map(key -> new ControllerDialog(key, ControllerSelection.SCENARIO, null))
+                    .mapToInt(dialog -> dialog.createPanel().getPreferredSize().width)
+                    .max()
+                    .orElseThrow();
         });
         assertTrue(width <= 700, width + " pixels");
+    }
+
+    @Test
+    void aGhostIsNotSaidToBeLoadedAgainByARestart() {
+        String help =
+                callOnEdt(() -> new ControllerDialog("compareController", ControllerSelection.SCENARIO, null).help());
+        assertTrue(help.endsWith("The ghost is one run; to load a changed file, choose it again."), help);
     }
 
     @Test

@@ -14,6 +14,7 @@ import faultline.control.Telemetry;
 import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
+import faultline.engine.ControllerFactory;
 import faultline.engine.Frame;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
@@ -198,6 +199,18 @@ class StateDiagramViewTest {
         assertEquals(
                 "This scenario needs a controller from outside. Choose one with Simulation > Choose controller.",
                 sentence(0, unnamed, new ControllerSpec.Extern(0), ""));
+    }
+
+    @Test
+    void aBuiltInControllerWithoutADiagramHasTheNameOfThePanel() {
+        ControllerSpec drive = new ControllerSpec.Drive(1, 2);
+        assertEquals(
+                "The controller \"Constant voltages\" has no state diagram.",
+                sentence(500, ControllerFactory.initialState(drive), drive, ""));
+        ControllerSpec none = new ControllerSpec.None();
+        assertEquals(
+                "The controller \"None\" has no state diagram.",
+                sentence(500, ControllerFactory.initialState(none), none, ""));
     }
 
     private static String sentence(long tick, ControllerState state, ControllerSpec spec, String name) {
