@@ -122,6 +122,18 @@ class RobotSpecTest {
         assertEquals(MotorFaultKind.DEAD, MotorFaultKind.DEAD.createFault(7).kind());
     }
 
+    /**
+     * Wheels that are 0.18 m apart, as by default, and roll at 0.9 m/s in opposite directions turn the robot by 10
+     * rad/s.
+     */
+    @Test
+    void theMotorsLimitTheTurnOnTheSpot() {
+        RobotSpec robot = RobotSpec.DEFAULT.withMotor(new MotorSpec(0.1, 0.18, 5));
+        assertEquals(10, robot.maxTurnRate(), 1e-12);
+        assertEquals(3, robot.withTurnRate(3).spinRate());
+        assertEquals(10, robot.withTurnRate(12).spinRate(), 1e-12);
+    }
+
     @Test
     void aScaledMotorTurnsItsWheelsFasterAtTheSameVoltage() {
         MotorSpec motor = new MotorSpec(0.1, 0.2, 5);
