@@ -3,7 +3,6 @@ package faultline.control.fallback;
 import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry.WallControl;
-import faultline.control.WallSide;
 import faultline.control.diagnosis.DeadReckoning;
 import faultline.control.diagnosis.EvidenceGrid;
 import faultline.control.diagnosis.MountedCone;
@@ -89,14 +88,16 @@ public final class MapFollower {
     private static final double TURNED_BACK = StrictMath.toRadians(240);
 
     private final SensorDiagnosis diagnosis;
-    private final WallSide side;
-    private double wantedDistance;
+    private ControllerSpec.WallFollowing spec;
     private final LocalMap map = new LocalMap();
     private final FreeDirectionFinder directionFinder = new FreeDirectionFinder(map);
     private final NoProgressDetector progress = new NoProgressDetector();
+    /** Null before the first decision. */
     private RobotSpec robot;
     /** The distance from the centre to the sensor that faces the wall, which reads the wanted distance, metres. */
     private double sideMountOffset;
+    /** The wanted distance from the centre to the wall, metres. */
+    private double wantedCentreDistance;
 
     private DriveDirection driveDirection = DriveDirection.FORWARDS;
     private boolean stuck;
@@ -119,18 +120,25 @@ public final class MapFollower {
      */
     public MapFollower(SensorDiagnosis diagnosis, ControllerSpec.WallFollowing spec) {
         this.diagnosis = diagnosis;
-        this.side = spec.side();
-        configure(spec);
+        this.spec = spec;
     }
 
     /**
      * Sets the wanted distance from the sensor that faces the wall to the wall, or from the side of the platform if no
      * sensor does.
      *
-     * @param spec the settings, with the same side of the wall as before
+     * @param settings the settings, with the same side of the wall as before
      */
-    public final void configure(ControllerSpec.WallFollowing spec) {
-        wantedDistance = spec.distance();
+    public void configure(ControllerSpec.WallFollowing settings) {
+        spec = settings;
+        if (robot != null) {
+            updateDistances();
+        }
+    }
+
+    private void updateDistances() {
+        sideMountOffset = WallFollower.sideMountOffset(spec.side(), robot);
+        wantedCentreDistance = WallFollower.wantedCentreDistance(spec, robot);
     }
 
     /**
@@ -161,9 +169,9 @@ public final class MapFollower {
     public void decide(RobotSpec now, double dt) {
         if (now != robot) {
             robot = now;
-            sideMountOffset = WallFollower.sideMountOffset(side, robot);
+            updateDistances();
         }
-        double lap = 2 * (wantedDistance + robot.width()) + LAP_MARGIN;
+        double lap = 2 * (spec.distance() + robot.width()) + LAP_MARGIN;
         stuck |= progress.isStuck(at(), lap, robot.speed(), dt);
         untilPlan -= dt;
         sinceWall += Math.abs(at().rolled());
@@ -216,13 +224,13 @@ public final class MapFollower {
         double distance = state == FollowerState.SEARCH
                 ? Double.NaN
                 : map.toSurface(at().x(), at().y()) - sideMountOffset + COARSENESS;
-        boolean near = distance <= wantedDistance + NEAR_WALL;
-        return new WallControl(wantedDistance, near ? distance : Double.NaN, Double.NaN, Double.NaN);
+        boolean near = distance <= spec.distance() + NEAR_WALL;
+        return new WallControl(spec.distance(), near ? distance : Double.NaN, Double.NaN, Double.NaN);
     }
 
     /** Returns the wanted distance from the centre to the nearest surface in the map, metres. */
     private double wanted() {
-        return Math.max(robot.width() / 2, wantedDistance + sideMountOffset) - COARSENESS;
+        return wantedCentreDistance - COARSENESS;
     }
 
     private void plan() {
