@@ -82,6 +82,9 @@ public final class PeriodicController implements Controller, AutoCloseable {
             try {
                 closeable.close();
             } catch (Exception e) {
+                if (e instanceof InterruptedException) {
+                    Thread.currentThread().interrupt();
+                }
                 throw new IllegalStateException("the controller cannot be closed: " + e, e);
             }
         }

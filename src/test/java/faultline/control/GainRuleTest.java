@@ -75,4 +75,15 @@ class GainRuleTest {
             assertThrows(IllegalArgumentException.class, () -> new GainRule.Fixed(1, wrong));
         }
     }
+
+    @Test
+    void eachKindOfRuleIsMatchedByItsOwnCase() {
+        GainRule.GainCases<String> cases = new GainRule.GainCases<>(
+                automatic -> "automatic",
+                length -> "length " + length.metres(),
+                fixed -> "fixed " + fixed.proportional() + " " + fixed.derivative());
+        assertEquals("automatic", GainRule.AUTOMATIC.match(cases));
+        assertEquals("length 0.5", new GainRule.Length(0.5).match(cases));
+        assertEquals("fixed 7.0 11.0", new GainRule.Fixed(7, 11).match(cases));
+    }
 }

@@ -1,9 +1,14 @@
 package faultline.control;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.wallfollower.Observations;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -91,6 +96,66 @@ class PeriodicControllerTest {
         periodic.configure(new ControllerSpec.None());
         assertEquals(List.of(initial.withDistance(0.4)), taken);
         assertEquals(List.of(initial, initial.withDistance(0.4).withPeriod(0.05), new ControllerSpec.None()), created);
+    }
+
+    /** A controller that keeps what is called and can fail to close. */
+    @SuppressWarnings("try") // It may also be interrupted.
+    private static final class Recording implements Controller, AutoCloseable {
+
+        private final List<String> calls = new ArrayList<>();
+        private Exception failure;
+
+        @Override
+        public Decision decide(Observation observation) {
+            return new Decision(0, 0, Telemetry.ofState(ControllerState.of("TEST")));
+        }
+
+        @Override
+        public void configure(ControllerSpec.BuiltIn settings) {
+            calls.add("configure " + settings);
+        }
+
+        @Override
+        public void close() throws Exception {
+            calls.add("close");
+            if (failure != null) {
+                throw failure;
+            }
+        }
+    }
+
+    @Test
+    void aControllerWithoutAFactoryGetsItsSettingsAndIsClosed() {
+        Recording inner = new Recording();
+        PeriodicController periodic = new PeriodicController(inner, 0.05);
+        ControllerSpec.Drive drive = new ControllerSpec.Drive(1, 2);
+        periodic.configure(drive);
+        periodic.close();
+        assertEquals(List.of("configure " + drive, "close"), inner.calls);
+    }
+
+    @Test
+    void aControllerThatNeedsNoClosingIsLeftAlone() {
+        new PeriodicController(observation -> null, 0.05).close();
+    }
+
+    @Test
+    void aFailureToCloseIsReportedWithItsCause() {
+        Recording inner = new Recording();
+        inner.failure = new IOException("the link is down");
+        IllegalStateException e =
+                assertThrows(IllegalStateException.class, () -> new PeriodicController(inner, 0.05).close());
+        assertSame(inner.failure, e.getCause());
+        assertTrue(e.getMessage().contains("the link is down"), e.getMessage());
+        assertFalse(Thread.interrupted());
+    }
+
+    @Test
+    void aThreadThatIsInterruptedWhileItClosesRemainsInterrupted() {
+        Recording inner = new Recording();
+        inner.failure = new InterruptedException();
+        assertThrows(IllegalStateException.class, () -> new PeriodicController(inner, 0.05).close());
+        assertTrue(Thread.interrupted());
     }
 
     @ParameterizedTest

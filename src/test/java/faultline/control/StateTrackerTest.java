@@ -8,6 +8,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
 class StateTrackerTest {
@@ -60,5 +61,30 @@ class StateTrackerTest {
         assertEquals(edges, telemetry.edges());
         assertEquals("why", telemetry.condition());
         assertEquals(1, telemetry.transitions());
+    }
+
+    @Test
+    void itHasTheNameThatItIsGiven() {
+        assertEquals("mine", new StateTracker(observation -> null, "mine").name());
+    }
+
+    @Test
+    void itClosesAControllerThatCanBeClosed() throws Exception {
+        AtomicInteger closed = new AtomicInteger();
+        class Closeable implements Controller, AutoCloseable {
+
+            @Override
+            public Decision decide(Observation observation) {
+                return null;
+            }
+
+            @Override
+            public void close() {
+                closed.incrementAndGet();
+            }
+        }
+        new StateTracker(new Closeable(), "").close();
+        assertEquals(1, closed.get());
+        new StateTracker(observation -> null, "").close();
     }
 }
