@@ -80,25 +80,29 @@ class PaintTimesRobotTest {
     private DurationStatistics measureAll() {
         meter.drain();
         measure("running", this::watch);
-        measure("panning", () -> repeat(4, turn -> drag(InputEvent.BUTTON2_DOWN_MASK, 20, 20, 320 - 40 * turn, 220)));
-        measure("zooming by the wheel", () -> repeat(30, turn -> driver.robot().rotateWheel(turn % 20 < 10 ? -1 : 1)));
+        measure("panning", this::pan);
+        measure("zooming by the wheel", () -> repeat(20, turn -> driver.robot().rotateWheel(turn < 10 ? -1 : 1)));
         measure("fitting", () -> driver.choose("fit"));
         measure("dragging an obstacle", this::dragAnObstacle);
         measure("undoing and redoing", () -> repeat(20, turn -> driver.choose(turn % 2 == 0 ? "undo" : "redo")));
         measure("selecting all", () -> driver.choose("selectAll"));
         measure("dragging all", this::dragAnObstacle);
-        measure("switching sensors", () -> repeat(16, turn -> driver.robot().pressKeys(KeyEvent.VK_1 + turn % 8)));
+        measure("switching sensors", () -> repeat(8, turn -> driver.robot().pressKeys(KeyEvent.VK_1 + turn % 4)));
         measure("names on and off", () -> repeat(4, turn -> driver.choose("labels")));
         measure("path on and off", () -> repeat(4, turn -> driver.choose("path")));
         measure("dark and light", () -> repeat(2, turn -> driver.choose("dark")));
         measure(
                 "resizing",
-                () -> repeat(8, turn -> driver.resizeCanvas(1200 - 20 * (turn % 3), 800 - 10 * (turn % 2))));
+                () -> repeat(4, turn -> driver.resizeCanvas(1200 - 20 * (turn % 2), 800 - 10 * (turn % 2))));
         measure("with a ghost, panning", this::panWithReferenceRun);
         measure("following the robot", this::followRobot);
         DurationStatistics times = DurationStatistics.of(all);
         System.out.println("painting, all:                    " + times);
         return times;
+    }
+
+    private void pan() {
+        drag(InputEvent.BUTTON2_DOWN_MASK, 20, 20, 320, 220);
     }
 
     private void dragAnObstacle() {
@@ -111,7 +115,7 @@ class PaintTimesRobotTest {
     private void panWithReferenceRun() {
         driver.choose("keepGhost");
         driver.waitForReferenceRun();
-        repeat(2, turn -> drag(InputEvent.BUTTON2_DOWN_MASK, 20, 20, 320, 220));
+        pan();
     }
 
     private void followRobot() {
