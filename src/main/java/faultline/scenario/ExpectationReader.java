@@ -19,9 +19,6 @@ import java.util.List;
 /** Reads the expectations. */
 final class ExpectationReader {
 
-    /** A bound of the number of states of a controller. */
-    private static final int MAX_STATES = 50;
-
     private final Problems problems;
     /** Empty if the controller is not part of the program, which knows no states of it. */
     private final List<String> knownStates;
@@ -56,7 +53,7 @@ final class ExpectationReader {
     }
 
     private List<ControllerState> readStates(AttributeReader fields, String text) {
-        return Arrays.stream(XmlText.strip(text).split("[ \\t\\n\\r]+", MAX_STATES))
+        return Arrays.stream(XmlText.strip(text).split("[ \\t\\n\\r]+"))
                 .map(state -> readState(fields, "states", state))
                 .toList();
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.SimulationSetup;
@@ -24,6 +25,7 @@ import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** What valid files come to. */
@@ -188,6 +190,22 @@ class ScenarioReaderTest {
         assertEquals(
                 new ControllerSpec.None(),
                 controller(SampleScenario.withReplacement(plain, "<controller type=\"none\"/>")));
+    }
+
+    @Test
+    void eachOfSixtyExpectedStatesIsReadAlone() throws ScenarioException {
+        List<String> names = IntStream.range(0, 60).mapToObj(i -> "S" + i).toList();
+        Scenario scenario = SampleScenario.read(
+                """
+                <scenario xmlns="urn:faultline:scenario:1"><robot x="1" y="2"/><world width="6" height="4"/>
+                <controller type="extern"/><expect states="%s"/></scenario>
+                """
+                        .formatted(String.join(" ", names)));
+        assertEquals(
+                names.stream()
+                        .map(name -> new Expectation.VisitedState(ControllerState.of(name)))
+                        .toList(),
+                scenario.expectation().conditions());
     }
 
     private static ControllerSpec controller(String text) throws ScenarioException {
