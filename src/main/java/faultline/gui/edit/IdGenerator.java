@@ -1,5 +1,7 @@
 package faultline.gui.edit;
 
+import faultline.io.MessageText;
+import faultline.scenario.xml.ScenarioLimits;
 import java.util.Collection;
 
 /** Generates ids of new obstacles. */
@@ -9,7 +11,7 @@ public final class IdGenerator {
 
     /**
      * Returns the wanted id, such as {@code circle-2}, or its stem with the first free number, such as
-     * {@code circle-3}, if it is taken.
+     * {@code circle-3}, if it is taken. A stem that is too long for a file is shortened.
      */
     public static String uniqueId(String wanted, Collection<String> taken) {
         if (!taken.contains(wanted)) {
@@ -17,9 +19,14 @@ public final class IdGenerator {
         }
         String stem = wanted.replaceFirst("-\\d{1,6}$", "");
         int number = 2;
-        while (taken.contains(stem + "-" + number)) {
+        while (taken.contains(numbered(stem, number))) {
             number++;
         }
-        return stem + "-" + number;
+        return numbered(stem, number);
+    }
+
+    private static String numbered(String stem, int number) {
+        String end = "-" + number;
+        return MessageText.start(stem, ScenarioLimits.MAX_ID_LENGTH - end.length()) + end;
     }
 }

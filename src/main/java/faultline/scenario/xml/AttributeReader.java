@@ -215,7 +215,7 @@ public final class AttributeReader {
     }
 
     private static boolean isValidId(String text) {
-        if (text.isEmpty() || text.length() > 100) {
+        if (text.isEmpty() || text.length() > ScenarioLimits.MAX_ID_LENGTH) {
             return false;
         }
         for (int i = 0; i < text.length(); i++) {

@@ -18,6 +18,9 @@ public final class ScenarioLimits {
     /** The number of sensors of a robot. */
     public static final int MAX_SENSORS = 1000;
 
+    /** The length of an id, characters. */
+    public static final int MAX_ID_LENGTH = 100;
+
     /** The length of the name of a scenario, characters. */
     public static final int MAX_NAME_LENGTH = 10_000;
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
@@ -126,5 +127,15 @@ class ShapesTest {
         assertEquals("circle", IdGenerator.uniqueId("circle", Set.of("box")));
         assertEquals("circle-3", IdGenerator.uniqueId("circle", Set.of("circle", "circle-2")));
         assertEquals("circle-3", IdGenerator.uniqueId("circle-2", Set.of("circle", "circle-2")));
+    }
+
+    @Test
+    void theCopyOfAnObstacleWithTheLongestIdHasAnIdThatAFileMayHold() {
+        String longest = "x".repeat(ScenarioLimits.MAX_ID_LENGTH);
+        String second = "x".repeat(ScenarioLimits.MAX_ID_LENGTH - 2) + "-2";
+        assertEquals(second, IdGenerator.uniqueId(longest, Set.of(longest)));
+        assertEquals(
+                "x".repeat(ScenarioLimits.MAX_ID_LENGTH - 2) + "-3",
+                IdGenerator.uniqueId(longest, Set.of(longest, second)));
     }
 }
