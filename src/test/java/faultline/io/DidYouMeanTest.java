@@ -47,6 +47,12 @@ class DidYouMeanTest {
         assertEquals(changes, DidYouMean.editDistance(a, b));
     }
 
+    @ParameterizedTest
+    @CsvSource({"abcdef, abcdxy, true", "abcdef, abcxyz, false", "abcdefghi, abcdefxyz, true", "abcde, abcxy, false"})
+    void oneChangeInThreeLettersIsNear(String known, String given, boolean near) {
+        assertEquals(near, DidYouMean.nearest(given, List.of(known)).isPresent());
+    }
+
     @Test
     void ofNamesThatAreEquallyNearTheFirstIsSuggested() {
         assertEquals(Optional.of("left"), DidYouMean.nearest("lefx", List.of("right", "left", "lefs")));

@@ -21,6 +21,7 @@ class JsonTest {
                 JsonParser.parse(
                         " { \"a\" : [1, -0.5, 2e3], \"b\":true, \"c\":\"x\\n\\u00e9\\\"\", \"d\":{}, \"e\":[ ] } "));
         assertEquals(JsonParser.NULL, JsonParser.parse("null"));
+        assertEquals(List.of(true, false, JsonParser.NULL, 1.0), JsonParser.parse("[true,false,null,1]"));
     }
 
     @ParameterizedTest
@@ -96,6 +97,7 @@ class JsonTest {
                 assertThrows(JsonException.class, () -> JsonParser.parse("[".repeat(65) + "]".repeat(65)))
                         .getMessage());
         assertEquals(2, ((List<?>) JsonParser.parse("[{\"a\":[" + "[],{},".repeat(65) + "[]]},0]")).size());
+        assertEquals(131, ((List<?>) JsonParser.parse("[" + "[1],{\"a\":1},".repeat(65) + "0]")).size());
     }
 
     @Test
@@ -123,6 +125,39 @@ class JsonTest {
         Map<?, ?> read =
                 (Map<?, ?>) JsonParser.parse(new JsonWriter().member("s", text).finish());
         assertEquals(text, read.get("s"));
+    }
+
+    @Test
+    void valuesOfEveryKindAreWritten() {
+        JsonWriter json = new JsonWriter()
+                .member("text", "a")
+                .member("whole", 7L)
+                .member("flag", true)
+                .name("array")
+                .beginArray()
+                .value("b")
+                .value(2.5)
+                .value(false)
+                .nullValue()
+                .beginObject()
+                .member("in", 1.0)
+                .endObject()
+                .beginArray()
+                .endArray()
+                .endArray()
+                .name("empty")
+                .beginObject()
+                .endObject();
+        assertEquals(
+                "{\"text\":\"a\",\"whole\":7,\"flag\":true,"
+                        + "\"array\":[\"b\",2.5,false,null,{\"in\":1},[]],\"empty\":{}}",
+                json.finish());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0", "-0.0, -0.0", "3, 3", "-2, -2", "0.5, 0.5", "999999999999999, 999999999999999", "1e15, 1.0E15"})
+    void aWholeNumberIsWrittenWithoutAFraction(double value, String text) {
+        assertEquals("{\"n\":" + text + "}", new JsonWriter().member("n", value).finish());
     }
 
     @Test
