@@ -15,7 +15,7 @@ import java.io.UncheckedIOException;
 final class FilmRecorder implements TickObserver, AutoCloseable {
 
     private static final int WIDTH = 640;
-    /** The time between two pictures, hundredths of a second. */
+    /** The shortest time between two pictures, hundredths of a second. */
     private static final int DELAY = 10;
 
     private final AnimatedGifWriter gif;
@@ -23,18 +23,22 @@ final class FilmRecorder implements TickObserver, AutoCloseable {
 
     /** Creates a recorder; the stream is not closed. */
     FilmRecorder(OutputStream out) throws IOException {
-        gif = new AnimatedGifWriter(out, Palette.LIGHT, DELAY);
+        gif = new AnimatedGifWriter(out, Palette.LIGHT);
     }
 
     @Override
     public void observe(Simulation simulation) {
-        if (!AnimatedGifWriter.isDue(simulation.ticks(), simulation.setup().dt(), DELAY)) {
+        int delay =
+                AnimatedGifWriter.delayOf(simulation.ticks(), simulation.setup().dt(), DELAY);
+        if (delay == 0) {
             return;
         }
         Frame frame = simulation.frame();
         try {
-            gif.addFrame(renderer.render(
-                    FrameRenderer.request(frame, Palette.LIGHT, WIDTH, FrameRenderer.heightFor(frame, WIDTH))));
+            gif.addFrame(
+                    renderer.render(
+                            FrameRenderer.request(frame, Palette.LIGHT, WIDTH, FrameRenderer.heightFor(frame, WIDTH))),
+                    delay);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -1,7 +1,6 @@
 package faultline.gui.export;
 
 import faultline.engine.Simulation;
-import faultline.engine.SimulationSetup;
 import faultline.gui.document.TaskProgress;
 import faultline.paint.export.AnimatedGifWriter;
 import faultline.paint.export.FilmRenderer;
@@ -18,25 +17,24 @@ import java.util.concurrent.CompletableFuture;
 record AnimatedGifExport(RenderRequest renderRequest, CompletableFuture<Scenario> run, long firstTick)
         implements FileExport {
 
-    /** The time between two images, hundredths of a second: twenty images per second are enough for a robot. */
+    /**
+     * The shortest time between two images, hundredths of a second: twenty images per second are enough for a robot.
+     */
     static final int FRAME_DELAY = 5;
 
     @Override
     public void write(OutputStream out, TaskProgress progress) throws IOException {
         FilmRenderer renderer = new FilmRenderer();
-        try (AnimatedGifWriter gif = new AnimatedGifWriter(out, renderRequest.palette(), FRAME_DELAY)) {
+        try (AnimatedGifWriter gif = new AnimatedGifWriter(out, renderRequest.palette())) {
             HeadlessReplay.run(run, simulation -> addFrame(gif, renderer, simulation), progress);
         }
     }
 
     private void addFrame(AnimatedGifWriter gif, FilmRenderer renderer, Simulation simulation) throws IOException {
-        if (isDue(simulation.ticks(), simulation.setup())) {
-            gif.addFrame(renderer.render(renderRequest.withFrame(simulation.frame())));
+        int delay = AnimatedGifWriter.delayOf(
+                simulation.ticks() - firstTick, simulation.setup().dt(), FRAME_DELAY);
+        if (delay > 0) {
+            gif.addFrame(renderer.render(renderRequest.withFrame(simulation.frame())), delay);
         }
-    }
-
-    /** Returns whether a tick is shown. */
-    boolean isDue(long tick, SimulationSetup setup) {
-        return AnimatedGifWriter.isDue(tick - firstTick, setup.dt(), FRAME_DELAY);
     }
 }

@@ -30,36 +30,34 @@ public final class AnimatedGifWriter implements AutoCloseable {
             ImageIO.getImageWritersByFormatName("gif").next();
     private final ImageOutputStream stream;
     private final Palette palette;
-    private final int delay;
     private ColourQuantizer quantizer;
     private BufferedImage previousFrame;
 
-    /**
-     * Creates a writer for a stream, which is not closed; the colours of the palette are exact, and each picture is
-     * shown for a delay, hundredths of a second, positive.
-     */
-    public AnimatedGifWriter(OutputStream out, Palette palette, int delay) throws IOException {
+    /** Creates a writer for a stream, which is not closed; the colours of the palette are exact. */
+    public AnimatedGifWriter(OutputStream out, Palette palette) throws IOException {
         this.palette = palette;
-        this.delay = delay;
         stream = new MemoryCacheImageOutputStream(out);
         writer.setOutput(stream);
         writer.prepareWriteSequence(null);
     }
 
     /**
-     * Returns whether a tick, counted from the first that is shown, is shown in a film at real time with a delay
-     * between pictures, hundredths of a second: the first tick, and the first of each interval.
+     * Returns how long a film at real time shows a tick, counted from the first that is shown. It shows the first tick
+     * and the first of each interval of a given delay, for that time or, if ticks are longer, until the next one.
+     * Delays are in hundredths of a second; 0 for a tick that is not shown.
      */
-    public static boolean isDue(long ticks, double dt, int delay) {
-        return ticks == 0 || ticks > 0 && pictureIndex(ticks, dt, delay) > pictureIndex(ticks - 1, dt, delay);
+    public static int delayOf(long ticks, double dt, int delay) {
+        long picture = pictureIndex(ticks, dt, delay);
+        boolean shown = ticks == 0 || ticks > 0 && picture > pictureIndex(ticks - 1, dt, delay);
+        return shown ? (int) Math.max(1, pictureIndex(ticks + 1, dt, delay) - picture) * delay : 0;
     }
 
     private static long pictureIndex(long ticks, double dt, int delay) {
         return (long) Math.floor(ticks * dt * 100 / delay + 1e-6);
     }
 
-    /** Adds a picture of the same size as the first. */
-    public void addFrame(BufferedImage picture) throws IOException {
+    /** Adds a picture of the same size as the first, which is shown for a delay, hundredths of a second, positive. */
+    public void addFrame(BufferedImage picture, int delay) throws IOException {
         if (quantizer == null) {
             quantizer = ColourQuantizer.of(palette, picture);
         }
@@ -67,7 +65,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
         Rectangle part = previousFrame == null
                 ? new Rectangle(few.getWidth(), few.getHeight())
                 : changedArea(previousFrame, few);
-        IIOMetadata details = frameMetadata(few, part);
+        IIOMetadata details = frameMetadata(few, part, delay);
         writer.writeToSequence(new IIOImage(copyArea(few, part), null, details), null);
         stream.flushBefore(stream.getStreamPosition());
         previousFrame = few;
@@ -104,7 +102,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
         return cut;
     }
 
-    private IIOMetadata frameMetadata(BufferedImage picture, Rectangle part) throws IIOInvalidTreeException {
+    private IIOMetadata frameMetadata(BufferedImage picture, Rectangle part, int delay) throws IIOInvalidTreeException {
         IIOMetadata details = writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), null);
         IIOMetadataNode root = new IIOMetadataNode(METADATA_FORMAT);
         root.appendChild(node(

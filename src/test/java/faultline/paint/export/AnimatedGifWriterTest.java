@@ -16,11 +16,14 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Animations written and read back. */
 class AnimatedGifWriterTest {
@@ -39,9 +42,9 @@ class AnimatedGifWriterTest {
 
     private static ImageReader writeAndRead(List<BufferedImage> pictures) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (AnimatedGifWriter film = new AnimatedGifWriter(bytes, Palette.LIGHT, 5)) {
-            for (BufferedImage picture : pictures) {
-                film.addFrame(picture);
+        try (AnimatedGifWriter film = new AnimatedGifWriter(bytes, Palette.LIGHT)) {
+            for (int i = 0; i < pictures.size(); i++) {
+                film.addFrame(pictures.get(i), 5 + i);
             }
         }
         ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
@@ -55,11 +58,31 @@ class AnimatedGifWriterTest {
         ImageReader reader = writeAndRead(PICTURES);
         assertEquals(5, reader.getNumImages(true));
         for (int i = 0; i < 5; i++) {
-            assertEquals("5", node(reader, i, "GraphicControlExtension").getAttribute("delayTime"));
+            assertEquals(
+                    String.valueOf(5 + i),
+                    node(reader, i, "GraphicControlExtension").getAttribute("delayTime"));
         }
         IIOMetadataNode extension = node(reader, 0, "ApplicationExtension");
         assertEquals("NETSCAPE", extension.getAttribute("applicationID"));
         assertArrayEquals(new byte[] {1, 0, 0}, (byte[]) extension.getUserObject());
+    }
+
+    /** In hundredths of a second, a second of a run with ticks of 10 ms is a second of the film, and so with others. */
+    @ParameterizedTest
+    @CsvSource({"0.01, 5, 20", "0.04, 10, 10", "0.1, 10, 10", "0.1, 5, 10", "0.25, 10, 4", "1, 5, 1"})
+    void aSecondOfARunTakesASecondOfTheFilm(double dt, int delay, int pictures) {
+        int[] delays = IntStream.range(0, (int) Math.round(1 / dt))
+                .map(tick -> AnimatedGifWriter.delayOf(tick, dt, delay))
+                .filter(shown -> shown > 0)
+                .toArray();
+        assertEquals(pictures, delays.length);
+        assertEquals(100, IntStream.of(delays).sum());
+    }
+
+    @Test
+    void aTickBeforeTheFilmIsNotShown() {
+        assertEquals(0, AnimatedGifWriter.delayOf(-5, 0.01, 5));
+        assertEquals(5, AnimatedGifWriter.delayOf(0, 0.01, 5));
     }
 
     @Test

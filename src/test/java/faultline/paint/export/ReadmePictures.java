@@ -93,14 +93,16 @@ public final class ReadmePictures {
     private static void writeFilm(OutputStream out) throws IOException, ScenarioException {
         Simulation run =
                 new Simulation(Scenario.loadShipped("front-sensor-dies.xml").setup(), ControllerMode.DIRECT);
-        try (AnimatedGifWriter film = new AnimatedGifWriter(out, Palette.LIGHT, FILM_DELAY)) {
+        try (AnimatedGifWriter film = new AnimatedGifWriter(out, Palette.LIGHT)) {
             while (run.time() < 33) {
                 run.tick();
-                if (run.time() >= 21
-                        && AnimatedGifWriter.isDue(run.ticks(), run.setup().dt(), FILM_DELAY)) {
+                int delay = AnimatedGifWriter.delayOf(run.ticks(), run.setup().dt(), FILM_DELAY);
+                if (run.time() >= 21 && delay > 0) {
                     Frame frame = run.frame();
-                    film.addFrame(FrameRenderer.render(
-                            frame, Palette.LIGHT, FILM_WIDTH, FrameRenderer.heightFor(frame, FILM_WIDTH)));
+                    film.addFrame(
+                            FrameRenderer.render(
+                                    frame, Palette.LIGHT, FILM_WIDTH, FrameRenderer.heightFor(frame, FILM_WIDTH)),
+                            delay);
                 }
             }
         }
