@@ -65,6 +65,12 @@ class ProblemsTest {
             radius="0.02"      | radus="0.02"       | 5:49: <circle> has no attribute "radus"; expected id, x, y, heading, radius; did you mean "radius"?
             <motor timeConstant="0.05"/> | <motor/><motor/>    | 14:21: <robot> contains a second <motor>; expected one
             <description>One of each.</description> | <robot x="1" y="1"/> | 13:22: <scenario> contains a second <robot>; expected one
+            <motion speed="0.2" points="5,3 5,1"/> | <motor/> | 10:15: <circle> must not contain <motor>; expected motion
+            <motion speed="0.2" points="5,3 5,1"/> | <motion speed="0.2" points="5,3 5,1"/><motion speed="0" points="5,3"/> | 10:77: <circle> contains a second <motion>; expected one
+            <motion speed="0.2" points="5,3 5,1"/> | <motion speed="0.2" points="5,3 5,1"><stop/></motion> | 10:51: <motion> must not contain <stop>; expected nothing
+            <remove at="42" obstacle="extra"/> | <remove at="42" obstacle="extra"><circle/></remove> | 26:47: <remove> must not contain <circle>; expected nothing
+            <circle id="extra" x="4" y="1" radius="0.1"/> | <motor/> | 25:18: <put> contains 0 obstacles; expected one of rectangle, circle, ellipse, polygon, wall, plan
+            <circle id="extra" x="4" y="1" radius="0.1"/> | <circle id="extra" x="4" y="1" radius="0.1"/><circle id="two" x="5" y="1" radius="0.1"/> | 25:18: <put> contains 2 obstacles; expected one of rectangle, circle, ellipse, polygon, wall, plan
             One of each.       | One <b/> each.     | 2:24: <description> must not contain <b>; expected text
             <motor timeConstant="0.05"/> | text              | 13:22: <robot> contains the text "text"; expected elements only: motor, sensor
             # Points
@@ -113,6 +119,7 @@ class ProblemsTest {
             <decisions from="9007199254740992">1,1</decisions>                 | decisions of <decisions> is "1,1"; expected decisions that end at tick 9007199254740992 or earlier
             <decisions from="2">1,1 2,2*9007199254740990 3,3</decisions>       | decisions of <decisions> is "2,2*9007199254740990"; expected decisions that end at tick 9007199254740992 or earlier
             <decisions from="1">1,1 2,2*9007199254740990</decisions>           | none
+            <decisions frm="3">1,1</decisions>                                 | <decisions> has no attribute "frm"; expected from, state, why; did you mean "from"?
             """)
     void decisionsAreInOrderAndEndInTime(String decisions, String problem) {
         List<String> problems = SampleScenario.problems(SampleScenario.withReplacement(

@@ -170,6 +170,18 @@ class ScenarioReaderTest {
     }
 
     @Test
+    void anObstacleMayHaveASingleWaypoint() throws ScenarioException {
+        assertEquals(
+                new WaypointPath(0.2, true, List.of(new Vector2(5, 3))),
+                SampleScenario.read(SampleScenario.withReplacement("5,3 5,1", "5,3"))
+                        .setup()
+                        .world()
+                        .obstacles()
+                        .get(5)
+                        .motion());
+    }
+
+    @Test
     void everyTypeOfControllerIsRead() throws ScenarioException {
         String plain = "<controller type=\"wall-follower\" distance=\"0.25\"/>";
         assertEquals(

@@ -97,6 +97,30 @@ class ScenarioWriterTest {
                 ScenarioWriter.toText(scenario, XmlComments.NONE));
     }
 
+    /** A fault is written with its end only if the next command is its end. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "<fault at=\"1\" sensor=\"left\" kind=\"off\" until=\"3\"/>",
+                "<fault at=\"1\" motor=\"left\" kind=\"weak\" value=\"0.5\" until=\"3\"/>",
+                "<fault at=\"1\" motor=\"left\" kind=\"dead\"/>\n    <mend at=\"1\" motor=\"left\" kind=\"dead\"/>\n"
+                        + "    <mend at=\"2\" motor=\"left\"/>",
+                "<fault at=\"1\" sensor=\"left\" kind=\"off\"/>\n    <switch at=\"2\" sensor=\"rear\" on=\"false\"/>\n"
+                        + "    <mend at=\"3\" sensor=\"left\" kind=\"off\"/>",
+                "<fault at=\"1\" sensor=\"left\" kind=\"off\"/>\n    <mend at=\"1\" sensor=\"left\" kind=\"off\"/>",
+                "<fault at=\"1\" sensor=\"left\" kind=\"off\"/>\n    <mend at=\"3\" sensor=\"right\" kind=\"off\"/>"
+            })
+    void aTimelineIsWrittenAsItWasRead(String commands) throws ScenarioException {
+        Scenario scenario = SampleScenario.read(
+                """
+                <scenario xmlns="urn:faultline:scenario:1"><world width="6" height="4"/><robot x="1" y="2"/>
+                <timeline>%s</timeline></scenario>
+                """
+                        .formatted(commands));
+        String written = ScenarioWriter.toText(scenario, XmlComments.NONE);
+        assertTrue(written.contains("<timeline>\n    " + commands + "\n  </timeline>"), written);
+    }
+
     /** The first is the longest possible; the decisions of the second are beyond its end. */
     @ParameterizedTest
     @ValueSource(
