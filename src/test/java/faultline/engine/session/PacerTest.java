@@ -88,4 +88,16 @@ class PacerTest {
         makeTicks(50);
         assertEquals(0.02, pacer.achievedSpeed(), 1e-12);
     }
+
+    @Test
+    void theAchievedSpeedIsMeasuredFromAChangeOfTheSpeedOn() {
+        now += 500 * MILLISECOND;
+        makeTicks(11);
+        assertEquals(0.02, pacer.achievedSpeed(), 1e-12);
+        pacer.setSpeed(2);
+        assertEquals(0, pacer.achievedSpeed());
+        now += 500 * MILLISECOND;
+        makeTicks(1);
+        assertEquals(0.02, pacer.achievedSpeed(), 1e-12);
+    }
 }

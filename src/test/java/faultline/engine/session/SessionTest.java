@@ -14,6 +14,7 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -137,6 +138,28 @@ class SessionTest {
                 session.journal().get().entries());
     }
 
+    /** A busy machine makes the run slower, but nothing makes it faster. */
+    @Test
+    void atATenthOfRealTimeItIsNotFaster() {
+        session.setSpeed(0.1);
+        long start = System.nanoTime();
+        session.resume();
+        await(() -> tick() >= 10);
+        // Nine waits of a tenth of a second.
+        assertTrue((System.nanoTime() - start) / 1e9 >= 0.9, "the run did not wait");
+    }
+
+    @Test
+    void atATickItPausesOnce() {
+        session.setSpeed(Double.POSITIVE_INFINITY);
+        session.pauseAt(30);
+        session.resume();
+        await(() -> tick() >= 30 && !session.status().running() || tick() > 100);
+        assertEquals(30, tick());
+        session.resume();
+        await(() -> tick() > 30);
+    }
+
     @Test
     void atFullSpeedItIsFasterThanRealTimeAndPausingStopsIt() {
         session.setSpeed(Double.POSITIVE_INFINITY);
@@ -162,6 +185,20 @@ class SessionTest {
         var journal = session.journal();
         session.close();
         assertEquals(1, journal.get().ticks());
+    }
+
+    @Test
+    void aPausedSessionThatIsClosedEndsItsThread() throws InterruptedException {
+        Set<Thread> others = Thread.getAllStackTraces().keySet();
+        Session own = Session.start(SimulationSetup.of(new WorldSpec(6, 4, true, 3, List.of()), new Pose(1, 1, 0)));
+        List<Thread> threads = Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> !others.contains(thread) && thread.getName().startsWith("faultline-"))
+                .toList();
+        assertFalse(threads.isEmpty());
+        own.close();
+        for (Thread thread : threads) {
+            thread.join();
+        }
     }
 
     @Test
