@@ -114,6 +114,16 @@ public record SimulationSetup(
      * @param seconds the time, not negative
      */
     public long tickAt(double seconds) {
+        return tickAt(seconds, dt);
+    }
+
+    /**
+     * {@return the first tick that is not before a time} A millionth of a tick is tolerated as a rounding error.
+     *
+     * @param seconds the time, not negative
+     * @param dt the length of a tick, seconds, positive
+     */
+    public static long tickAt(double seconds, double dt) {
         return (long) Math.ceil(seconds / dt - 1e-6);
     }
 

@@ -1,6 +1,7 @@
 package faultline.gui.timeline;
 
 import faultline.control.FollowerState;
+import faultline.engine.SimulationSetup;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
@@ -67,7 +68,7 @@ final class RunMarks {
     private Set<Execution> plannedChanges(List<TimelineItem> items) {
         return items.stream()
                 .filter(item -> CommandRole.isSettingChange(item.command()))
-                .map(item -> new Execution(item.command(), Math.round(item.start() / dt)))
+                .map(item -> new Execution(item.command(), SimulationSetup.tickAt(item.start(), dt)))
                 .collect(Collectors.toSet());
     }
 
@@ -78,7 +79,7 @@ final class RunMarks {
 
     private void addItem(TimelineItem item) {
         marks.add(new SliderMark(
-                value(Math.round(item.start() / dt)),
+                value(SimulationSetup.tickAt(item.start(), dt)),
                 MarkShape.TICK,
                 theme -> item.isInterval()
                         ? item.colours(theme.palette(), sensorIndex(item)).outline()
