@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
@@ -41,6 +42,16 @@ class PendingEditsTest {
         assertFalse(isLeftOn(), "no frame since the answer");
         pending.setRobot(RobotSpec.DEFAULT);
         assertTrue(isLeftOn(), "the frame shows that the command was refused");
+    }
+
+    @Test
+    void whatTheNewestFrameShowsIsExpected() {
+        RobotSpec longer = RobotSpec.DEFAULT.withPlatform(0.4, 0.2, 0.3);
+        pending.setRobot(longer);
+        assertEquals(longer, pending.robot());
+        ControllerSpec drive = new ControllerSpec.Drive(1, 2);
+        pending.setController(drive);
+        assertEquals(drive, pending.controller());
     }
 
     private boolean isLeftOn() {

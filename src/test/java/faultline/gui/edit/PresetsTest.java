@@ -74,6 +74,16 @@ class PresetsTest {
     }
 
     @Test
+    void copiesOfSeveralObstaclesHaveDifferentIds() {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0));
+        List<Obstacle> copies =
+                ObstacleCopies.copyOf(List.of(pole, pole.withId("pole-2")), Set.of("pole"), new Vector2(0.2, -0.2));
+        assertEquals(
+                List.of("pole-2", "pole-3"), copies.stream().map(Obstacle::id).toList());
+        assertEquals(new Pose(1.2, 0.8, 0), copies.get(1).pose());
+    }
+
+    @Test
     void aCutObstacleIsPastedAtItsOldPosition() {
         Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0.3));
         assertEquals(List.of(pole), ObstacleCopies.copyOf(List.of(pole), Set.of("desk"), new Vector2(0.2, -0.2)));

@@ -47,6 +47,45 @@ class ShapesTest {
         return (bounds.getMin() + bounds.getMax()) / 2;
     }
 
+    @ParameterizedTest
+    @EnumSource
+    void aShapeIsAsLargeAsTheRectangleThatWasDragged(ShapePreset shape) {
+        Obstacle placed = shape.createBetween("new", new Vector2(1, 1), new Vector2(2.2, 1.8));
+        double height =
+                switch (shape) {
+                    case SQUARE, CIRCLE -> 1.2;
+                    case HEXAGON -> 1.2 * Math.sqrt(3) / 2;
+                    default -> 0.8;
+                };
+        List<Vector2> handles = ShapeHandles.positions(placed);
+        assertEquals(1.2, size(handles, Vector2::x), 1e-4);
+        assertEquals(height, size(handles, Vector2::y), 1e-4);
+    }
+
+    private static double size(List<Vector2> points, ToDoubleFunction<Vector2> coordinate) {
+        DoubleSummaryStatistics bounds = points.stream().mapToDouble(coordinate).summaryStatistics();
+        return bounds.getMax() - bounds.getMin();
+    }
+
+    @Test
+    void aSideOfARectangleChangesOneOfItsSizes() {
+        Obstacle box = new Obstacle("box", new ObstacleShape.RectangleShape(1, 1), new Pose(2, 2, 0));
+        assertEquals(
+                new Obstacle("box", new ObstacleShape.RectangleShape(1, 2), new Pose(2, 2.5, 0)),
+                ShapeHandles.dragHandle(box, 1, new Vector2(2.3, 3.5), SnapSettings.NONE));
+        assertEquals(
+                new Obstacle("box", new ObstacleShape.RectangleShape(1.8, 1), new Pose(1.6, 2, 0)),
+                ShapeHandles.dragHandle(box, 3, new Vector2(0.7, 2.2), SnapSettings.NONE));
+    }
+
+    @Test
+    void onlyWithoutAGridACoordinateThatIsAsBeforeIsNotRounded() {
+        Vector2 before = new Vector2(1.23456789, 2.3456789);
+        assertEquals(new Vector2(1.23456789, 2), SnapSettings.NONE.point(before, new Vector2(1.23456789, 1.99999)));
+        assertEquals(new Vector2(1, 2.3456789), SnapSettings.NONE.point(before, new Vector2(1.00001, 2.3456789)));
+        assertEquals(new Vector2(1.2, 2.3), new SnapSettings(0.1, 0).point(before, before));
+    }
+
     @Test
     void theHandlesOfAnEllipseAreTheEndsOfItsAxesAndChangeThemAlone() {
         Obstacle pond = new Obstacle("pond", new ObstacleShape.EllipseShape(0.6, 0.2), new Pose(2, 1, 0));

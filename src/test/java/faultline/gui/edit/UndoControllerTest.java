@@ -3,7 +3,11 @@ package faultline.gui.edit;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.Threshold;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
@@ -127,6 +131,8 @@ class UndoControllerTest {
     void nudgesInQuickSuccessionAreOneEditAndAPauseEndsIt() {
         runOnEdt(() -> controller.send(moveTo(4.1)));
         now += 900;
+        runOnEdt(() -> controller.send(moveTo(4.15)));
+        now += 900;
         runOnEdt(() -> controller.send(moveTo(4.2)));
         now += 1100;
         runOnEdt(() -> controller.send(moveTo(4.3)));
@@ -134,6 +140,50 @@ class UndoControllerTest {
         assertEquals(4.2, x());
         runOnEdt(controller::undo);
         assertEquals(4, x());
+    }
+
+    private void assertEditCount(int count, Command... commands) {
+        runOnEdt(() -> List.of(commands).forEach(controller::send));
+        for (int i = 0; i < count; i++) {
+            assertTrue(undoName().isPresent(), "edit " + i);
+            runOnEdt(controller::undo);
+        }
+        assertEquals(Optional.empty(), undoName());
+    }
+
+    @Test
+    void stepsOfASpinnerAreOneEdit() {
+        assertEditCount(1, new Command.SetPlatform(0.3, 0.2, 0.3), new Command.SetPlatform(0.31, 0.2, 0.3));
+        assertEditCount(
+                1,
+                new Command.ConfigureSensor(FRONT.withRange(0.4)),
+                new Command.ConfigureSensor(FRONT.withRange(0.5)));
+        assertEditCount(2, new Command.SetPlatform(0.3, 0.2, 0.3), new Command.ConfigureSensor(FRONT.withRange(0.4)));
+    }
+
+    @Test
+    void obstaclesThatArePlacedInQuickSuccessionAreSeveralEdits() {
+        assertEditCount(
+                2,
+                new Command.PlaceObstacle(LAMP),
+                new Command.PlaceObstacle(LAMP.withShape(new ObstacleShape.CircleShape(0.2))));
+    }
+
+    @Test
+    void changesOfOneSettingOfTheControllerAreOneEdit() {
+        WallFollowing spec = WallFollowing.DEFAULT;
+        EditTarget distance = target(spec.withDistance(0.3), spec);
+        assertTrue(distance.repeatable());
+        assertEquals(distance, target(spec.withDistance(0.4), spec.withDistance(0.3)));
+        assertNotEquals(distance, target(spec.withPeriod(0.1), spec));
+        EditTarget margin = target(spec.withThresholds(spec.thresholds().with(Threshold.AHEAD_MARGIN, 0.1)), spec);
+        assertNotEquals(distance, margin);
+        assertNotEquals(
+                margin, target(spec.withThresholds(spec.thresholds().with(Threshold.TURN_CLEARANCE, 0.2)), spec));
+    }
+
+    private static EditTarget target(WallFollowing after, WallFollowing before) {
+        return EditTarget.ofGesture(new Command.ConfigureController(after), before);
     }
 
     @Test
