@@ -81,6 +81,9 @@ class ProblemsTest {
             id="pole"          | id="enclosure"     | 5:55: id of <circle> is "enclosure"; expected another id, because this is the name of the wall around the world
             id="pole"          | id="desk"          | 5:50: id of <circle> is "desk", which the element in line 4 already has; expected unique ids
             id="pole"          | id=""              | 5:46: id of <circle> is ""; expected 1 to 100 characters, none of them a comma, a double quote or a control character
+            id="pole"          | id="a,b"           | 5:49: id of <circle> is "a,b"; expected 1 to 100 characters, none of them a comma, a double quote or a control character
+            id="pole"          | id="a&quot;b"      | 5:54: id of <circle> is "a"b"; expected 1 to 100 characters, none of them a comma, a double quote or a control character
+            id="pole"          | id="a&#9;b"        | 5:52: id of <circle> is "a b"; expected 1 to 100 characters, none of them a comma, a double quote or a control character
             id="probe"         | id="left"          | 16:51: id of <sensor> is "left", which the element in line 15 already has; expected unique ids
             sensor="front"     | sensor="frnt"      | 20:71: sensor of <fault> is "frnt"; expected one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right, probe; did you mean "front"?
             obstacle="desk"    | obstacle="desc"    | 24:48: obstacle of <move> is "desc"; expected one of the obstacles: desk, pole, sofa, niche, screen, visitor, extra; did you mean "desk"?
@@ -104,6 +107,25 @@ class ProblemsTest {
     void oneMistakeIsReportedInOneSentence(String piece, String other, String problem) {
         List<String> problems = SampleScenario.problems(SampleScenario.withReplacement(piece, other));
         assertEquals("room.xml:" + problem, problems.isEmpty() ? "none" : problems.get(0));
+    }
+
+    @Test
+    void aMisspeltAttributeThatIsRequiredIsReportedOnce() {
+        assertEquals(
+                1,
+                SampleScenario.problems(SampleScenario.withReplacement("radius=\"0.02\"", "radus=\"0.02\""))
+                        .size());
+    }
+
+    @Test
+    void anIdHasUpTo100Characters() {
+        for (int length : new int[] {100, 101}) {
+            assertEquals(
+                    length - 100,
+                    SampleScenario.problems(
+                                    SampleScenario.withReplacement("id=\"pole\"", "id=\"" + "p".repeat(length) + "\""))
+                            .size());
+        }
     }
 
     @ParameterizedTest

@@ -14,6 +14,7 @@ class NumberRangeTest {
             case "cone" -> NumberRange.CONE;
             case "incidence" -> NumberRange.INCIDENCE_ANGLE;
             case "gain" -> NumberRange.GAIN;
+            case "size" -> NumberRange.SIZE;
             case "share" -> NumberRange.FRACTION;
             default -> throw new IllegalArgumentException(name);
         };
@@ -30,6 +31,9 @@ class NumberRangeTest {
         "incidence, 90.000000000000000000001,  false",
         "gain,      0,                         false",
         "gain,      1000000,                   true",
+        "size,      0.000001,                  true",
+        "size,      100000,                    true",
+        "size,      100000.00000000000001,     false",
         "share,     -1e-30,                    false",
         "share,     0,                         true",
         "share,     1,                         true",
@@ -46,6 +50,7 @@ class NumberRangeTest {
         "gain,  1e-300,      true",
         "gain,  1000000,     false",
         "gain,  NaN,         false",
+        "size,  0.5,         true",
         "share, 0,           false",
         "share, 0.5,         true",
         "share, 1,           false",
