@@ -40,15 +40,19 @@ class AnimatedGifWriterTest {
         return pictures;
     }
 
-    private static ImageReader writeAndRead(List<BufferedImage> pictures) throws IOException {
+    private static byte[] write(List<BufferedImage> pictures) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (AnimatedGifWriter film = new AnimatedGifWriter(bytes, Palette.LIGHT)) {
             for (int i = 0; i < pictures.size(); i++) {
                 film.addFrame(pictures.get(i), 5 + i);
             }
         }
+        return bytes.toByteArray();
+    }
+
+    private static ImageReader writeAndRead(List<BufferedImage> pictures) throws IOException {
         ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
-        ImageInputStream in = ImageIO.createImageInputStream(new ByteArrayInputStream(bytes.toByteArray()));
+        ImageInputStream in = ImageIO.createImageInputStream(new ByteArrayInputStream(write(pictures)));
         reader.setInput(in);
         return reader;
     }
@@ -80,6 +84,16 @@ class AnimatedGifWriterTest {
     }
 
     @Test
+    void theFirstTickOfEachIntervalIsShown() {
+        assertEquals(
+                List.of(0, 3, 5, 8, 10),
+                IntStream.rangeClosed(0, 12)
+                        .filter(tick -> AnimatedGifWriter.delayOf(tick, 0.04, 10) > 0)
+                        .boxed()
+                        .toList());
+    }
+
+    @Test
     void aTickBeforeTheFilmIsNotShown() {
         assertEquals(0, AnimatedGifWriter.delayOf(-5, 0.01, 5));
         assertEquals(5, AnimatedGifWriter.delayOf(0, 0.01, 5));
@@ -107,6 +121,29 @@ class AnimatedGifWriterTest {
         IIOMetadataNode place = node(reader, 3, "ImageDescriptor");
         assertTrue(Integer.parseInt(place.getAttribute("imageWidth")) < 120, place.getAttribute("imageWidth"));
         assertTrue(Integer.parseInt(place.getAttribute("imageHeight")) < 60, place.getAttribute("imageHeight"));
+    }
+
+    @Test
+    void theChangedAreaHoldsTheDifferencesAndNothingElse() {
+        BufferedImage before = new BufferedImage(8, 6, BufferedImage.TYPE_BYTE_INDEXED);
+        BufferedImage after = new BufferedImage(8, 6, BufferedImage.TYPE_BYTE_INDEXED);
+        assertEquals(new Rectangle(1, 1), AnimatedGifWriter.changedArea(before, after));
+        after.setRGB(0, 3, 0xFFFFFF);
+        assertEquals(new Rectangle(0, 3, 1, 1), AnimatedGifWriter.changedArea(before, after));
+        after.setRGB(0, 3, before.getRGB(0, 3));
+        after.setRGB(5, 1, 0xFFFFFF);
+        assertEquals(new Rectangle(5, 1, 1, 1), AnimatedGifWriter.changedArea(before, after));
+        after.setRGB(2, 4, 0xFFFFFF);
+        assertEquals(new Rectangle(2, 1, 4, 4), AnimatedGifWriter.changedArea(before, after));
+        after.setRGB(0, 0, 0xFFFFFF);
+        after.setRGB(7, 5, 0xFFFFFF);
+        assertEquals(new Rectangle(8, 6), AnimatedGifWriter.changedArea(before, after));
+    }
+
+    @Test
+    void aFileEndsWithATrailer() throws IOException {
+        byte[] bytes = write(PICTURES);
+        assertEquals(';', bytes[bytes.length - 1]);
     }
 
     @Test
