@@ -22,6 +22,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.zip.Deflater;
 import java.util.zip.GZIPOutputStream;
@@ -108,11 +109,16 @@ final class RunOutputs implements AutoCloseable {
     /** Returns where the trace goes, compressed if its file is named so. */
     private OutputStream traceStream() throws IOException {
         OutputStream out = streams.get(Output.TRACE);
-        if (options.outputs().get(Output.TRACE).toString().endsWith(".gz")) {
+        if (hasEnding(Output.TRACE, ".gz")) {
             traceEnd = new FastGzip(out);
             return traceEnd;
         }
         return out;
+    }
+
+    /** Returns whether the name of an output has an ending, in small letters or capitals. */
+    private boolean hasEnding(Output output, String ending) {
+        return options.outputs().get(output).toString().toLowerCase(Locale.ROOT).endsWith(ending);
     }
 
     private void recordEnd(Simulation simulation) {
@@ -151,7 +157,7 @@ final class RunOutputs implements AutoCloseable {
     private void writeImage(OutputStream out) throws IOException {
         RenderRequest picture = FrameRenderer.request(
                 lastFrame, Palette.LIGHT, IMAGE_WIDTH, FrameRenderer.heightFor(lastFrame, IMAGE_WIDTH));
-        if (options.outputs().get(Output.IMAGE).toString().endsWith(".svg")) {
+        if (hasEnding(Output.IMAGE, ".svg")) {
             out.write(picture.toSvg().getBytes(StandardCharsets.UTF_8));
         } else {
             PngImage.write(picture.toImage(1), out);

@@ -33,7 +33,7 @@ public final class SimulationServer {
     private final InputStream in;
     private final OutputStream out;
     private final LineBuffer lines = new LineBuffer();
-    /** The robot that the client was told last. */
+    /** The robot that the client has last received. */
     private RobotSpec knownRobot;
 
     /**

@@ -63,6 +63,9 @@ final class ExpectationReader {
             fields.report(
                     name, state, Allowed.withHint(Allowed.STATES.with(Allowed.names(knownStates)), state, knownStates));
         }
+        if (state.isEmpty() && knownStates.isEmpty()) {
+            fields.report(name, state, Allowed.STATE.with());
+        }
         return ControllerState.of(state);
     }
 }

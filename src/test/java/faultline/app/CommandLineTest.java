@@ -200,9 +200,10 @@ class CommandLineTest {
         assertEquals(List.of(image, journal, trace), filesInFolder());
     }
 
-    @Test
-    void anImageIsADrawingIfItsFileIsNamedSo() throws Exception {
-        Path image = folder.resolve("image.svg");
+    @ParameterizedTest
+    @ValueSource(strings = {"image.svg", "IMAGE.SVG"})
+    void anImageIsADrawingIfItsFileIsNamedSo(String name) throws Exception {
+        Path image = folder.resolve(name);
         assertEquals(0, command("run", COLLIDING_SCENARIO, "--until", "12", "--image", "" + image).code);
         Element drawing = DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()

@@ -169,6 +169,14 @@ class TraceFormatTest {
     }
 
     @Test
+    void aTraceIsCompressedAlsoIfItsEndingIsInCapitals() throws Exception {
+        trace("PACKED.CSV.GZ", "--trace-format", "2");
+        try (InputStream in = new GZIPInputStream(Files.newInputStream(folder.resolve("PACKED.CSV.GZ")))) {
+            assertEquals('t', in.read(), "the first column is t_s");
+        }
+    }
+
+    @Test
     void aCompressedTraceHasTheSameRowsAndAHeaderFile() throws Exception {
         List<String[]> plain = trace("plain.csv", "--trace-format", "2");
         List<String[]> packed = trace("packed.csv.gz", "--trace-format", "2");

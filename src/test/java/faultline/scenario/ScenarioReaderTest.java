@@ -27,6 +27,8 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What valid files come to. */
 class ScenarioReaderTest {
@@ -218,6 +220,19 @@ class ScenarioReaderTest {
                         .map(name -> new Expectation.VisitedState(ControllerState.of(name)))
                         .toList(),
                 scenario.expectation().conditions());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"states=\"\"", "states=\" \"", "finalState=\"\"", "finalState=\" \""})
+    void anExpectedStateOfAnyControllerHasAName(String attribute) {
+        List<String> problems = SampleScenario.problems(
+                """
+                <scenario xmlns="urn:faultline:scenario:1"><robot x="1" y="2"/><world width="6" height="4"/>
+                <controller type="extern"/><expect %s/></scenario>
+                """
+                        .formatted(attribute));
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains("the name of a state"), problems::toString);
     }
 
     private static ControllerSpec controller(String text) throws ScenarioException {

@@ -64,6 +64,8 @@ public enum Allowed implements Message.Template {
     SENSORS("one of the robot''s sensors: {0}"),
     /** The id of an obstacle. */
     OBSTACLES("one of the obstacles: {0}"),
+    /** The name of a state of a controller whose states are not known. */
+    STATE("the name of a state"),
     /** The name of a controller's state. */
     STATES("one of the controller''s states: {0}"),
     /** The name of a controller. */
