@@ -138,7 +138,7 @@ final class PlaceBlock {
         double least = radius + distance;
         for (int i = 0; i < near.size(); i++) {
             double toCentre = near.shape(i).distanceTo(centre.x(), centre.y());
-            if (WallReference.nearness(toCentre, distance) - radius > WallReference.ROUNDING) {
+            if (WallReference.occupiesAround(toCentre, distance, radius)) {
                 Arrays.fill(pieces, OCCUPIED);
                 free = 0;
                 return;

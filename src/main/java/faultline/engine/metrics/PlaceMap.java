@@ -29,7 +29,8 @@ final class PlaceMap {
     private final double distance;
     private final double spacing;
     private final double joinDistance;
-    private final List<Vector2> circle;
+    /** The places around the origin; empty until a wall is sampled, because at a great distance they are very many. */
+    private List<Vector2> circle = List.of();
     /** The blocks of each wall that has been sampled, by its number. */
     private final Map<Integer, List<PlaceBlock>> blocksByWall = new TreeMap<>();
 
@@ -55,16 +56,18 @@ final class PlaceMap {
         this.distance = distance;
         this.spacing = spacing;
         this.joinDistance = joinDistance;
-        this.circle = PlaceRow.circle(distance, spacing);
     }
 
-    /** Samples the walls that have places within a radius of a point. */
+    /** Samples the walls that have places within a radius of a point, unless a wall occupies all places there. */
     void sampleNear(Vector2 point, double radius) {
         CandidateBuffer near = walls.findNear(point, distance + radius);
         List<Integer> found = new ArrayList<>();
         for (int i = 0; i < near.size(); i++) {
-            if (!sampledWalls.get(near.number(i))
-                    && near.shape(i).distanceTo(point.x(), point.y()) <= distance + radius) {
+            double toWall = near.shape(i).distanceTo(point.x(), point.y());
+            if (WallReference.occupiesAround(toWall, distance, radius)) {
+                return;
+            }
+            if (!sampledWalls.get(near.number(i)) && toWall <= distance + radius) {
                 found.add(near.number(i));
             }
         }
@@ -73,6 +76,7 @@ final class PlaceMap {
 
     private void sample(int number) {
         sampledWalls.set(number);
+        circle = circle.isEmpty() ? PlaceRow.circle(distance, spacing) : circle;
         ConvexShape wall = walls.walls().shape(number);
         List<PlaceBlock> around = new ArrayList<>();
         for (PlaceRow row : PlaceRow.of(wall, distance, spacing, 0, circle)) {

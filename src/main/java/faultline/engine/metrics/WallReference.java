@@ -126,6 +126,13 @@ public final class WallReference {
         return distance * (1 - 1e-6) - toWall;
     }
 
+    /**
+     * Returns whether a wall at a distance from a point is nearer than their walls are to all places within a radius.
+     */
+    static boolean occupiesAround(double toWall, double distance, double radius) {
+        return nearness(toWall, distance) - radius > ROUNDING;
+    }
+
     /** Returns the walls near a point, and perhaps others, until the next call. */
     CandidateBuffer findNear(Vector2 point, double radius) {
         candidates.clear();

@@ -3,6 +3,7 @@ package faultline.engine.metrics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.CpuTime;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
@@ -102,6 +103,15 @@ class CoverageTest {
     void theCoverageOfARobotThatFollowsTheTableIsThatOfTheTable() {
         visit(square(1.5 - WANTED));
         assertEquals(1, share());
+    }
+
+    @Test
+    void aDistanceForWhichThereIsNoRoomTakesLittleTime() {
+        Coverage distant = new Coverage(new WallReference(new WorldSpec(4, 4, true, 3, List.of())), 20_000);
+        visit(distant, LAP);
+        CpuTime time = CpuTime.start();
+        assertTrue(distant.share().isEmpty());
+        time.assertBelow(2);
     }
 
     @Test
@@ -239,7 +249,7 @@ class CoverageTest {
     }
 
     @Test
-    void aWorldOfManyKilometresTakesLittleTimeAndMemory() {
+    void aWorldOfManyKilometresTakesLittleTime() {
         Coverage huge = new Coverage(new WallReference(new WorldSpec(10_000, 10_000, true, 3, List.of())), WANTED);
         visit(huge, List.of(new Vector2(WANTED, WANTED), new Vector2(WANTED + 100, WANTED)));
         assertEquals(100.05 / (4 * (10_000 - 2 * WANTED)), huge.share().orElseThrow(), 1e-5);
