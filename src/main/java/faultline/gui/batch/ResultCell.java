@@ -53,7 +53,7 @@ record ResultCell(String text, double number) implements Comparable<ResultCell> 
                 .orElse(value);
     }
 
-    boolean isNumber() {
+    private boolean isNumber() {
         return !Double.isNaN(number);
     }
 

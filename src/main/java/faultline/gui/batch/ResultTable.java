@@ -46,6 +46,10 @@ final class ResultTable extends RowTable {
     /** The columns of what does not happen in every batch. They take no room before. */
     private static final Set<String> OCCASIONAL = Set.of("collision_time_s", "detection_delay_s", "failure");
 
+    /** The columns of texts; all others have numbers. */
+    private static final Set<String> TEXTS =
+            Set.of("fault_kind", "fault_sensor", "controller_diagnosis", "outcome", HASH, "failure");
+
     private final Model model;
     private final transient TableRowSorter<Model> sorter;
     /** The columns without a value in any run, which are not shown. */
@@ -57,9 +61,7 @@ final class ResultTable extends RowTable {
     private static final class Model extends AbstractTableModel {
         private final List<String> columns;
         private final List<List<ResultCell>> rows = new ArrayList<>();
-        /** The columns that have a text, and those that have a text or a number. */
-        private final BitSet textual = new BitSet();
-
+        /** The columns that have a value. */
         private final BitSet filled = new BitSet();
 
         Model(List<String> columns) {
@@ -68,10 +70,8 @@ final class ResultTable extends RowTable {
 
         void examine(List<ResultCell> row) {
             for (int column = 0; column < row.size(); column++) {
-                ResultCell cell = row.get(column);
-                if (!cell.text().isEmpty()) {
+                if (!row.get(column).text().isEmpty()) {
                     filled.set(column);
-                    textual.set(column, textual.get(column) || !isTrailing(cell));
                 }
             }
         }
@@ -133,16 +133,16 @@ final class ResultTable extends RowTable {
         RefreshSteps.add(this, ResultTable::refresh);
     }
 
-    /** Headings of numbers stand at the end of their column, as the numbers do. */
+    /** Headings of numbers stand at the end of their column, as the numbers do, also before there are any. */
     private void setHeadingRenderers() {
         TableCellRenderer headings = (table, value, selected, focused, row, column) -> {
-            boolean textual = model.textual.get(convertColumnIndexToModel(column));
+            boolean textual = isTextual(column);
             Component heading = getTableHeader()
                     .getDefaultRenderer()
                     .getTableCellRendererComponent(
                             table, headingText(String.valueOf(value), textual), selected, focused, row, column);
             if (heading instanceof JLabel label) {
-                label.setHorizontalAlignment(textual ? SwingConstants.LEADING : SwingConstants.TRAILING);
+                label.setHorizontalAlignment(alignment(column));
             }
             return heading;
         };
@@ -152,6 +152,14 @@ final class ResultTable extends RowTable {
         for (int column = 0; column < getColumnCount(); column++) {
             getColumnModel().getColumn(column).setHeaderRenderer(headings);
         }
+    }
+
+    private boolean isTextual(int column) {
+        return TEXTS.contains(model.columns.get(convertColumnIndexToModel(column)));
+    }
+
+    private int alignment(int column) {
+        return isTextual(column) ? SwingConstants.LEADING : SwingConstants.TRAILING;
     }
 
     private String headingText(String name, boolean textual) {
@@ -291,21 +299,16 @@ final class ResultTable extends RowTable {
         return getPreferredSize().width < getParent().getWidth();
     }
 
-    private static boolean isTrailing(ResultCell cell) {
-        return cell.isNumber() || cell.text().equals(ResultCell.NONE);
-    }
-
     /** Numbers stand at the end of their column. */
-    private static final class Renderer extends DefaultTableCellRenderer {
+    private final class Renderer extends DefaultTableCellRenderer {
         private static final Border PADDING = BorderFactory.createEmptyBorder(0, 6, 0, 6);
 
         @Override
         public Component getTableCellRendererComponent(
                 JTable table, Object value, boolean selected, boolean focused, int row, int column) {
             super.getTableCellRendererComponent(table, value, selected, focused, row, column);
-            ResultCell cell = (ResultCell) value;
             setBorder(PADDING);
-            setHorizontalAlignment(isTrailing(cell) ? SwingConstants.TRAILING : SwingConstants.LEADING);
+            setHorizontalAlignment(alignment(column));
             return this;
         }
     }

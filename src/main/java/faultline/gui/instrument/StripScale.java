@@ -67,8 +67,8 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
     }
 
     /**
-     * Returns the legend above the plot, or to the right of it if it is too high. Rows for which there is no room are
-     * omitted, and all if one name is wider than the picture.
+     * Returns the legend above the plot, or above the labels of its axis, too, or to the right of the plot if it is too
+     * high. Rows for which there is no room are omitted, and all if one name is wider than the picture.
      */
     private static LegendPlace legend(StripContent content, int width, int height) {
         TextStyle style = TextStyle.plain(FONT_SIZE, Color.BLACK);
@@ -78,6 +78,10 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
         int plotHeight = height - TOP_MARGIN - BOTTOM_MARGIN;
         int fewest = plotHeight - LegendPlace.ROW_HEIGHT >= LOW_PLOT_HEIGHT ? 1 : 0;
         int room = Math.max(fewest, (plotHeight - MIN_PLOT_HEIGHT) / LegendPlace.ROW_HEIGHT);
+        LegendRows<LegendEntry> wide = LegendEntry.rows(entries, style::estimateWidth, width - 2 * LegendPlace.GAP);
+        if (above.rows().size() > room && wide.rows().size() <= room && wide.width() <= width - 2 * LegendPlace.GAP) {
+            return LegendPlace.above(wide, LegendPlace.GAP);
+        }
         LegendRows<LegendEntry> column = LegendEntry.rows(entries, style::estimateWidth, 0);
         int beside = (int) Math.ceil(column.width());
         if (above.rows().size() > room && plotWidth - beside >= MIN_PLOT_WIDTH) {

@@ -96,9 +96,22 @@ class ResultTableTest {
     }
 
     @Test
-    void headingsStandWhereTheirColumnsDo() {
-        assertEquals(SwingConstants.LEADING, headingAlignment(0));
-        assertEquals(SwingConstants.TRAILING, headingAlignment(1));
+    void headingsStandWhereTheirColumnsDoAlsoBeforeThereAreRows() {
+        List<String> columns = List.of("fault_sensor", "fault_value", "outcome");
+        table = callOnEdt(() -> new ResultTable("batch.tab.runs", columns, opened::add));
+        List<Integer> empty = List.of(headingAlignment(0), headingAlignment(1), headingAlignment(2));
+        assertEquals(List.of(SwingConstants.LEADING, SwingConstants.TRAILING, SwingConstants.LEADING), empty);
+        runOnEdt(() -> table.addRows(List.of(
+                List.of(ResultCell.of("fault_sensor", "7"), ResultCell.ofText(""), ResultCell.of("outcome", "lost")))));
+        for (int column = 0; column < columns.size(); column++) {
+            assertEquals(empty.get(column), headingAlignment(column), columns.get(column));
+            assertEquals(empty.get(column), cellAlignment(column), columns.get(column));
+        }
+    }
+
+    private int cellAlignment(int column) {
+        return callOnEdt(() ->
+                ((JLabel) table.prepareRenderer(table.getCellRenderer(0, column), 0, column)).getHorizontalAlignment());
     }
 
     @Test

@@ -137,6 +137,9 @@ class StripChartTest {
                     height + ": " + scale.plot().area());
             assertEquals(height >= 89, !scale.legend().rows().rows().isEmpty(), "names at " + height);
         }
+        StripScale small = content(FRAME, span, ValueRange.FROM_ZERO).scale(250, 100, true);
+        assertEquals(2, small.legend().rows().rows().get(0).size(), "both names above the labels of the axis, too");
+        assertTrue(small.legend().rows().width() + small.legend().corner().x() <= 250, "wider than the picture");
         StripScale narrow = content(FRAME, span, ValueRange.FROM_ZERO).scale(125, 120, true);
         assertEquals(LegendPlace.NONE, narrow.legend(), "a name is wider than the picture");
     }
