@@ -91,7 +91,14 @@ public final class SensorDetailsPanel extends JPanel {
 
     /** Prepares for another scenario, whose first sensor will be selected. */
     void startScenario() {
-        ids = List.of();
+        setIds(List.of());
+    }
+
+    private void setIds(List<String> newIds) {
+        ids = newIds;
+        sensorChoice.setModel(new DefaultComboBoxModel<>(newIds.toArray(String[]::new)));
+        inject.setEnabled(!newIds.isEmpty());
+        mountFields.setSensor(selectedSensor().orElse(null));
     }
 
     /** Shows the sensors and their faults, in the robot's order. */
@@ -100,10 +107,7 @@ public final class SensorDetailsPanel extends JPanel {
         List<String> now =
                 sensors.stream().map(snapshot -> snapshot.spec().id()).toList();
         if (!now.equals(ids)) {
-            ids = now;
-            sensorChoice.setModel(new DefaultComboBoxModel<>(now.toArray(String[]::new)));
-            inject.setEnabled(!now.isEmpty());
-            mountFields.setSensor(selectedSensor().orElse(null));
+            setIds(now);
         }
         mountFields.update();
         sensors.stream()

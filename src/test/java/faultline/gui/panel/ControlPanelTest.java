@@ -127,8 +127,32 @@ class ControlPanelTest {
         assertEquals(List.of(new Command.InjectFault("front", new Fault.Stuck(0.3))), commands);
     }
 
+    @Test
+    void aRobotWithoutSensorsKeepsNoneOfTheScenarioBefore() {
+        SensorDetailsPanel details =
+                callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {})));
+        runOnEdt(() -> {
+            details.setSensors(world.sensors());
+            details.startScenario();
+            details.setSensors(List.of());
+            List<JComponent> enabled = Stream.<JComponent>concat(
+                            NumberSpinner.findIn(details).filter(field -> ComponentFinder.accessibleName(field)
+                                    .startsWith("Bearing")),
+                            Stream.of(injectButton(details)))
+                    .filter(JComponent::isEnabled)
+                    .toList();
+            assertEquals(List.of(), enabled);
+            assertEquals(
+                    0, ComponentFinder.find(details, JComboBox.class, "Sensor").getItemCount());
+        });
+    }
+
     private JButton injectButton() {
-        return ComponentFinder.findAll(panel, JButton.class)
+        return injectButton(panel);
+    }
+
+    private static JButton injectButton(JComponent parent) {
+        return ComponentFinder.findAll(parent, JButton.class)
                 .filter(button -> "Inject".equals(button.getText()))
                 .findFirst()
                 .orElseThrow();
