@@ -7,12 +7,14 @@ import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.text.ParseException;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import javax.swing.JFormattedTextField;
 import javax.swing.text.DefaultFormatter;
 
 /**
  * Formats numbers in fields with a decimal point in every locale; parses numbers as in files, also with a comma, within
- * limits.
+ * limits. While the text of a field is that of its number, the number stays as it is, with more decimals than are shown
+ * or outside of the limits.
  */
 final class DecimalFormatter extends DefaultFormatter {
 
@@ -59,6 +61,10 @@ final class DecimalFormatter extends DefaultFormatter {
 
     @Override
     public Double stringToValue(String text) throws ParseException {
+        OptionalDouble present = presentValue();
+        if (present.isPresent() && text.equals(format(present.getAsDouble()))) {
+            return present.getAsDouble();
+        }
         String normalized = text.strip().replace(',', '.');
         BigDecimal exact =
                 DecimalText.parse(normalized).orElseThrow(() -> new ParseException(Messages.get("number.none"), 0));
@@ -67,6 +73,14 @@ final class DecimalFormatter extends DefaultFormatter {
             throw new ParseException(limitsText(), 0);
         }
         return value;
+    }
+
+    /** Returns the number of the field; empty if it has none. */
+    private OptionalDouble presentValue() {
+        JFormattedTextField field = getFormattedTextField();
+        return field != null && field.getValue() instanceof Number number && !Double.isNaN(number.doubleValue())
+                ? OptionalDouble.of(number.doubleValue())
+                : OptionalDouble.empty();
     }
 
     @Override

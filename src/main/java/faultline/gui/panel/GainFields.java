@@ -29,7 +29,8 @@ final class GainFields extends JPanel {
 
     private static final double MAX_GAIN = 10_000;
     private static final double MIN_GAIN = 0.001;
-    private static final double ROUNDING = 1e4;
+    /** The inverse of the precision of a length that gains have, which is more than the field shows. */
+    private static final double LENGTH_ROUNDING = 1e9;
 
     private final transient Consumer<GainRule> onChange;
     private final NamedChoice<GainChoice> choice = new NamedChoice<>(
@@ -59,7 +60,7 @@ final class GainFields extends JPanel {
         return derivative.doubleValue();
     }
 
-    /** Keeps the values that are shown when another choice is made. */
+    /** Keeps the gains, or their length, when another choice is made. */
     private void select(GainChoice selected) {
         send(
                 switch (selected) {
@@ -81,14 +82,14 @@ final class GainFields extends JPanel {
         double lag = robot.motor().timeConstant() + dt * PeriodicController.ticksPerPeriod(follower.period(), dt);
         PdGains gains = shown.gains(robot.speed(), lag);
         choice.setValue(GainChoice.of(shown));
-        proportional.setWorldValue(
-                shown instanceof GainRule.Fixed ? gains.proportional() : rounded(gains.proportional()));
-        derivative.setWorldValue(shown instanceof GainRule.Fixed ? gains.derivative() : rounded(gains.derivative()));
-        length.setWorldValue(shown instanceof GainRule.Length exact ? exact.metres() : rounded(2 / gains.derivative()));
+        proportional.setWorldValue(gains.proportional());
+        derivative.setWorldValue(gains.derivative());
+        length.setWorldValue(shown instanceof GainRule.Length exact ? exact.metres() : lengthOf(gains));
     }
 
-    private static double rounded(double value) {
-        return Math.max(MIN_GAIN, Math.round(value * ROUNDING) / ROUNDING);
+    /** Returns the length of gains, without the rounding error of the division. */
+    private static double lengthOf(PdGains gains) {
+        return Math.max(MIN_GAIN, Math.round(2 / gains.derivative() * LENGTH_ROUNDING) / LENGTH_ROUNDING);
     }
 
     /** Shows no gains. */

@@ -241,12 +241,9 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
         textField().getInputMap().put(KeyStroke.getKeyStroke("ESCAPE"), "none");
     }
 
-    /**
-     * Commits the text and returns true, or returns false if it is invalid; a field that does not apply has none. A
-     * number that still has its text stays as it is, with more decimals than are shown or outside of the limits.
-     */
+    /** Commits the text and returns true, or returns false if it is invalid; a field that does not apply has none. */
     public boolean commitValidEdit() {
-        if (!isEnabled() || isUnedited()) {
+        if (!isEnabled()) {
             return true;
         }
         try {
@@ -255,10 +252,6 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
         } catch (ParseException invalid) {
             return false;
         }
-    }
-
-    private boolean isUnedited() {
-        return !Double.isNaN(doubleValue()) && textField().getText().equals(formatter.format(doubleValue()));
     }
 
     /** Returns what is typed, short enough for a sentence. */

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.GainRule;
+import faultline.control.PdGains;
 import faultline.control.Threshold;
 import faultline.control.Thresholds;
 import faultline.control.WallSide;
@@ -138,7 +139,11 @@ class ControllerPanelTest {
         runOnEdt(undo::undo);
         await("automatic gains", spec -> follower(spec).gainRule().equals(GainRule.AUTOMATIC));
         choose("Gains", 2);
-        await("fixed gains", spec -> follower(spec).gainRule() instanceof GainRule.Fixed);
+        PdGains automatic = callOnEdt(() -> PdGains.criticallyDamped(
+                length, workspace.scenario().orElseThrow().setup().robot().speed()));
+        await("the same gains, fixed", spec -> follower(spec)
+                .gainRule()
+                .equals(new GainRule.Fixed(automatic.proportional(), automatic.derivative())));
         type("k_d, rad/m", 14.5);
         await(
                 "the new gain",

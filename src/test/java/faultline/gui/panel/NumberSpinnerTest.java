@@ -139,6 +139,19 @@ class NumberSpinnerTest {
     }
 
     @Test
+    void aNumberThatIsNotEditedKeepsTheDecimalsThatAreNotShown() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(1.512345678);
+            assertFalse(spinner.commitPendingEdit(), "not edited");
+            spinner.textField().setText("2");
+            spinner.textField().setText("1.5123");
+            assertFalse(spinner.commitPendingEdit(), "the text from before");
+        });
+        assertEquals(1.512345678, callOnEdt(spinner::doubleValue));
+        assertEquals(List.of(), reported);
+    }
+
+    @Test
     void theWorldMayHaveANumberThatTheUserMayNotGive() {
         runOnEdt(() -> spinner.setWorldValue(250));
         assertEquals("250.00", callOnEdt(() -> spinner.textField().getText()));
