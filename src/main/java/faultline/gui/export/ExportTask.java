@@ -18,7 +18,9 @@ import javax.swing.Timer;
 /** Writes an export in the background. A long one shows its progress and can be cancelled, which leaves no file. */
 final class ExportTask {
 
-    private static final int MAX_PROGRESS = 100;
+    /** Fine, because the dialog opens with the first step, and a step of a long animation can take a minute. */
+    private static final int MAX_PROGRESS = 1000;
+
     private static final int POLL_MILLIS = 50;
 
     private final FileExport export;
@@ -29,7 +31,7 @@ final class ExportTask {
     private final TaskProgress progress = new TaskProgress();
     private final ProgressMonitor monitor;
     private final Timer timer = new Timer(POLL_MILLIS, event -> updateMonitor());
-    private int shownPercent;
+    private int shownProgress;
 
     /** Creates a task; {@code onEnd} runs when it has ended, also if it was cancelled. */
     ExportTask(
@@ -65,11 +67,11 @@ final class ExportTask {
     }
 
     private void updateMonitor() {
-        int percent = (int) (MAX_PROGRESS * progress.fraction().orElse(0));
-        if (percent > shownPercent) {
-            shownPercent = percent;
+        int reached = (int) (MAX_PROGRESS * progress.fraction().orElse(0));
+        if (reached > shownProgress) {
+            shownProgress = reached;
             // The last step would close the monitor before the file is complete.
-            monitor.setProgress(Math.min(percent, MAX_PROGRESS - 1));
+            monitor.setProgress(Math.min(reached, MAX_PROGRESS - 1));
         }
         if (monitor.isCanceled()) {
             progress.cancel();
