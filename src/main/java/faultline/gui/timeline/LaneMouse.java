@@ -17,7 +17,10 @@ final class LaneMouse extends MouseAdapter {
     private final LaneView view;
     private final TimelineEditor editor;
     private final LaneActions actions;
+    /** The press of the left button; null while it is up, and after Escape. */
     private MouseEvent pressed;
+
+    /** The item at the last press of a button; null if there was none. */
     private LaneLayout.ItemHit hit;
 
     LaneMouse(LaneView view, TimelineEditor editor, LaneActions actions) {
@@ -105,6 +108,9 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mouseReleased(MouseEvent event) {
+        if (pressed != null && event.getButton() != pressed.getButton()) {
+            return;
+        }
         view.updateModel();
         pressed = null;
         view.preview().ifPresent(this::commit);

@@ -113,6 +113,22 @@ class LaneViewTest {
     }
 
     @Test
+    void theReleaseOfAnotherButtonDoesNotEndADrag() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            updateView();
+            mouse(MouseEvent.MOUSE_PRESSED, 15, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_DRAGGED, 16, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_PRESSED, 16, MouseEvent.BUTTON3);
+            mouse(MouseEvent.MOUSE_RELEASED, 16, MouseEvent.BUTTON3);
+            assertEquals(List.of(10.0, 20.0), lanes.times());
+            mouse(MouseEvent.MOUSE_DRAGGED, 18, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_RELEASED, 18, MouseEvent.BUTTON1);
+            assertEquals(List.of(13.0, 23.0), lanes.times());
+        });
+    }
+
+    @Test
     void aKeyBeforeTheNextFrameActsOnTheItemThatIsSelected() {
         runOnEdt(() -> {
             addStuck("left", 10, 20);
