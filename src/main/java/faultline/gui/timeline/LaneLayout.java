@@ -124,10 +124,12 @@ final class LaneLayout {
     /** An item under the mouse: its index and the part. */
     record ItemHit(int index, ItemPart part) {}
 
-    /** Returns whether this is the layout of these very lists. */
+    /**
+     * Returns whether this is the layout of some lanes and items. Comparing takes little time if these are the same.
+     */
     boolean isOf(List<Lane> otherLanes, List<TimelineItem> otherItems, TimeAxis otherAxis, int top, int height) {
-        return lanes == otherLanes
-                && items == otherItems
+        return lanes.equals(otherLanes)
+                && items.equals(otherItems)
                 && axis.equals(otherAxis)
                 && tops[0] == top
                 && rowHeight == height;

@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -125,6 +126,25 @@ class LaneViewTest {
             mouse(MouseEvent.MOUSE_DRAGGED, 18, MouseEvent.BUTTON1);
             mouse(MouseEvent.MOUSE_RELEASED, 18, MouseEvent.BUTTON1);
             assertEquals(List.of(13.0, 23.0), lanes.times());
+        });
+    }
+
+    /** Each position of the mouse, each frame and each key asks for it several times. */
+    @Test
+    void theLayoutIsMadeAgainOnlyForOtherItems() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            updateView();
+            LaneLayout before = view.lanes();
+            updateView();
+            assertSame(before, view.lanes());
+            addStuck("front", 10, 20);
+            updateView();
+            assertEquals(2, view.lanes().items().size());
+            mouse(MouseEvent.MOUSE_PRESSED, 15, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_DRAGGED, 16, MouseEvent.BUTTON1);
+            assertSame(view.lanes(), view.lanes());
+            assertEquals(11, view.lanes().items().get(0).start());
         });
     }
 
