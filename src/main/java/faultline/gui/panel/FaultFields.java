@@ -157,17 +157,28 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     }
 
     private void updateProblem() {
-        boolean wrongValue = selected().takesValue() && !value.textField().isEditValid();
-        boolean wrongLength = selected().takesLength() && !length.textField().isEditValid();
-        if (wrongValue || wrongLength) {
-            problem.setText(Messages.get("faults.invalid", (wrongValue ? value : length).limitsText()));
+        Optional<NumberSpinner> refused = refusedField();
+        if (refused.isPresent()) {
+            problem.setText(Messages.get("faults.invalid", refused.get().limitsText()));
         } else if (isBeyondRange()) {
             problem.setText(Messages.get("faults.beyondRange", DecimalText.format(range)));
         }
-        problemRow.setVisible(wrongValue || wrongLength || isBeyondRange());
-        value.textField()
-                .getAccessibleContext()
-                .setAccessibleDescription(problemRow.isVisible() ? problem.getText() : null);
+        problemRow.setVisible(refused.isPresent() || isBeyondRange());
+        describe(value, problemRow.isVisible() && refused.orElse(value) == value);
+        describe(length, refused.filter(length::equals).isPresent());
+    }
+
+    /** Returns the first field whose text is not an allowed number. */
+    private Optional<NumberSpinner> refusedField() {
+        if (selected().takesValue() && !value.textField().isEditValid()) {
+            return Optional.of(value);
+        }
+        return selected().takesLength() && !length.textField().isEditValid() ? Optional.of(length) : Optional.empty();
+    }
+
+    /** Makes the problem the accessible description of a field, if it concerns the field. */
+    private void describe(NumberSpinner field, boolean concerned) {
+        field.textField().getAccessibleContext().setAccessibleDescription(concerned ? problem.getText() : null);
     }
 
     /** Returns whether the reported distance or the new range of the sensor exceeds its range. */

@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
@@ -49,5 +50,30 @@ class FaultFieldsTest {
                     sentence.getPreferredSize().height >= 2 * line,
                     sentence.getPreferredSize().toString());
         });
+    }
+
+    @Test
+    void theFieldWithTheRefusedNumberIsDescribedByTheReason() {
+        runOnEdt(() -> {
+            FaultFields<FaultKind, Fault> fields = FaultFields.forSensors();
+            JPanel form = new JPanel(new GridBagLayout());
+            fields.addTo(form, 0, 0);
+            fields.setFault(FaultKind.BURSTS, 0.5, 2);
+            JTextField value = ComponentFinder.find(form, JTextField.class, "Value");
+            JTextField length = ComponentFinder.find(form, JTextField.class, "Mean length");
+            length.setText("-1");
+            assertEquals(Optional.empty(), fields.commitFault());
+            assertTrue(description(length).startsWith("Invalid value."), description(length));
+            assertFalse(description(value).startsWith("Invalid value."), description(value));
+            length.setText("3");
+            value.setText("x");
+            assertEquals(Optional.empty(), fields.commitFault());
+            assertTrue(description(value).startsWith("Invalid value."), description(value));
+            assertFalse(description(length).startsWith("Invalid value."), description(length));
+        });
+    }
+
+    private static String description(JTextField field) {
+        return field.getAccessibleContext().getAccessibleDescription();
     }
 }
