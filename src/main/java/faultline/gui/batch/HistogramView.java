@@ -3,6 +3,7 @@ package faultline.gui.batch;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
@@ -22,9 +23,8 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
 import java.util.function.Function;
-import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
@@ -118,10 +118,11 @@ final class HistogramView extends JPanel {
     }
 
     /** Paints the chart. */
-    private static final class HistogramPlot extends JComponent {
+    private static final class HistogramPlot extends AccessibleComponent {
         private transient Chart chart;
 
         HistogramPlot() {
+            super(AccessibleRole.SWING_COMPONENT);
             setPreferredSize(MIN_SIZE);
         }
 
@@ -138,14 +139,6 @@ final class HistogramView extends JPanel {
                     ChartPainter.paint(new GraphicsSurface(g), chart, area, style);
                 });
             }
-        }
-
-        @Override
-        public AccessibleContext getAccessibleContext() {
-            if (accessibleContext == null) {
-                accessibleContext = new AccessibleJComponent() {};
-            }
-            return accessibleContext;
         }
     }
 }
