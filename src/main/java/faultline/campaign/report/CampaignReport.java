@@ -178,19 +178,19 @@ public final class CampaignReport {
         String collision = row.text("collided_with");
         return List.of(
                 row.text("run"),
-                Html.escape(row.text("world")) + ", seed " + row.text("seed"),
+                Html.escape(row.text("world") + ", seed " + row.text("seed")),
                 Html.escape(varied.toString()),
                 row.text("outcome").replace('_', ' ')
                         + (collision.isEmpty()
                                 ? ""
-                                : " with " + Html.escape(collision) + " at " + row.text("collision_time_s") + " s"),
+                                : Html.escape(" with " + collision + " at " + row.text("collision_time_s") + " s")),
                 "<code>" + Html.escape(command) + "</code>");
     }
 
     private String dictionary() {
         List<List<String>> rows = ResultColumns.of(data.plan()).stream()
                 .map(column -> List.of(
-                        "<code>" + column.name() + "</code>",
+                        "<code>" + Html.escape(column.name()) + "</code>",
                         Html.escape(column.unit()),
                         Html.escape(column.meaning())))
                 .toList();

@@ -92,6 +92,26 @@ class CampaignReportTest {
         }
     }
 
+    /** The table may come from another machine, and the page is opened in a browser. */
+    @Test
+    void cellsOfTheTableAreNoMarkup() throws Exception {
+        report("<faults><fault kind=\"off\" sensor=\"front left\" at=\"1\"/></faults>");
+        Path table = folder.resolve("runs.csv");
+        List<String> names = Csv.cells(Files.readAllLines(table).get(0));
+        List<String> lines = new ArrayList<>(List.of(Csv.row(names).strip()));
+        for (String row : Files.readAllLines(table).subList(1, 9)) {
+            List<String> cells = Csv.cells(row);
+            for (String column : List.of("seed", "world", "collided_with", "collision_time_s", "trajectory_hash")) {
+                cells.set(names.indexOf(column), "<script>" + column + "</script>");
+            }
+            lines.add(Csv.row(cells).strip());
+        }
+        Files.write(table, lines);
+        String html = new CampaignReport(folder).html(List.of());
+        assertTrue(html.contains("&lt;script&gt;seed"), "the worst runs name their seeds");
+        assertFalse(html.contains("<script"), html);
+    }
+
     @Test
     void chartsOfOneColumnHaveTitlesThatNameTheirFaults() throws Exception {
         String html = report(
