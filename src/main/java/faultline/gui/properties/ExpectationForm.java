@@ -103,8 +103,9 @@ final class ExpectationForm extends JPanel {
         others.stream().filter(Expectation.VisitedState.class::isInstance).forEach(conditions::add);
         if (finalBox.isSelected()) {
             conditions.add(new Expectation.FinalState((FollowerState) finalState.getSelectedItem()));
+        } else {
+            others.stream().filter(Expectation.FinalState.class::isInstance).forEach(conditions::add);
         }
-        others.stream().filter(Expectation.FinalState.class::isInstance).forEach(conditions::add);
         return new Expectation(conditions);
     }
 

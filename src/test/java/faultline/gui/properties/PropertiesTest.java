@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Degrees;
@@ -31,6 +32,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import javax.swing.JCheckBox;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
@@ -67,7 +69,6 @@ class PropertiesTest {
         assertEquals(List.of(), scenario.run().unmetExpectations());
     }
 
-    /** Values that are not edited in the form stay the same to the bit. */
     /** A dialog on a screen of 800 by 600 has this width between its borders and beside a scroll bar. */
     @ParameterizedTest
     @EnumSource(Language.class)
@@ -102,6 +103,20 @@ class PropertiesTest {
         }
     }
 
+    @Test
+    void aChosenFinalStateReplacesThatOfAnotherController() {
+        Expectation.Condition foreign = new Expectation.FinalState(ControllerState.of("dock"));
+        Expectation expected = callOnEdt(() -> {
+            ExpectationForm form = new ExpectationForm();
+            form.setExpectation(new Expectation(List.of(foreign)));
+            assertEquals(List.of(foreign), form.expectation().conditions());
+            ComponentFinder.find(form, JCheckBox.class, "Ends in").doClick();
+            return form.expectation();
+        });
+        assertEquals(List.of(new Expectation.FinalState(FollowerState.SEARCH)), expected.conditions());
+    }
+
+    /** Values that are not edited in the form stay the same to the bit. */
     @Test
     void numbersThatAreNotEditedStayAsTheyAre() {
         Scenario room = ScenarioTemplate.FURNISHED_ROOM.create();
