@@ -164,11 +164,18 @@ public final class ControllerChooser implements WorkspaceListener {
             BackgroundTasks.run(
                     () -> times(chosen.files()),
                     found -> {
-                        files = found;
-                        watch.start();
+                        if (chosen.equals(started)) {
+                            files = found;
+                            watch.start();
+                        }
                     },
                     failure -> {});
         }
+    }
+
+    /** Returns whether changes of the files of the session's controller are noted. */
+    boolean isWatching() {
+        return watch.isRunning();
     }
 
     private void checkFiles() {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.Await;
+import faultline.gui.BackgroundThreads;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.Notes;
 import faultline.gui.document.ComparisonController;
@@ -94,6 +95,18 @@ class ControllerChooserTest {
                 () -> workspace.scenario().orElseThrow().name().equals("Cable"));
         assertEquals(List.of(TaskKind.OPEN), callOnEdt(() -> List.copyOf(failures)));
         assertTrue(opensWithoutChoice);
+    }
+
+    @Test
+    void theFilesOfAnEarlierControllerAreNotWatched() {
+        runOnEdt(() -> {
+            chooser.select(new ControllerSelection("wall-follower", List.of()));
+            chooser.sessionStarted();
+            chooser.select(ControllerSelection.SCENARIO);
+            chooser.sessionStarted();
+        });
+        BackgroundThreads.awaitEnd();
+        assertFalse(callOnEdt(chooser::isWatching));
     }
 
     @Test
