@@ -39,7 +39,7 @@ import javax.swing.UIManager;
 
 /**
  * A form to make a scenario of a floor plan: how the plan is traced, with a preview. The plan is read off the event
- * dispatch thread.
+ * dispatch thread, once at a time.
  */
 public final class ImportForm extends JPanel {
 
@@ -70,8 +70,8 @@ public final class ImportForm extends JPanel {
     private final JTextArea status = UiText.wrappedText();
     /** Null while the plan is read, or if it cannot be read. */
     private transient Scenario scenario;
-    /** Of readings; only the newest counts. */
-    private int reading;
+    /** How often the plan was to be read; only the result of the newest request counts. */
+    private int requests;
 
     private boolean isReading;
     /** Runs after each reading. */
@@ -163,21 +163,29 @@ public final class ImportForm extends JPanel {
                 .findFirst();
     }
 
+    /** Reads the plan with the present values, when a reading that has begun has ended. */
     private void startReading() {
+        requests++;
+        scenario = null;
+        status.setText(Messages.get("import.reading"));
+        if (!isReading) {
+            isReading = true;
+            read();
+        }
+    }
+
+    private void read() {
         assert EventQueue.isDispatchThread();
-        int started = ++reading;
+        int request = requests;
         double side = resolution.doubleValue();
         FloorPlan.Options options = new FloorPlan.Options(
                 unknownIsWall.isSelected(), (int) minCells.doubleValue(), smoothing.doubleValue());
         Pose wantedStart = findsStart.isSelected() ? null : start.pose();
         Palette palette = Theme.current().palette();
-        scenario = null;
-        isReading = true;
-        status.setText(Messages.get("import.reading"));
         BackgroundTasks.run(
                 () -> preview(FloorPlanFiles.read(file, side, options, wantedStart), palette),
-                preview -> ifNewest(started, () -> show(preview)),
-                failure -> ifNewest(started, () -> showFailure(failure)));
+                preview -> end(request, () -> show(preview)),
+                failure -> end(request, () -> showFailure(failure)));
     }
 
     private static Preview preview(FloorPlanFiles.ImportedPlan read, Palette palette) {
@@ -193,11 +201,13 @@ public final class ImportForm extends JPanel {
         }
     }
 
-    private void ifNewest(int started, Runnable action) {
-        if (started == reading) {
+    private void end(int request, Runnable action) {
+        if (request == requests) {
             isReading = false;
             action.run();
             onRead.run();
+        } else {
+            read();
         }
     }
 

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
 import faultline.gui.Await;
+import faultline.gui.BackgroundThreads;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.text.Language;
@@ -16,8 +17,11 @@ import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import java.awt.Component;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import java.util.Optional;
 import javax.swing.JCheckBox;
 import javax.swing.JFormattedTextField;
@@ -84,6 +88,33 @@ class ImportFormTest {
         assertTrue(callOnEdt(
                 () -> ComponentFinder.find(form, JLabel.class, "Preview").getIcon() != null));
         assertEquals("hall", callOnEdt(() -> form.scenario().orElseThrow().name()));
+    }
+
+    /** A large plan takes seconds and much memory, and an arrow of a field that is held down changes it often. */
+    @Test
+    void aPlanIsReadOnceAtATime() throws IOException {
+        int side = 1500;
+        byte[] pixels = new byte[side * side];
+        Arrays.fill(pixels, (byte) 254);
+        Arrays.fill(pixels, 0, side, (byte) 0);
+        Path large = folder.resolve("large.pgm");
+        Files.write(large, ("P5 " + side + " " + side + " 255\n").getBytes(StandardCharsets.US_ASCII));
+        Files.write(large, pixels, StandardOpenOption.APPEND);
+        BackgroundThreads.awaitEnd();
+        ImportForm form = callOnEdt(() -> {
+            ImportForm opened = new ImportForm(large);
+            JSpinner resolution = ComponentFinder.find(opened, JSpinner.class, "Side of a pixel, m");
+            for (int i = 1; i <= 10; i++) {
+                resolution.setValue(0.01 * i);
+            }
+            assertEquals(1, BackgroundThreads.count());
+            return opened;
+        });
+        Await.until("the newest plan", () -> form.scenario().isPresent());
+        assertEquals(
+                150,
+                callOnEdt(() -> form.scenario().orElseThrow().setup().world().width()),
+                1e-9);
     }
 
     @Test
