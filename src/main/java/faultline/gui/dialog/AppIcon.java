@@ -1,6 +1,7 @@
 package faultline.gui.dialog;
 
 import faultline.gui.theme.Antialiasing;
+import faultline.paint.surface.DrawContext;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Image;
@@ -36,7 +37,7 @@ public final class AppIcon {
         g.setColor(new Color(0xE69F00));
         g.fill(new Arc2D.Double(-7.5, -0.5, 23, 23, 15, 60, Arc2D.PIE));
         g.setColor(new Color(0x0B4F79));
-        g.setStroke(Antialiasing.roundStroke(0.9));
+        g.setStroke(DrawContext.solidStroke(0.9));
         g.draw(crackShape());
         g.fill(new RoundRectangle2D.Double(0.5, 7, 8.5, 8.5, 3, 3));
         g.setColor(new Color(0x56B4E9));

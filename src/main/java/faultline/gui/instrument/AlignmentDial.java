@@ -1,9 +1,9 @@
 package faultline.gui.instrument;
 
 import faultline.geometry.Vector2;
-import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeColours;
+import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Shapes;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -19,8 +19,7 @@ import java.awt.geom.Line2D;
  */
 final class AlignmentDial {
 
-    private static final Stroke DASHED =
-            new BasicStroke(1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 4}, 0);
+    private static final Stroke DASHED = DrawContext.dashedStroke(1.8, 5, 4);
     private static final int SECTOR_ALPHA = 60;
     private static final double ARROWHEAD_SIZE = 9;
 
@@ -82,7 +81,7 @@ final class AlignmentDial {
     }
 
     private void paintNeedle(double heading) {
-        paintRay(heading, theme.palette().robotOutline(), Antialiasing.roundStroke(2.5));
+        paintRay(heading, theme.palette().robotOutline(), DrawContext.solidStroke(2.5));
         Vector2 direction = new Vector2(Math.cos(heading), -Math.sin(heading));
         g.fill(Shapes.arrowhead(
                 new Vector2(x, y).plus(direction.times(radius)), direction, ARROWHEAD_SIZE, ARROWHEAD_SIZE));

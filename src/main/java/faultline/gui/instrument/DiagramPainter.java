@@ -17,6 +17,7 @@ import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeColours;
 import faultline.paint.chart.StateDiagramLayout;
+import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.GraphicsSurface;
 import faultline.paint.surface.LineStyle;
 import java.awt.Color;
@@ -150,7 +151,7 @@ final class DiagramPainter {
         g.setColor(active ? colours.accent() : colours.field());
         g.fill(Antialiasing.roundedRectangle(box.getX(), box.getY(), box.getWidth(), box.getHeight()));
         g.setColor(active ? colours.text() : colours.border());
-        g.setStroke(Antialiasing.roundStroke(active ? 2.5 : 1));
+        g.setStroke(DrawContext.solidStroke(active ? 2.5 : 1));
         g.draw(Antialiasing.roundedRectangle(box.getX(), box.getY(), box.getWidth(), box.getHeight()));
         double middle = box.getCenterY();
         boolean visitsFit = box.getHeight() >= TWO_LINES;

@@ -1,11 +1,9 @@
 package faultline.gui.theme;
 
 import faultline.paint.surface.GraphicsSurface;
-import java.awt.BasicStroke;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Shape;
-import java.awt.Stroke;
 import java.awt.geom.RoundRectangle2D;
 import java.util.function.Consumer;
 
@@ -34,10 +32,5 @@ public final class Antialiasing {
      */
     public static Shape roundedRectangle(double x, double y, double width, double height) {
         return new RoundRectangle2D.Double(x + 0.5, y + 0.5, width - 1, height - 1, CORNER_DIAMETER, CORNER_DIAMETER);
-    }
-
-    /** Returns a stroke with round caps and joins. */
-    public static Stroke roundStroke(double width) {
-        return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     }
 }

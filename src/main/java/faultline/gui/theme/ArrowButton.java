@@ -1,5 +1,6 @@
 package faultline.gui.theme;
 
+import faultline.paint.surface.DrawContext;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.geom.Path2D;
@@ -36,7 +37,7 @@ final class ArrowButton extends JButton {
                             : getModel().isRollover() ? colours.hover() : colours.field());
             g.fillRect(0, 0, getWidth(), getHeight());
             g.setColor(isEnabled() ? colours.muted() : colours.line());
-            g.setStroke(Antialiasing.roundStroke(1.5));
+            g.setStroke(DrawContext.solidStroke(1.5));
             g.draw(chevron(getWidth() / 2.0, getHeight() / 2.0));
         });
     }

@@ -1,5 +1,6 @@
 package faultline.gui.theme;
 
+import faultline.paint.surface.DrawContext;
 import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -73,7 +74,7 @@ public final class ButtonPainter {
         ThemeColours colours = Theme.currentColours();
         if (button.hasFocus()) {
             g.setColor(isPrimary(button) ? colours.text() : colours.accent());
-            g.setStroke(Antialiasing.roundStroke(1.8));
+            g.setStroke(DrawContext.solidStroke(1.8));
             g.draw(box);
         } else if (button.isSelected() || isDefault(button)) {
             g.setColor(colours.accent());

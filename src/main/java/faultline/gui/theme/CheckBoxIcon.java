@@ -1,5 +1,6 @@
 package faultline.gui.theme;
 
+import faultline.paint.surface.DrawContext;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
@@ -48,7 +49,7 @@ final class CheckBoxIcon implements Icon, UIResource {
         g.draw(box);
         if (button.hasFocus()) {
             g.setColor(ThemeColours.translucent(colours.accent(), FOCUS_ALPHA));
-            g.setStroke(Antialiasing.roundStroke(2));
+            g.setStroke(DrawContext.solidStroke(2));
             g.draw(new RoundRectangle2D.Double(-1, -1, SIZE + 2, SIZE + 2, 8, 8));
         }
     }
@@ -59,7 +60,7 @@ final class CheckBoxIcon implements Icon, UIResource {
         tick.lineTo(7, 11.2);
         tick.lineTo(12, 5);
         g.setColor(Theme.currentColours().onAccent());
-        g.setStroke(Antialiasing.roundStroke(2));
+        g.setStroke(DrawContext.solidStroke(2));
         g.draw(tick);
     }
 }

@@ -1,5 +1,6 @@
 package faultline.gui.theme;
 
+import faultline.paint.surface.DrawContext;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Container;
@@ -37,7 +38,7 @@ final class FieldBorder extends AbstractBorder {
             g.setColor(backgroundColour(field));
             g.fill(corners);
             g.setColor(outlineColour(field));
-            g.setStroke(Antialiasing.roundStroke(isFocused(field) ? 1.8 : 1));
+            g.setStroke(DrawContext.solidStroke(isFocused(field) ? 1.8 : 1));
             g.draw(outline);
         });
     }

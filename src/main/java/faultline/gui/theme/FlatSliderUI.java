@@ -1,5 +1,6 @@
 package faultline.gui.theme;
 
+import faultline.paint.surface.DrawContext;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -99,7 +100,7 @@ public final class FlatSliderUI extends BasicSliderUI {
         g.setColor(Theme.currentColours().background());
         g.fill(diamond);
         g.setColor(Theme.current().palette().reference());
-        g.setStroke(Antialiasing.roundStroke(2));
+        g.setStroke(DrawContext.solidStroke(2));
         g.draw(diamond);
     }
 
@@ -112,7 +113,7 @@ public final class FlatSliderUI extends BasicSliderUI {
                 // A ring inside the thumb; one around it would need more room than a slider has.
                 double size = THUMB_SIZE - 2 * RING_INSET;
                 g.setColor(Theme.currentColours().onAccent());
-                g.setStroke(Antialiasing.roundStroke(2));
+                g.setStroke(DrawContext.solidStroke(2));
                 g.draw(new Ellipse2D.Double(thumbRect.x + RING_INSET, thumbRect.y + RING_INSET, size, size));
             }
         });

@@ -1,5 +1,6 @@
 package faultline.gui.theme;
 
+import faultline.paint.surface.DrawContext;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
@@ -51,7 +52,7 @@ public final class FocusRing extends FocusAdapter {
         if (shown) {
             Antialiasing.paint(graphics, g -> {
                 g.setColor(Theme.currentColours().accent());
-                g.setStroke(Antialiasing.roundStroke(2));
+                g.setStroke(DrawContext.solidStroke(2));
                 g.draw(Antialiasing.roundedRectangle(1, 1, component.getWidth() - 2, component.getHeight() - 2));
             });
         }

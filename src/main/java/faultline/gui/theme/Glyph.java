@@ -1,5 +1,6 @@
 package faultline.gui.theme;
 
+import faultline.paint.surface.DrawContext;
 import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.geom.Ellipse2D;
@@ -95,7 +96,7 @@ public enum Glyph {
             g.translate(x, y);
             g.scale(size / SIZE, size / SIZE);
             g.setColor(colour);
-            g.setStroke(Antialiasing.roundStroke(1.6));
+            g.setStroke(DrawContext.solidStroke(1.6));
             g.draw(strokes);
             g.fill(areas);
         });

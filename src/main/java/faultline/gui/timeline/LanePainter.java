@@ -2,10 +2,10 @@ package faultline.gui.timeline;
 
 import faultline.gui.text.Messages;
 import faultline.gui.text.ShortenedText;
-import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.chart.Axis;
+import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
 import faultline.paint.surface.SensorColours;
 import java.awt.BasicStroke;
@@ -221,7 +221,7 @@ final class LanePainter {
         g.setColor(theme.palette().canvas());
         g.fill(diamond);
         g.setColor(selected ? theme.colours().accent() : theme.palette().text());
-        g.setStroke(Antialiasing.roundStroke(selected ? 2.5 : 1.5));
+        g.setStroke(DrawContext.solidStroke(selected ? 2.5 : 1.5));
         g.draw(diamond);
     }
 

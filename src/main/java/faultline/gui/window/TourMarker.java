@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.DrawContext;
 import java.awt.Graphics;
 import java.awt.Rectangle;
 import javax.swing.JComponent;
@@ -38,7 +39,7 @@ final class TourMarker extends JComponent {
         Rectangle edge = ring.intersection(new Rectangle(1, 1, getWidth() - 2, getHeight() - 2));
         Antialiasing.paint(graphics, g -> {
             g.setColor(Theme.currentColours().accent());
-            g.setStroke(Antialiasing.roundStroke(WIDTH));
+            g.setStroke(DrawContext.solidStroke(WIDTH));
             g.draw(Antialiasing.roundedRectangle(edge.x, edge.y, edge.width, edge.height));
         });
     }
