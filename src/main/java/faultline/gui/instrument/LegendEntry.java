@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
-/** A name in the legend of a strip chart, and the style of its lines by theme. */
+/** A name in the legend of a strip chart, as a text of a {@link Surface}, and the style of its lines by theme. */
 record LegendEntry(String name, Function<Theme, LineStyle> style) {
 
     private static final double REFERENCE_WIDTH = 1.4;
@@ -24,7 +24,7 @@ record LegendEntry(String name, Function<Theme, LineStyle> style) {
         List<LegendEntry> entries = new ArrayList<>();
         for (int i = signal.lines().size() - 1; i >= 0; i--) {
             ChartLine line = signal.lines().get(i);
-            entries.add(new LegendEntry(line.name(), line::style));
+            entries.add(new LegendEntry(TextStyle.literal(line.name()), line::style));
         }
         if (reference) {
             entries.add(new LegendEntry(Messages.get("signal.reference"), LegendEntry::referenceStyle));

@@ -105,7 +105,7 @@ final class StripPainter {
         surface.fill(
                 new Rectangle2D.Double(from, ribbonTop + RIBBON_HEIGHT, to - from, STATE_COLOUR_HEIGHT),
                 PathStyle.stateColour(theme.palette().dark(), PathTag.stateIndex(PathTag.of(interval.state(), false))));
-        String name = StateText.name(interval.state());
+        String name = TextStyle.literal(StateText.name(interval.state()));
         if (to - from - textStyle.estimateWidth(name) > 8) {
             surface.drawText(
                     name,

@@ -8,6 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.control.Telemetry;
+import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.recording.TraceChannels;
 import faultline.engine.session.ReferenceRun;
@@ -279,6 +282,35 @@ class StripContentTest {
                 .vertical()
                 .high();
         assertTrue(alone < 0.45 && both >= 0.45, alone + ", " + both);
+    }
+
+    /** A text of a chart makes a subscript of what follows an underscore, as in t_D. */
+    @Test
+    void underscoresInTheNamesOfSensorsAndStatesAreDrawn() {
+        Telemetry telemetry = FRAME.telemetry();
+        Telemetry named = new Telemetry(
+                ControllerState.of("KEEP_LEFT"),
+                telemetry.condition(),
+                telemetry.sinceTick(),
+                telemetry.transitions(),
+                telemetry.wall(),
+                telemetry.edges(),
+                telemetry.diagnosis());
+        SessionFrame frame = new SessionFrame(
+                new Frame(
+                        FRAME.snapshot(),
+                        named,
+                        FRAME.frame().leftVolts(),
+                        FRAME.frame().rightVolts(),
+                        FRAME.frame().path(),
+                        FRAME.frame().trajectoryHash()),
+                FRAME.recording());
+        ChartLine line = GROUPS.get(3).lines().get(0).withName("Sensor left_front, reported");
+        String svg = new StripContent(
+                        frame, GROUPS.get(0).with(List.of(line)), SPAN, ValueRange.FROM_ZERO, List.of(), null)
+                .toSvg(Theme.LIGHT);
+        assertTrue(svg.contains(">KEEP_LEFT<"), svg);
+        assertTrue(svg.contains(">Sensor left_front, reported<"), svg);
     }
 
     @Test
