@@ -5,11 +5,10 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.UiText;
-import java.awt.Color;
+import faultline.paint.surface.Palette;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
-import java.util.Locale;
 import javax.swing.JComponent;
 import javax.swing.JEditorPane;
 import javax.swing.plaf.basic.BasicHTML;
@@ -65,16 +64,12 @@ record GuidePage(HTMLEditorKit kit, Document document) {
         styles.addStyleSheet(kit.getStyleSheet());
         int size = TextSize.scaled(13);
         styles.addRule("body { font-family: SansSerif; font-size: " + size + "px; color: "
-                + hex(Theme.currentColours().text()) + "; margin: 12px 18px 12px 18px }");
+                + Palette.toHex(Theme.currentColours().text()) + "; margin: 12px 18px 12px 18px }");
         styles.addRule("h1 { font-size: " + TextSize.scaled(19) + "px; margin-bottom: 4px }");
         styles.addRule("h2 { font-size: " + TextSize.scaled(15) + "px; margin-top: 14px; margin-bottom: 2px; color: "
-                + hex(Theme.currentColours().accent()) + " }");
+                + Palette.toHex(Theme.currentColours().accent()) + " }");
         styles.addRule("p, li { margin-top: 4px; margin-bottom: 4px }");
         return styles;
-    }
-
-    private static String hex(Color colour) {
-        return String.format(Locale.ROOT, "#%06x", colour.getRGB() & 0xFFFFFF);
     }
 
     /** Creates the component that displays the page. Event dispatch thread only. */

@@ -2,8 +2,8 @@ package faultline.gui.instrument;
 
 import faultline.geometry.Vector2;
 import faultline.gui.theme.Theme;
-import faultline.gui.theme.ThemeColours;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Palette;
 import faultline.paint.surface.Shapes;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -63,7 +63,7 @@ final class AlignmentDial {
     }
 
     private void paintSector(double from, double to) {
-        g.setColor(ThemeColours.translucent(theme.colours().accent(), SECTOR_ALPHA));
+        g.setColor(Palette.withAlpha(theme.colours().accent(), SECTOR_ALPHA));
         g.fill(new Arc2D.Double(
                 x - radius,
                 y - radius,

@@ -9,6 +9,7 @@ import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeColours;
+import faultline.paint.surface.Palette;
 import faultline.sensor.Reading;
 import faultline.world.SensorSnapshot;
 import java.awt.Color;
@@ -119,7 +120,7 @@ final class ReadingBar extends AccessibleComponent {
             Color fill = readingKind == ReadingKind.ACTUAL
                     ? colours.muted()
                     : Theme.current().palette().sensorColours(index).outline();
-            g.setColor(ThemeColours.translucent(fill, BAR_ALPHA));
+            g.setColor(Palette.withAlpha(fill, BAR_ALPHA));
             g.fill(new RoundRectangle2D.Double(
                     0, 0, fillShare > 0 ? Math.max(ARC, barWidth * Math.min(1, fillShare)) : 0, getHeight(), ARC, ARC));
             paintText(g);

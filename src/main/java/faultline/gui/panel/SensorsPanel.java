@@ -3,6 +3,7 @@ package faultline.gui.panel;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.Palette;
 import faultline.world.SensorSnapshot;
 import java.awt.Color;
 import java.awt.EventQueue;
@@ -83,7 +84,7 @@ public final class SensorsPanel extends JPanel {
                 .map(SensorRow::bounds)
                 .ifPresent(row -> Antialiasing.paint(graphics, g -> {
                     Color accent = Theme.current().palette().accent();
-                    g.setColor(new Color(accent.getRed(), accent.getGreen(), accent.getBlue(), SELECTION_ALPHA));
+                    g.setColor(Palette.withAlpha(accent, SELECTION_ALPHA));
                     Shape mark = Antialiasing.roundedRectangle(
                             0, row.y - SELECTION_MARGIN, getWidth(), row.height + 2 * SELECTION_MARGIN);
                     g.fill(mark);

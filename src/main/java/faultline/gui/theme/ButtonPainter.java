@@ -1,6 +1,7 @@
 package faultline.gui.theme;
 
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Palette;
 import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -48,7 +49,7 @@ public final class ButtonPainter {
             return blend(colours.accent(), colours.text(), model.isArmed() ? 0.25 : model.isRollover() ? 0.12 : 0);
         }
         if (model.isSelected()) {
-            return ThemeColours.translucent(colours.accent(), SELECTED_ALPHA);
+            return Palette.withAlpha(colours.accent(), SELECTED_ALPHA);
         }
         if (model.isArmed() && model.isPressed()) {
             return colours.pressed();

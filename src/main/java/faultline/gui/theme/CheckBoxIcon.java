@@ -1,6 +1,7 @@
 package faultline.gui.theme;
 
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Palette;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
@@ -48,7 +49,7 @@ final class CheckBoxIcon implements Icon, UIResource {
         g.setColor(button.isSelected() ? on : colours.border());
         g.draw(box);
         if (button.hasFocus()) {
-            g.setColor(ThemeColours.translucent(colours.accent(), FOCUS_ALPHA));
+            g.setColor(Palette.withAlpha(colours.accent(), FOCUS_ALPHA));
             g.setStroke(DrawContext.solidStroke(2));
             g.draw(new RoundRectangle2D.Double(-1, -1, SIZE + 2, SIZE + 2, 8, 8));
         }

@@ -62,9 +62,4 @@ public record ThemeColours(
     private static Color rgb(int rgb) {
         return new ColorUIResource(rgb);
     }
-
-    /** Returns a translucent colour; alpha ranges from 0, transparent, to 255, opaque. */
-    public static Color translucent(Color colour, int alpha) {
-        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
-    }
 }

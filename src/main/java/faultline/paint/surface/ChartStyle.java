@@ -82,6 +82,6 @@ public record ChartStyle(Palette palette, Color grid, List<Color> series, List<C
 
     /** Returns a translucent colour; opacity in [0, 1]. */
     public static Color withOpacity(Color colour, double opacity) {
-        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), (int) Math.round(255 * opacity));
+        return Palette.withAlpha(colour, (int) Math.round(255 * opacity));
     }
 }

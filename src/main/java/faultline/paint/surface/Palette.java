@@ -2,6 +2,7 @@ package faultline.paint.surface;
 
 import java.awt.Color;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
@@ -141,5 +142,10 @@ public record Palette(
     /** Returns a translucent colour; alpha from 0, invisible, to 255, opaque. */
     public static Color withAlpha(Color colour, int alpha) {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
+    }
+
+    /** Returns a colour as {@code #rrggbb}, without its alpha. */
+    public static String toHex(Color colour) {
+        return String.format(Locale.ROOT, "#%06x", colour.getRGB() & 0xFFFFFF);
     }
 }

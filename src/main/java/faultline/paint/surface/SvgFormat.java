@@ -1,7 +1,6 @@
 package faultline.paint.surface;
 
 import java.awt.Color;
-import java.util.Locale;
 
 /**
  * Formats numbers and colours for SVG files. Coordinates have two decimals, so that the bytes depend on the picture
@@ -19,15 +18,10 @@ final class SvgFormat {
      * stroke.
      */
     static String colourAttributes(String attribute, Color colour) {
-        String solid = " " + attribute + "=\"" + toHex(colour) + "\"";
+        String solid = " " + attribute + "=\"" + Palette.toHex(colour) + "\"";
         return colour.getAlpha() == 255
                 ? solid
                 : solid + " " + attribute + "-opacity=\"" + number(colour.getAlpha() / 255.0) + "\"";
-    }
-
-    /** Returns a colour as {@code #rrggbb}. */
-    static String toHex(Color colour) {
-        return String.format(Locale.ROOT, "#%06x", colour.getRGB() & 0xFFFFFF);
     }
 
     /** Returns a finite number with at most two decimals, without trailing zeros or a sign on zero. */

@@ -27,7 +27,7 @@ public enum SvgTheme {
         Map<String, String> pairs = new LinkedHashMap<>();
         addPairs(pairs, ChartStyle.LIGHT.series(), ChartStyle.DARK.series());
         addPairs(pairs, ChartStyle.LIGHT.classes(), ChartStyle.DARK.classes());
-        pairs.putIfAbsent(SvgFormat.toHex(ChartStyle.LIGHT.grid()), SvgFormat.toHex(ChartStyle.DARK.grid()));
+        pairs.putIfAbsent(Palette.toHex(ChartStyle.LIGHT.grid()), Palette.toHex(ChartStyle.DARK.grid()));
         addPairs(
                 pairs,
                 ChartStyle.LIGHT.palette().colours(),
@@ -37,7 +37,7 @@ public enum SvgTheme {
 
     private static void addPairs(Map<String, String> pairs, List<Color> light, List<Color> dark) {
         for (int i = 0; i < light.size(); i++) {
-            pairs.putIfAbsent(SvgFormat.toHex(light.get(i)), SvgFormat.toHex(dark.get(i)));
+            pairs.putIfAbsent(Palette.toHex(light.get(i)), Palette.toHex(dark.get(i)));
         }
     }
 

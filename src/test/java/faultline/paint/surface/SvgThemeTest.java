@@ -35,21 +35,19 @@ class SvgThemeTest {
         String dark = picture().toSvg(SvgTheme.DARK);
         assertTrue(
                 dark.contains(
-                        "fill=\"" + SvgFormat.toHex(ChartStyle.DARK.palette().canvas()) + "\""),
+                        "fill=\"" + Palette.toHex(ChartStyle.DARK.palette().canvas()) + "\""),
                 dark);
         assertTrue(
                 dark.contains(
-                        "fill=\"" + SvgFormat.toHex(ChartStyle.DARK.palette().text()) + "\""),
+                        "fill=\"" + Palette.toHex(ChartStyle.DARK.palette().text()) + "\""),
                 dark);
         assertTrue(
                 dark.contains(
-                        "stroke=\"" + SvgFormat.toHex(ChartStyle.DARK.series().get(0)) + "\""),
+                        "stroke=\"" + Palette.toHex(ChartStyle.DARK.series().get(0)) + "\""),
                 dark);
         assertTrue(
-                dark.contains(
-                        "fill=\"" + SvgFormat.toHex(ChartStyle.DARK.series().get(1)) + "\" fill-opacity"),
-                dark);
-        assertFalse(dark.contains(SvgFormat.toHex(ChartStyle.LIGHT.palette().text())), dark);
+                dark.contains("fill=\"" + Palette.toHex(ChartStyle.DARK.series().get(1)) + "\" fill-opacity"), dark);
+        assertFalse(dark.contains(Palette.toHex(ChartStyle.LIGHT.palette().text())), dark);
     }
 
     @Test
@@ -58,8 +56,8 @@ class SvgThemeTest {
         assertEquals(picture().toSvg(SvgTheme.LIGHT), adaptive.replaceFirst("(?s)<style>.*</style>\n", ""));
         assertTrue(
                 adaptive.contains(
-                        "[stroke=\"" + SvgFormat.toHex(ChartStyle.LIGHT.series().get(0)) + "\"] {stroke: "
-                                + SvgFormat.toHex(ChartStyle.DARK.series().get(0)) + "}"),
+                        "[stroke=\"" + Palette.toHex(ChartStyle.LIGHT.series().get(0)) + "\"] {stroke: "
+                                + Palette.toHex(ChartStyle.DARK.series().get(0)) + "}"),
                 adaptive);
         assertEquals(
                 1,
