@@ -59,9 +59,14 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
 
     /** Returns the number of frames that it takes to paint the corners of an obstacle, at least one. */
     private int frameCount(Obstacle obstacle) {
-        double marks = marked.contains(obstacle.id()) ? 2 : 1;
-        double obstaclesWorth = marks * ObstacleOutlines.cornerCount(obstacle.shape()) / CORNERS_PER_OBSTACLE;
+        double obstaclesWorth =
+                outlineCount(obstacle) * ObstacleOutlines.cornerCount(obstacle.shape()) / CORNERS_PER_OBSTACLE;
         return Math.max(1, (int) Math.ceil(obstaclesWorth / OBSTACLES_PER_FRAME));
+    }
+
+    /** Returns how often the outline of an obstacle is painted: once more if it is marked. */
+    private int outlineCount(Obstacle obstacle) {
+        return marked.contains(obstacle.id()) ? 2 : 1;
     }
 
     @Override
@@ -103,7 +108,7 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
         double pixels = area(extent);
         double shown = area(extent.createIntersection(clip));
         double corners = ObstacleOutlines.cornerCount(obstacle.shape()) * shown / pixels;
-        return (marked.isEmpty() ? 1 : 2) * (1 + corners / CORNERS_PER_OBSTACLE)
+        return outlineCount(obstacle) * (1 + corners / CORNERS_PER_OBSTACLE)
                 + (painter.obstaclePainter().named() ? LABEL_COST : 0)
                 + shown / PIXELS_PER_OBSTACLE;
     }
