@@ -82,16 +82,22 @@ final class Comparison {
         if (pairs.isEmpty()) {
             return Optional.empty();
         }
-        double[] counts = new double[4];
-        for (Pair pair : pairs) {
-            counts[
-                    2 * pair.second.carriedOn().getAsInt()
-                            + pair.first.carriedOn().getAsInt()]++;
-        }
+        double both = count(pairs, 1, 1);
+        double onlySecond = count(pairs, 0, 1);
+        double onlyFirst = count(pairs, 1, 0);
+        double neither = count(pairs, 0, 0);
         double worth = 1 / designEffect(pairs);
         Interval interval =
-                Interval.pairedDifference(worth * counts[3], worth * counts[2], worth * counts[1], worth * counts[0]);
-        return Optional.of(new Difference((counts[2] - counts[1]) / pairs.size(), interval, pairs.size()));
+                Interval.pairedDifference(worth * both, worth * onlySecond, worth * onlyFirst, worth * neither);
+        return Optional.of(new Difference((onlySecond - onlyFirst) / pairs.size(), interval, pairs.size()));
+    }
+
+    /** Counts the pairs in which each run carries on, 1, or not, 0. */
+    private static double count(List<Pair> pairs, int first, int second) {
+        return pairs.stream()
+                .filter(pair -> pair.first.carriedOn().getAsInt() == first
+                        && pair.second.carriedOn().getAsInt() == second)
+                .count();
     }
 
     private static double designEffect(List<Pair> pairs) {

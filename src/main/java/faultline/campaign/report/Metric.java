@@ -97,10 +97,16 @@ enum Metric {
     }
 
     private Interval pairedInterval(List<ControllerRuns.RunPair> pairs) {
-        double[] counts = new double[4];
-        pairs.forEach(pair -> counts[
-                (int) (2 * of(pair.own()).getAsDouble() + of(pair.other()).getAsDouble())]++);
-        return Interval.pairedDifference(counts[3], counts[2], counts[1], counts[0]);
+        return Interval.pairedDifference(
+                count(pairs, 1, 1), count(pairs, 1, 0), count(pairs, 0, 1), count(pairs, 0, 0));
+    }
+
+    /** Counts the pairs of runs with these values. */
+    private double count(List<ControllerRuns.RunPair> pairs, double own, double other) {
+        return pairs.stream()
+                .filter(pair ->
+                        of(pair.own()).getAsDouble() == own && of(pair.other()).getAsDouble() == other)
+                .count();
     }
 
     private String text(double mean, Interval interval) {
