@@ -3,7 +3,6 @@ package faultline.campaign.report;
 import faultline.engine.RobotPath;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Vector2;
-import faultline.io.XmlText;
 import faultline.paint.chart.Axis;
 import faultline.paint.chart.Series;
 import faultline.paint.scene.PlanView;
@@ -79,7 +78,7 @@ final class ComparisonChart {
             SvgSurface sample = new SvgSurface(34, 10);
             Vector2 left = new Vector2(2, 5);
             sample.draw(Shapes.polyline(List.of(left, left.plus(new Vector2(30, 0)))), style(i).withWidth(FIRST_WIDTH));
-            String name = XmlText.escapeAttribute(controllers.get(i).controller());
+            String name = Html.escape(controllers.get(i).controller());
             out.append("<li>" + sample.toHtml("sample", "") + " <code>" + name + "</code></li>\n");
         }
         return out.append("</ol>\n").toString();
