@@ -65,7 +65,7 @@ public record GraphicsSurface(Graphics2D graphics) implements Surface {
         if (!style.horizontal()) {
             graphics.rotate(-Math.PI / 2);
         }
-        double x = -width * style.anchor().ordinal() / 2;
+        double x = -width * style.anchor().share();
         for (Subscripts.TextRun run : runs) {
             double drop = run.subscript() ? Subscripts.DROP_RATIO * style.size() : 0;
             drawText(run.text(), x, drop, style.colour(), runFont(run, font));

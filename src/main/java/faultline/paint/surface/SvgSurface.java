@@ -89,8 +89,7 @@ public final class SvgSurface implements Surface {
     public void drawText(String text, Vector2 at, TextStyle style) {
         if (Subscripts.split(text).size() > 1 && style.anchor() != TextStyle.Anchor.START) {
             // Some viewers anchor each part of a text with subscripts separately.
-            double shift =
-                    style.estimateWidth(text.replace("_", "")) * style.anchor().ordinal() / 2;
+            double shift = style.anchor().share() * style.estimateWidth(text.replace("_", ""));
             appendStyledText(
                     text,
                     style.horizontal() ? at.minus(new Vector2(shift, 0)) : at.plus(new Vector2(0, shift)),

@@ -19,11 +19,22 @@ public record TextStyle(double size, Color colour, Anchor anchor, boolean bold, 
     /** The point of a text that is at its position. */
     public enum Anchor {
         /** Its start. */
-        START,
+        START(0),
         /** Its middle. */
-        MIDDLE,
+        MIDDLE(0.5),
         /** Its end. */
-        END
+        END(1);
+
+        private final double share;
+
+        Anchor(double share) {
+            this.share = share;
+        }
+
+        /** Returns the share of the width of the text that is before this point. */
+        double share() {
+            return share;
+        }
     }
 
     /** Returns the style of plain text that starts at its position and runs to the right; size in pixels. */
