@@ -30,26 +30,34 @@ public record LegendRows<E>(List<List<E>> rows, Function<E, String> name, ToDoub
         void paint(E entry, Vector2 left);
     }
 
+    public LegendRows {
+        rows = rows.stream().map(List::copyOf).toList();
+    }
+
     /** Breaks entries into rows of a width. */
     public static <E> LegendRows<E> of(
             List<E> entries, Function<E, String> name, ToDoubleFunction<String> textWidth, double width) {
-        LegendRows<E> legend = new LegendRows<>(new ArrayList<>(), name, textWidth);
+        List<List<E>> rows = new ArrayList<>();
         double end = 0;
         for (E entry : entries) {
-            double needed = legend.widthOf(entry);
-            if (legend.rows.isEmpty() || end + ENTRY_GAP + needed > width) {
-                legend.rows.add(new ArrayList<>());
+            double needed = entryWidth(textWidth.applyAsDouble(name.apply(entry)));
+            if (rows.isEmpty() || end + ENTRY_GAP + needed > width) {
+                rows.add(new ArrayList<>());
                 end = needed;
             } else {
                 end += ENTRY_GAP + needed;
             }
-            legend.rows.get(legend.rows.size() - 1).add(entry);
+            rows.get(rows.size() - 1).add(entry);
         }
-        return legend;
+        return new LegendRows<>(rows, name, textWidth);
+    }
+
+    private static double entryWidth(double nameWidth) {
+        return SAMPLE_WIDTH + NAME_GAP + nameWidth;
     }
 
     private double widthOf(E entry) {
-        return SAMPLE_WIDTH + NAME_GAP + textWidth.applyAsDouble(name.apply(entry));
+        return entryWidth(textWidth.applyAsDouble(name.apply(entry)));
     }
 
     /** {@return the width of the widest row} */
