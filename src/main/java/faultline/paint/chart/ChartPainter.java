@@ -10,6 +10,7 @@ import faultline.paint.surface.TextStyle;
 import faultline.paint.surface.TextStyle.Anchor;
 import java.awt.Color;
 import java.util.List;
+import java.util.function.Predicate;
 
 /** Paints a whole chart for a figure: title, legend above the data, map, grid, series, frame and axes. */
 public final class ChartPainter {
@@ -26,6 +27,9 @@ public final class ChartPainter {
 
     private static final double MARK_LENGTH = 4;
     private static final double LABEL_DISTANCE = 8;
+
+    /** The series that fill the whole plot and lie beneath the grid. */
+    private static final Predicate<Series> MAPS = Series.Cells.class::isInstance;
 
     private final Surface surface;
     private final Chart chart;
@@ -68,14 +72,14 @@ public final class ChartPainter {
                     TextStyle.plain(TITLE_SIZE, style.palette().text()).withBold());
         }
         legend.paint(surface, plotArea.x(), plotArea.y() - legend.height() - 2);
-        paintSeries(true);
+        paintSeries(MAPS);
         painter.paintGrid(LineStyle.solid(style.grid(), 1));
         if (!chart.y().rows().isEmpty()) {
             List<Vector2> zero = List.of(
                     new Vector2(0, chart.y().low()), new Vector2(0, chart.y().high()));
             painter.paintLine(zero, LineStyle.solid(style.palette().muted(), 1));
         }
-        paintSeries(false);
+        paintSeries(MAPS.negate());
         surface.draw(
                 Shapes.polygon(PlotPainter.corners(plotArea, 0, 0, 1, 1)),
                 LineStyle.solid(style.palette().text(), 1));
@@ -84,12 +88,9 @@ public final class ChartPainter {
         paintLabels();
     }
 
-    /** Paints the maps, which fill the whole plot and lie beneath the grid, or the other series. */
-    private void paintSeries(boolean maps) {
+    private void paintSeries(Predicate<Series> chosen) {
         SeriesPainter seriesPainter = new SeriesPainter(painter, style);
-        chart.series().stream()
-                .filter(series -> series instanceof Series.Cells == maps)
-                .forEach(seriesPainter::paint);
+        chart.series().stream().filter(chosen).forEach(seriesPainter::paint);
     }
 
     private void paintLabels() {
