@@ -48,9 +48,10 @@ public final class RunPanel extends JPanel {
     private final ValueLabel laps = addValue("run.laps", 2, 2, "00000.00");
     private final ValueLabel straightRms = addValue("run.straightRms", 0, 3, "0000.0 mm");
     private final ValueLabel followRms = addValue("run.followRms", 2, 3, "0000.0 mm");
-    private final ValueLabel rung = addValue("run.rung", 0, 4, () -> Stream.of(Rung.values())
-            .map(value -> rungText(value.name()))
-            .toList());
+    private final ValueLabel rung = addValue(
+            "run.rung", FormConstraints.cell(0, 4), FormConstraints.fillRow(1, 4), () -> Stream.of(Rung.values())
+                    .map(value -> rungText(value.name()))
+                    .toList());
     private final ExpectationRows expectations = new ExpectationRows();
     private final HealthRows health = new HealthRows();
     private transient SessionFrame shown;
@@ -72,14 +73,18 @@ public final class RunPanel extends JPanel {
     }
 
     private ValueLabel addValue(String key, int column, int row, Supplier<List<String>> widest) {
+        GridBagConstraints labelCell = FormConstraints.cell(column, row);
+        labelCell.insets.left += column == 0 ? 0 : COLUMN_GAP;
+        return addValue(key, labelCell, FormConstraints.fillCell(column + 1, row), widest);
+    }
+
+    private ValueLabel addValue(
+            String key, GridBagConstraints labelCell, GridBagConstraints valueCell, Supplier<List<String>> widest) {
         ValueLabel value = new ValueLabel(() -> Messages.get(key), widest);
         JLabel label = FormConstraints.label(key, value);
         UiText.tip(label, key + ".tip");
-        GridBagConstraints labelCell = FormConstraints.cell(column, row);
-        labelCell.insets.left += column == 0 ? 0 : COLUMN_GAP;
         numbers.add(label, labelCell);
-        boolean wide = key.equals("run.rung");
-        numbers.add(value, wide ? FormConstraints.fillRow(1, row) : FormConstraints.fillCell(column + 1, row));
+        numbers.add(value, valueCell);
         return value;
     }
 
