@@ -5,11 +5,13 @@ import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.TitledSection;
 import faultline.gui.text.Messages;
+import faultline.io.DecimalText;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Clearance;
 import java.awt.GridBagLayout;
 import java.util.Optional;
+import java.util.OptionalLong;
 import javax.swing.BoxLayout;
 import javax.swing.JCheckBox;
 import javax.swing.JPanel;
@@ -70,7 +72,7 @@ final class PropertiesForm extends JPanel {
         expectation.setExpectation(shown.expectation());
     }
 
-    /** Returns the properties of the fields. */
+    /** Returns the properties of the fields, in which {@link #findProblem} has found none. */
     ScenarioProperties properties() {
         return new ScenarioProperties(
                 name.getText(),
@@ -81,7 +83,7 @@ final class PropertiesForm extends JPanel {
                 start.pose(),
                 duration.doubleValue(),
                 tick.doubleValue(),
-                Long.parseLong(seed.getText().strip()),
+                typedSeed().orElseThrow(),
                 expectation.expectation());
     }
 
@@ -94,7 +96,7 @@ final class PropertiesForm extends JPanel {
         if (invalid.isPresent()) {
             return invalid;
         }
-        if (!isWholeNumber(seed.getText().strip())) {
+        if (typedSeed().isEmpty()) {
             return Optional.of(Messages.get("properties.seed.invalid"));
         }
         return findObstruction(properties().applyTo(scenario));
@@ -114,7 +116,7 @@ final class PropertiesForm extends JPanel {
 
     /** Returns the field whose text {@link #findProblem} refuses; empty if the problem is another one. */
     Optional<JTextField> invalidField() {
-        if (!isWholeNumber(seed.getText().strip())) {
+        if (typedSeed().isEmpty()) {
             return Optional.of(seed);
         }
         return NumberSpinner.findIn(this)
@@ -123,12 +125,7 @@ final class PropertiesForm extends JPanel {
                 .findFirst();
     }
 
-    private static boolean isWholeNumber(String text) {
-        try {
-            Long.parseLong(text);
-            return true;
-        } catch (NumberFormatException notANumber) {
-            return false;
-        }
+    private OptionalLong typedSeed() {
+        return DecimalText.parseWhole(seed.getText());
     }
 }
