@@ -50,12 +50,15 @@ final class RunMarks {
                 .forEach(result::addItem);
         if (end > 0) {
             result.marks.add(new SliderMark(
-                    value(end), MarkShape.TICK, theme -> theme.palette().text(), Messages.get("time.end")));
+                    TimeBar.toSliderValue(end),
+                    MarkShape.TICK,
+                    theme -> theme.palette().text(),
+                    Messages.get("time.end")));
         }
         for (long i = log.firstIndex(); i < log.endIndex(); i++) {
             if (log.get(i) instanceof RunEvent.Collided collided) {
                 result.marks.add(new SliderMark(
-                        value(collided.tick()),
+                        TimeBar.toSliderValue(collided.tick()),
                         MarkShape.DISC,
                         theme -> theme.palette().collision(),
                         EventText.sentence(collided)));
@@ -74,12 +77,15 @@ final class RunMarks {
 
     private void addEvent(RunEvent event) {
         marks.add(new SliderMark(
-                value(event.tick()), MarkShape.TICK, theme -> theme.palette().muted(), EventText.sentence(event)));
+                TimeBar.toSliderValue(event.tick()),
+                MarkShape.TICK,
+                theme -> theme.palette().muted(),
+                EventText.sentence(event)));
     }
 
     private void addItem(TimelineItem item) {
         marks.add(new SliderMark(
-                value(SimulationSetup.tickAt(item.start(), dt)),
+                TimeBar.toSliderValue(SimulationSetup.tickAt(item.start(), dt)),
                 MarkShape.TICK,
                 theme -> item.isInterval()
                         ? item.colours(theme.palette(), sensorIndex(item)).outline()
@@ -96,9 +102,5 @@ final class RunMarks {
             }
         }
         return 0;
-    }
-
-    private static int value(long tick) {
-        return (int) Math.min(Integer.MAX_VALUE - 1, tick);
     }
 }

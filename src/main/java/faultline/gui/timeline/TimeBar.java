@@ -86,7 +86,7 @@ public final class TimeBar extends JPanel {
                 slider.getX() + inset, slider.getX() + slider.getWidth() - inset - 1.0, slider.getMaximum() * dt);
     }
 
-    /** Returns the tick that the slider shows. */
+    /** Returns the time that the slider shows, seconds. */
     double shownTime() {
         return slider.getValue() * dt;
     }
@@ -149,8 +149,9 @@ public final class TimeBar extends JPanel {
         endTimeLabel.setText(timeText(slider.getMaximum() * dt));
     }
 
-    private static int toSliderValue(long ticks) {
-        return (int) Math.min(Integer.MAX_VALUE - 1, ticks);
+    /** Returns the value of the slider at a tick; a slider has no greater ones. */
+    static int toSliderValue(long tick) {
+        return (int) Math.min(Integer.MAX_VALUE - 1, tick);
     }
 
     private static String timeText(double seconds) {
