@@ -32,7 +32,9 @@ public final class AlignmentView extends AccessibleComponent {
     private static final int BOTTOM_MARGIN = 34;
     private static final int GAP = 24;
     private static final int NUMBERS_WIDTH = 210;
-    private static final int VALUE_WIDTH = 140;
+    /** The distance from the left end of the names to the right end of the values. */
+    private static final int VALUE_END = 190;
+
     private static final int ROW_HEIGHT = 20;
 
     private int sensor;
@@ -135,9 +137,8 @@ public final class AlignmentView extends AccessibleComponent {
             g.drawString(
                     rows.get(i).value(),
                     (float) (x
-                            + VALUE_WIDTH
-                            - g.getFontMetrics().stringWidth(rows.get(i).value())
-                            + 50),
+                            + VALUE_END
+                            - g.getFontMetrics().stringWidth(rows.get(i).value())),
                     y);
         }
     }
