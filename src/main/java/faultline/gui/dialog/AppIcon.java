@@ -1,7 +1,7 @@
 package faultline.gui.dialog;
 
-import faultline.gui.theme.Antialiasing;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.GraphicsSurface;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Image;
@@ -26,10 +26,11 @@ public final class AppIcon {
     /** Returns the icon in a given size, pixels. */
     public static BufferedImage createImage(int size) {
         BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
-        Antialiasing.paint(image.createGraphics(), g -> {
-            g.scale(size / 16.0, size / 16.0);
-            paint(g);
-        });
+        Graphics2D g = image.createGraphics();
+        GraphicsSurface.enableAntialiasing(g);
+        g.scale(size / 16.0, size / 16.0);
+        paint(g);
+        g.dispose();
         return image;
     }
 
