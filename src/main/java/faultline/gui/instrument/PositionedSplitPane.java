@@ -34,7 +34,7 @@ public final class PositionedSplitPane extends JSplitPane {
         setBorder(BorderFactory.createEmptyBorder());
         // Swing would move the focus between both sides of the pane; the window moves it between all areas.
         getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("F6"), "none");
-        addPropertyChangeListener(DIVIDER_LOCATION_PROPERTY, moved -> {
+        addPropertyChangeListener(DIVIDER_LOCATION_PROPERTY, event -> {
             if (!placing) {
                 rememberPosition(getDividerLocation(), availableSize());
             }

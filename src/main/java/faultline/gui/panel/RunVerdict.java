@@ -32,7 +32,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
     /** The time before the event to which the run is moved back, seconds. */
     private static final double LEAD_TIME = 2;
 
-    private static final int NONE = -1;
+    private static final long NONE = -1;
     /** The greatest number of sensors with the same fault that are named. */
     private static final int MAX_NAMED = 2;
     /** The greatest number of faults that are listed. */
@@ -86,7 +86,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
                         Integer.toString(unmet.size()),
                         Integer.toString(required.size()));
         return new RunVerdict(
-                unmet.isEmpty(), title, detail, collision.map(Collision::tick).orElse((long) NONE));
+                unmet.isEmpty(), title, detail, collision.map(Collision::tick).orElse(NONE));
     }
 
     private static RunVerdict atCollision(Collision collision, List<Expectation.Condition> required) {
