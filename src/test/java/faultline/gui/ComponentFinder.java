@@ -5,7 +5,7 @@ import java.awt.Container;
 import java.util.stream.Stream;
 import javax.swing.JMenu;
 
-/** Finds components in a window by class and accessible name. */
+/** Finds components in a window by class and accessible name, and lays out those of a window that is not shown. */
 public final class ComponentFinder {
 
     private ComponentFinder() {}
@@ -16,6 +16,11 @@ public final class ComponentFinder {
                 root instanceof Container container ? Stream.of(container.getComponents()) : Stream.empty();
         Stream<Component> items = root instanceof JMenu menu ? Stream.of(menu.getMenuComponents()) : Stream.empty();
         return Stream.concat(Stream.of(root), Stream.concat(inside, items).flatMap(ComponentFinder::tree));
+    }
+
+    /** Lays out a component and all inside it, each with the size that its container has given it. */
+    public static void layOut(Component root) {
+        tree(root).forEach(Component::doLayout);
     }
 
     /** Returns all components of a class. */

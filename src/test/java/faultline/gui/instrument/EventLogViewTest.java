@@ -9,6 +9,7 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.ComponentFinder;
 import faultline.gui.timeline.EventKind;
 import faultline.gui.timeline.EventText;
 import faultline.robot.RobotSpec;
@@ -17,8 +18,6 @@ import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -68,25 +67,16 @@ class EventLogViewTest {
     void scrolledToItsEndTheFirstRowThatShowsIsWhole() {
         runOnEdt(() -> view.setSize(700, 131));
         for (int pass = 0; pass < 2; pass++) {
-            runOnEdt(() -> lay(view));
+            runOnEdt(() -> ComponentFinder.layOut(view));
         }
         runOnEdt(() -> view.setFrame(SampleRuns.frame(2000)));
-        runOnEdt(() -> lay(view));
+        runOnEdt(() -> ComponentFinder.layOut(view));
         runOnEdt(() -> view.setFrame(SampleRuns.frame(3000)));
-        runOnEdt(() -> lay(view));
+        runOnEdt(() -> ComponentFinder.layOut(view));
         int row = callOnEdt(view.table()::getRowHeight);
         int top = callOnEdt(() -> view.table().getVisibleRect().y);
         assertTrue(top > 0, "it is scrolled");
         assertEquals(0, top % row);
-    }
-
-    private static void lay(Container container) {
-        container.doLayout();
-        for (Component part : container.getComponents()) {
-            if (part instanceof Container inner) {
-                lay(inner);
-            }
-        }
     }
 
     @Test

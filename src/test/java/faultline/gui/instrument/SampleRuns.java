@@ -6,15 +6,14 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
+import faultline.gui.ComponentFinder;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
 import java.awt.Color;
-import java.awt.Container;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JComponent;
 
 /** Frames of a real run with its recording, and images of components without a display. */
@@ -49,20 +48,12 @@ final class SampleRuns {
     /** Returns an image of a component of the given size. */
     static BufferedImage render(JComponent component, int width, int height) {
         component.setSize(width, height);
-        layOut(component);
+        ComponentFinder.layOut(component);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
         component.print(graphics);
         graphics.dispose();
         return image;
-    }
-
-    private static void layOut(Container container) {
-        container.doLayout();
-        Stream.of(container.getComponents())
-                .filter(Container.class::isInstance)
-                .map(Container.class::cast)
-                .forEach(SampleRuns::layOut);
     }
 
     /** Counts the pixels of exactly one colour. */

@@ -15,7 +15,6 @@ import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Rectangle;
 import java.util.List;
 import javax.swing.JLabel;
@@ -49,17 +48,8 @@ class RunPanelTest {
                     panel.setRun(frame, PAUSED, scenario);
                 }
                 panel.setSize(450, 600);
-                layOut(panel);
+                ComponentFinder.layOut(panel);
             });
-        }
-    }
-
-    private static void layOut(Container container) {
-        container.doLayout();
-        for (Component component : container.getComponents()) {
-            if (component instanceof Container inner) {
-                layOut(inner);
-            }
         }
     }
 

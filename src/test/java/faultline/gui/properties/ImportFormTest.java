@@ -15,7 +15,6 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
-import java.awt.Component;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -203,7 +202,7 @@ class ImportFormTest {
         int width = callOnEdt(() -> form.getPreferredSize().width);
         assertEquals(width, callOnEdt(() -> {
             form.setSize(width + 30, 600);
-            ComponentFinder.tree(form).forEach(Component::doLayout);
+            ComponentFinder.layOut(form);
             return form.getPreferredSize().width;
         }));
     }

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.ComponentFinder;
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -143,21 +143,12 @@ class ThemeTest {
 
     private static BufferedImage picture(JPanel panel) {
         panel.setSize(240, 420);
-        lay(panel);
+        ComponentFinder.layOut(panel);
         BufferedImage image = new BufferedImage(240, 420, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
         panel.paint(graphics);
         graphics.dispose();
         return image;
-    }
-
-    private static void lay(Container container) {
-        container.doLayout();
-        for (Component component : container.getComponents()) {
-            if (component instanceof Container inner) {
-                lay(inner);
-            }
-        }
     }
 
     private static int differing(BufferedImage one, BufferedImage other) {

@@ -15,13 +15,11 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
-import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JScrollBar;
@@ -107,11 +105,11 @@ class CanvasOverlaysTest {
                     .orElseThrow()
                     .getVerticalScrollBar();
             overlays.update();
-            layOut(card);
+            ComponentFinder.layOut(card);
             assertFalse(bar.isVisible(), "all of the text shows");
             canvas.setSize(448, 140);
             overlays.update();
-            layOut(card);
+            ComponentFinder.layOut(card);
             assertEquals(new Rectangle(0, 0, 448, 140), card.getBounds());
             JButton next = ComponentFinder.find(card, JButton.class, "Next");
             assertTrue(new Rectangle(card.getSize())
@@ -128,14 +126,6 @@ class CanvasOverlaysTest {
     private void press(String key) {
         card.getActionForKeyStroke(KeyStroke.getKeyStroke(key))
                 .actionPerformed(new ActionEvent(card, ActionEvent.ACTION_PERFORMED, key));
-    }
-
-    private static void layOut(Container container) {
-        container.doLayout();
-        Stream.of(container.getComponents())
-                .filter(Container.class::isInstance)
-                .map(Container.class::cast)
-                .forEach(CanvasOverlaysTest::layOut);
     }
 
     /** Returns what the card must not hide: at the largest text size there is room for the platform only. */

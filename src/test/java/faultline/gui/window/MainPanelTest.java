@@ -44,7 +44,6 @@ import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
@@ -467,18 +466,9 @@ class MainPanelTest {
         mainPanel.setSize(width, height);
         mainPanel.setPanelWidth(mainPanel.controlPanel().defaultWidth());
         // The second pass places the dividers, the third lays out scroll panes with their bars.
-        layOut(mainPanel);
-        layOut(mainPanel);
-        layOut(mainPanel);
-    }
-
-    private static void layOut(Container container) {
-        container.doLayout();
-        for (Component component : container.getComponents()) {
-            if (component instanceof Container inner) {
-                layOut(inner);
-            }
-        }
+        ComponentFinder.layOut(mainPanel);
+        ComponentFinder.layOut(mainPanel);
+        ComponentFinder.layOut(mainPanel);
     }
 
     private Map<Component, Rectangle> places() {
