@@ -5,6 +5,7 @@ import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 
 /** The sequence of controller states, as far as it is still in the event log. */
@@ -23,14 +24,15 @@ final class StateIntervals {
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= log.firstIndex() && end > span.start(); i--) {
             if (log.get(i) instanceof RunEvent.StateChanged transition && transition.time() <= end) {
-                intervals.add(0, new StateInterval(state, transition.time(), end));
+                intervals.add(new StateInterval(state, transition.time(), end));
                 state = transition.from();
                 end = transition.time();
             }
         }
         if (log.firstIndex() == 0 && end > span.start()) {
-            intervals.add(0, new StateInterval(state, 0, end));
+            intervals.add(new StateInterval(state, 0, end));
         }
+        Collections.reverse(intervals);
         intervals.removeIf(interval -> interval.start() > span.end());
         return intervals;
     }
