@@ -144,6 +144,8 @@ class PropertiesTest {
             form.setProperties(ScenarioProperties.of(room));
             ComponentFinder.find(form, JTextField.class, "Seed").setText("seven");
             assertEquals(Optional.of("The seed is not a whole number"), form.findProblem(room));
+            ComponentFinder.find(form, JTextField.class, "Seed").setText("\u0667");
+            assertEquals(Optional.of("The seed is not a whole number"), form.findProblem(room), "Arabic digits");
             ComponentFinder.find(form, JTextField.class, "Seed").setText("-9007199254740993");
             assertEquals(Optional.empty(), form.findProblem(room));
             assertEquals(-9007199254740993L, form.properties().seed());
