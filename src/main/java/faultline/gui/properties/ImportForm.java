@@ -39,7 +39,7 @@ import javax.swing.UIManager;
 
 /**
  * A form to make a scenario of a floor plan: how the plan is traced, with a preview. The plan is read off the event
- * dispatch thread, once at a time.
+ * dispatch thread, one reading at a time.
  */
 public final class ImportForm extends JPanel {
 
