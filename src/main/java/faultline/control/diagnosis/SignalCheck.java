@@ -9,40 +9,6 @@ import faultline.sensor.Reading;
  */
 final class SignalCheck {
 
-    /**
-     * A sensor is stuck if its reading stays exactly the same over a turn of this angle, radians, and unequal wheels
-     * cannot explain the turn.
-     */
-    private static final double STUCK_TURN = StrictMath.toRadians(12);
-
-    /**
-     * The largest curvature that a robot with unequal wheels steers along a straight wall, radians per metre: wheels
-     * that are larger and smaller by 5 percent, 0.17 m apart.
-     */
-    private static final double WHEEL_CURVATURE = 0.6;
-
-    /** A sensor is also stuck if its reading stays exactly the same over this distance along its axis, metres. */
-    private static final double STUCK_DISTANCE = 0.05;
-
-    /**
-     * The rule of {@link #STUCK_DISTANCE} does not apply if the sensor may see a wall along the path, whose nearest
-     * point is at a border of the cone: that is, if the point there is farther than this from the path, metres.
-     */
-    private static final double BESIDE = 0.15;
-
-    /**
-     * A sensor is also stuck if its reading stays exactly the same while the turns of the steps change by this much in
-     * total, radians. On a steady path along a wall a healthy reading may stay the same, but then the robot does not
-     * steer.
-     */
-    private static final double STUCK_UNSTEADINESS = 1e-5;
-
-    /** The minimum number of steps over which the last rule applies. */
-    private static final int MIN_HELD_STEPS = 20;
-
-    /** A sensor nearer to the robot's centre may read the same distance in a turn, metres. */
-    private static final double MIN_LEVER = 0.01;
-
     /** A third difference of readings beyond this shows noise, metres. */
     private static final double SCATTER = 0.08;
 
@@ -74,24 +40,12 @@ final class SignalCheck {
     private static final double FLIP_STEP = 1 / 150.0;
 
     private final MountedCone cone;
-    private final double axisCos;
-    private final double leftBorderSin;
-    private final double rightBorderSin;
-    private final boolean hasLever;
     private final MotionAccumulator motion;
+    private final StuckCheck stuckCheck;
     private final ConeCrossing crossing;
     private double before = Double.NaN;
     private double first = Double.NaN;
     private double second = Double.NaN;
-    private double turn;
-    private double distance;
-    /** The total unsteadiness of the robot while the reading stays the same, radians, and the number of steps. */
-    private double held;
-
-    private int heldSteps;
-    /** The greatest total after which the reading changed. */
-    private double longestHeld;
-
     private double scatter;
     private double lastSpike = Double.NaN;
     private double flips;
@@ -113,10 +67,7 @@ final class SignalCheck {
     SignalCheck(MountedCone cone, MotionAccumulator motion) {
         this.cone = cone;
         this.motion = motion;
-        this.hasLever = StrictMath.hypot(cone.x(), cone.y()) > MIN_LEVER;
-        this.axisCos = StrictMath.cos(cone.bearing());
-        this.leftBorderSin = StrictMath.sin(cone.bearing() + cone.half());
-        this.rightBorderSin = StrictMath.sin(cone.bearing() - cone.half());
+        this.stuckCheck = new StuckCheck(cone, motion);
         this.crossing = new ConeCrossing(cone, motion);
     }
 
@@ -148,7 +99,7 @@ final class SignalCheck {
         // False for a difference that is not a number.
         jumped = Math.abs(newSecond) > JUMP && Math.abs(newSecond) < Reading.NOTHING;
         SensorFinding finding = Reading.isOff(reading) ? switchedOff() : testAll(reading);
-        boolean free = finding == SensorFinding.NONE && heldSteps == 0;
+        boolean free = finding == SensorFinding.NONE && !stuckCheck.isHolding();
         quiet = free && before == Reading.NOTHING && Double.isNaN(second);
         smoothLimit = free && Math.abs(first) <= SPIKE && Math.abs(second) <= SPIKE ? SPIKE : -1;
         return finding;
@@ -166,7 +117,7 @@ final class SignalCheck {
     }
 
     private SensorFinding testAll(double reading) {
-        boolean stuck = isStuck(reading);
+        boolean stuck = stuckCheck.test(reading, before);
         fade(1);
         learnCrossing(reading);
         learnSpikes(reading);
@@ -203,47 +154,6 @@ final class SignalCheck {
 
     private static double remaining(double share, int readings) {
         return readings == 1 ? share : StrictMath.pow(share, readings);
-    }
-
-    /** Records that the reading has changed. */
-    private void release() {
-        if (heldSteps > 0) {
-            turn = 0;
-            distance = 0;
-            longestHeld = Math.max(longestHeld, held);
-            held = 0;
-            heldSteps = 0;
-        }
-    }
-
-    /**
-     * Returns whether the robot steers but the reading stays the same. The reading of a sensor that resolves only
-     * coarse steps also stays the same, so it must stay for twice as long as it ever did before.
-     */
-    private boolean isHeld() {
-        return heldSteps >= MIN_HELD_STEPS && held > Math.max(STUCK_UNSTEADINESS, 2 * longestHeld) && hasLever;
-    }
-
-    private boolean isStuck(double reading) {
-        if (reading != before || reading == Reading.NOTHING) {
-            release();
-            return false;
-        }
-        turn += motion.turned();
-        distance += motion.rolled();
-        held += motion.unsteadiness();
-        heldSteps++;
-        return Math.abs(turn) > STUCK_TURN + WHEEL_CURVATURE * Math.abs(distance)
-                || Math.abs(distance * axisCos) > STUCK_DISTANCE
-                        && Math.abs(cone.bearing()) < cone.half()
-                        && !mayBeBeside(reading)
-                || isHeld()
-                || reading < 0.001 && Math.abs(distance) + Math.abs(turn) > STUCK_DISTANCE;
-    }
-
-    /** Returns whether a point at a border of the cone, at the distance of a reading, is beside the path. */
-    private boolean mayBeBeside(double reading) {
-        return cone.y() + reading * leftBorderSin > BESIDE || cone.y() + reading * rightBorderSin < -BESIDE;
     }
 
     /**
