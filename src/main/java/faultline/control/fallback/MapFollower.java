@@ -45,8 +45,17 @@ public final class MapFollower {
     /** The amount by which the wall may be farther away than wanted, metres; surfaces beyond it are not the wall. */
     private static final double NEAR_WALL = 0.35;
 
+    /** In a search, the amount by which the wall may be farther away than planned, metres. */
+    private static final double FOUND_WALL = 0.1;
+
+    /** A surface whose direction differs from that of the wall by at most this can be the wall, radians. */
+    private static final double WALL_SECTOR = StrictMath.toRadians(75);
+
     /** After this distance without a wall the robot searches, metres. */
     private static final double LOST = 1.2;
+
+    /** The length of the path that is examined, metres. */
+    private static final double PATH = 0.6;
 
     /** The length of the path that must be known to drive on, metres. */
     private static final double NEEDED = 0.06;
@@ -66,6 +75,7 @@ public final class MapFollower {
     /** The margin of a square that contains a lap around a pole at the wanted distance, metres. */
     private static final double LAP_MARGIN = 0.4;
 
+    /** If its heading differs from its direction by more than this, the robot turns on the spot, radians. */
     private static final double ASIDE = StrictMath.toRadians(35);
 
     /**
@@ -74,6 +84,10 @@ public final class MapFollower {
      */
     private static final double FULL_SPEED = 1.3;
 
+    /** The least speed while it drives, as a share of the robot's. */
+    private static final double MIN_SPEED = 0.3;
+
+    /** The turn rate by the difference of heading and direction, 1/s. */
     private static final double STEERING = 2.5;
 
     /**
@@ -202,7 +216,7 @@ public final class MapFollower {
     }
 
     private double known(double towards) {
-        return directionFinder.known(at(), towards, 0.6, robot.length() / 2, robot.width() / 2);
+        return directionFinder.known(at(), towards, PATH, robot.length() / 2, robot.width() / 2);
     }
 
     /**
@@ -275,14 +289,14 @@ public final class MapFollower {
 
     /** Returns the direction of the nearest surface that can be the wall near a direction, NaN if there is none. */
     private double bearingOfWall(double near) {
-        return map.bearingOfSurface(near, StrictMath.toRadians(75), wanted() + NEAR_WALL);
+        return map.bearingOfSurface(near, WALL_SECTOR, wanted() + NEAR_WALL);
     }
 
     /** Drives straight ahead, because there is no wall. */
     private void search() {
         state = FollowerState.SEARCH;
         if (!scan.isActive()) {
-            double bearing = map.bearingOfSurface(direction, StrictMath.PI, wanted() + 0.1);
+            double bearing = map.bearingOfSurface(direction, StrictMath.PI, wanted() + FOUND_WALL);
             if (!Double.isNaN(bearing)) {
                 wall = bearing;
                 sinceWall = 0;
@@ -355,7 +369,8 @@ public final class MapFollower {
             return;
         }
         double rate = turnRate(1);
-        v = driveDirection.velocity(robot.speed() * Math.max(0.3, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE)));
+        v = driveDirection.velocity(
+                robot.speed() * Math.max(MIN_SPEED, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE)));
         omega = Math.max(-rate, Math.min(rate, STEERING * off));
     }
 
