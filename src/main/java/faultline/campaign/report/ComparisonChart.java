@@ -61,9 +61,10 @@ final class ComparisonChart {
         for (int i = 0; i < controllers.size(); i++) {
             List<ControllerRuns.ComparedRun> runs = controllers.get(i).runs();
             for (int j = runs.size() - 1; j >= 0; j--) {
+                boolean isFirst = runs.get(j).result().seed() == setup.seed();
                 RobotPath path = runs.get(j).path();
                 List<Vector2> points = path.simplified(TOLERANCE / scale);
-                plan.drawLine(points, style(i).withWidth(j == 0 ? FIRST_WIDTH : OTHER_WIDTH));
+                plan.drawLine(points, style(i).withWidth(isFirst ? FIRST_WIDTH : OTHER_WIDTH));
                 Vector2 end = plan.toPicture(points.get(points.size() - 1));
                 surface.fill(Shapes.circle(end, END_RADIUS), style(i).colour());
             }

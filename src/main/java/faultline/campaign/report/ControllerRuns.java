@@ -49,9 +49,10 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
                 .toList();
     }
 
-    /** Returns whether all of several runs are the same run. */
+    /** Returns whether all of several runs are the same run, and none failed. */
     boolean areAllEqual() {
-        return runs.size() > 1
+        return broken.isEmpty()
+                && runs.size() > 1
                 && runs.stream()
                                 .map(run -> run.result().trajectoryHash())
                                 .distinct()

@@ -32,12 +32,16 @@ class ComparisonChartTest {
     private static final Pattern DOT = Pattern.compile("<circle cx=\"([\\d.]+)\"()");
 
     private static ControllerRuns.ComparedRun run(double seconds) {
+        return run(ROOM.withDuration(seconds));
+    }
+
+    private static ControllerRuns.ComparedRun run(SimulationSetup setup) {
         AtomicReference<RobotPath> path = new AtomicReference<>();
         RunResult result = HeadlessRun.run(
-                ROOM.withDuration(seconds),
+                setup,
                 ControllerMode.DIRECT,
                 List.of(simulation -> path.set(simulation.frame().path())));
-        return new ControllerRuns.ComparedRun(result, path.get(), 0.3 * seconds);
+        return new ControllerRuns.ComparedRun(result, path.get(), 0.3 * setup.duration());
     }
 
     private static List<double[]> places(Pattern pattern, String svg) {
@@ -66,6 +70,21 @@ class ComparisonChartTest {
         // The bar of two runs is 12.7 times as long as the distance of their dots, which is known to 0.01 pixel.
         assertEquals((mean.high() - mean.low()) * pixelsPerMetre, bar[1] - bar[0], 0.13, "the whole interval is drawn");
         assertTrue(frame[0] <= bar[0] && bar[1] <= frame[1], () -> Arrays.toString(bar) + Arrays.toString(frame));
+    }
+
+    @Test
+    void onlyThePathOfTheFirstSeedIsThick() {
+        SimulationSetup first = ROOM.withDuration(1);
+        ControllerRuns.ComparedRun second = run(first.withSeed(first.seed() + 1));
+        ControllerRuns whole = new ControllerRuns("whole", List.of(run(first), second), List.of());
+        ControllerRuns failing = new ControllerRuns(
+                "failing", List.of(second), List.of(new ControllerRuns.FailedRun(first.seed(), "it broke")));
+        assertEquals(1, thickLines(ComparisonChart.paths(first, List.of(whole))));
+        assertEquals(0, thickLines(ComparisonChart.paths(first, List.of(failing))), "its first seed has no path");
+    }
+
+    private static long thickLines(String svg) {
+        return Pattern.compile("stroke-width=\"2.2\"").matcher(svg).results().count();
     }
 
     @Test

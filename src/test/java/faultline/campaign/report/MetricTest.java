@@ -60,5 +60,9 @@ class MetricTest {
         assertTrue(new ControllerRuns("drive", List.of(RESTING, RESTING), List.of()).areAllEqual());
         assertFalse(new ControllerRuns("drive", List.of(RESTING, COLLIDING), List.of()).areAllEqual());
         assertFalse(new ControllerRuns("drive", List.of(RESTING), List.of()).areAllEqual());
+        ControllerRuns.FailedRun broken = new ControllerRuns.FailedRun(2, "it broke");
+        assertFalse(
+                new ControllerRuns("drive", List.of(RESTING, RESTING), List.of(broken)).areAllEqual(),
+                "another seed broke the run");
     }
 }
