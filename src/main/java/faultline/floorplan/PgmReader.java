@@ -79,7 +79,7 @@ final class PgmReader {
         int value = next;
         if (value < 0) {
             throw new FloorPlanException(
-                    file, FloorPlanProblem.TOO_FEW_BYTES.with(Math.max(0, position - start), count * bytesEach));
+                    file, FloorPlanProblem.TOO_FEW_BYTES.with(position - start, count * bytesEach));
         }
         advance();
         return value;

@@ -344,6 +344,8 @@ class FloorPlanTest {
             P2 2 1 255 0             | pixel 2 is missing at byte 12
             P2 2 1 255 0 256         | pixel 2 is 256; expected 0 to 255
             P5 2 9 255 0             | the image ends after 1 bytes of pixels, 18 are needed
+            P5 2 9 255               | the image ends after 0 bytes of pixels, 18 are needed
+            P5 2 9 65535 0           | the image ends after 1 bytes of pixels, 36 are needed
             P5 99999 99999 255 0     | the image has 99999 x 99999 pixels; expected 1 to 64000000
             P6 2 1 255 0             | the format of the image is P6; expected P2 or P5
             P2 2 x                   | the height is missing at byte 5
