@@ -1,11 +1,17 @@
 package faultline.gui.document;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.scenario.Scenario;
 import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.Collections;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CyclicBarrier;
@@ -47,6 +53,23 @@ class RecoveryStoreTest {
         } finally {
             threads.shutdownNow();
         }
+    }
+
+    /** Without the lock, another window would offer the edits of this one. */
+    @Test
+    void theEditsOfARunningProcessAreLockedUntilTheyAreDeleted() throws Exception {
+        RecoveryStore store = new RecoveryStore(folder);
+        store.save(null, Scenario.load(Path.of("scenarios/collision-on-purpose.xml")));
+        Path lock;
+        try (var files = Files.newDirectoryStream(folder, "*.lock")) {
+            lock = files.iterator().next();
+        }
+        try (FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE)) {
+            assertThrows(OverlappingFileLockException.class, channel::tryLock);
+            store.delete();
+            assertNotNull(channel.tryLock());
+        }
+        assertTrue(Files.notExists(lock));
     }
 
     private long countFiles(int store) throws IOException {
