@@ -396,6 +396,8 @@ class CommandLineTest {
         } finally {
             reader.dispose();
         }
+        byte[] bytes = Files.readAllBytes(film);
+        assertEquals(';', bytes[bytes.length - 1], "the trailer of a GIF");
     }
 
     @Test

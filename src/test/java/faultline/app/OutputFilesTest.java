@@ -129,6 +129,49 @@ class OutputFilesTest {
         assertEquals(before.length, Files.size(map));
     }
 
+    /** Both show the path of the robot, which is recorded only if one of them is wanted. */
+    @Test
+    void aPictureAndAFilmAreTheSameTogetherAsAlone() throws IOException {
+        List<Path> outputs = new ArrayList<>();
+        for (String name : List.of("alone.svg", "both.svg", "alone.gif", "both.gif")) {
+            outputs.add(folder.resolve(name));
+        }
+        run("--image", outputs.get(0));
+        run("--image", outputs.get(1), "--film", outputs.get(3));
+        run("--film", outputs.get(2));
+        assertEquals(-1, Files.mismatch(outputs.get(0), outputs.get(1)), "the picture");
+        assertEquals(-1, Files.mismatch(outputs.get(2), outputs.get(3)), "the film");
+    }
+
+    @Test
+    void aRunThatBreaksLeavesNoFile() throws IOException {
+        PrintStream none = new PrintStream(new ByteArrayOutputStream(), true, StandardCharsets.UTF_8);
+        String[] arguments = {
+            "run",
+            SCENARIO.toString(),
+            "--trace",
+            folder + "/a.csv",
+            "--image",
+            folder + "/a.svg",
+            "--controller",
+            "sh -c 'read hello; exit 5'"
+        };
+        assertEquals(ExitCode.RUN_FAILED, new CommandLine(new CommandOutput(none, none)).run(arguments));
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(List.of(), files.toList());
+        }
+    }
+
+    private static void run(Object... options) {
+        PrintStream none = new PrintStream(new ByteArrayOutputStream(), true, StandardCharsets.UTF_8);
+        String[] arguments = Stream.concat(
+                        Stream.of("run", "scenarios/beside-a-wall.xml", "--until", "6"), Stream.of(options))
+                .map(Object::toString)
+                .toArray(String[]::new);
+        int code = new CommandLine(new CommandOutput(none, none)).run(arguments);
+        assertTrue(code == ExitCode.SUCCESS || code == ExitCode.EXPECTATION_FAILED, "exit code " + code);
+    }
+
     private Path campaign() throws IOException {
         Files.writeString(folder.resolve("room.xml"), SamplePlan.ROOM);
         return Files.writeString(
