@@ -123,9 +123,7 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         for (int i = 0; i < sensors.size(); i++) {
             SensorPainter.paintCone(context, i, sensors.get(i));
         }
-        for (int i = 0; i < sensors.size(); i++) {
-            SensorPainter.paintLabels(context.withFont(labels.font()), i, sensors.get(i), labels);
-        }
+        SensorPainter.paintLabels(context.withFont(labels.font()), sensors, labels);
     }
 
     private static void paintIntersections(DrawContext context, List<SensorSnapshot> sensors) {

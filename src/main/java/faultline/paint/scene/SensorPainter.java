@@ -10,6 +10,9 @@ import faultline.world.SensorSnapshot;
 import java.awt.Color;
 import java.awt.Stroke;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
 import java.util.stream.Collectors;
 
 /**
@@ -74,56 +77,80 @@ final class SensorPainter {
                 .forEach(kind -> HatchingPainter.paint(context, cone, kind, pale));
     }
 
-    /** Paints what other cones must not cover. */
-    static void paintLabels(DrawContext context, int index, SensorSnapshot sensor, SceneLabels labels) {
-        ScreenSector cone = ScreenSector.of(context.camera(), sensor.sector());
+    /**
+     * Paints what other cones must not cover. Names of faults are painted before plain numbers, and a number that would
+     * overlap a label is omitted.
+     */
+    static void paintLabels(DrawContext context, List<SensorSnapshot> sensors, SceneLabels labels) {
+        List<SensorLabel> all = new ArrayList<>();
+        for (int i = 0; i < sensors.size(); i++) {
+            ScreenSector cone = ScreenSector.of(context.camera(), sensors.get(i).sector());
+            paintTrueReading(context, cone, sensors.get(i));
+            if (cone.radius() >= MIN_LABELLED_RADIUS) {
+                all.add(createLabel(context, cone, i, sensors.get(i), labels));
+            }
+        }
+        all.sort(Comparator.comparing(SensorLabel::isNumber));
+        List<Rectangle2D> used = new ArrayList<>();
+        for (SensorLabel label : all) {
+            if (!label.isNumber() || used.stream().noneMatch(label.box()::intersects)) {
+                used.add(label.box());
+                context.drawLabel(
+                        label.text(), label.box().getCenterX(), label.box().getCenterY(), label.colour());
+            }
+        }
+    }
+
+    private static void paintTrueReading(DrawContext context, ScreenSector cone, SensorSnapshot sensor) {
         if (!sensor.faults().isEmpty()) {
             sensor.truth().distance().stream()
                     .filter(truth -> differsFromReported(cone, truth, sensor))
                     .forEach(truth ->
                             context.draw(cone.arcAt(truth), context.palette().text(), TRUE_READING_STROKE));
         }
-        if (cone.radius() >= MIN_LABELLED_RADIUS) {
-            paintLabel(
-                    context,
-                    cone,
-                    labelText(index, sensor, labels),
-                    sensor.reported().isOff()
-                            ? context.palette().muted()
-                            : context.palette().text());
-        }
     }
 
     /**
-     * Paints a text beyond the arc, at a distance at which its bounding box clears the cone in any direction, or inside
-     * the arc if the picture ends there.
+     * Creates a label beyond the arc, at a distance at which its bounding box clears the cone in any direction, or
+     * inside the arc if the picture ends there.
      */
-    private static void paintLabel(DrawContext context, ScreenSector cone, String text, Color colour) {
-        Rectangle2D box = context.measureText(text);
+    private static SensorLabel createLabel(
+            DrawContext context, ScreenSector cone, int index, SensorSnapshot sensor, SceneLabels labels) {
+        String state = stateText(sensor, labels);
+        String text = (index + 1 + " " + state).strip();
+        Rectangle2D size = context.measureText(text);
         Vector2 axis = cone.pointAt(0.5, 1).minus(cone.apex());
-        double clear = (Math.abs(axis.x()) * box.getWidth() + Math.abs(axis.y()) * box.getHeight()) / 2;
-        Vector2 beyond = cone.pointAt(0.5, cone.radius() + LABEL_GAP + clear);
-        boolean fits = new Rectangle2D.Double(
-                        0, 0, context.camera().width(), context.camera().height())
-                .contains(
-                        beyond.x() - box.getWidth() / 2,
-                        beyond.y() - box.getHeight() / 2,
-                        box.getWidth(),
-                        box.getHeight());
-        Vector2 place = fits ? beyond : cone.pointAt(0.5, cone.radius() - LABEL_GAP - clear);
-        context.drawLabel(text, place.x(), place.y(), colour);
+        double clear = (Math.abs(axis.x()) * size.getWidth() + Math.abs(axis.y()) * size.getHeight()) / 2;
+        Rectangle2D beyond = centred(size, cone.pointAt(0.5, cone.radius() + LABEL_GAP + clear));
+        Rectangle2D picture = new Rectangle2D.Double(
+                0, 0, context.camera().width(), context.camera().height());
+        return new SensorLabel(
+                text,
+                state.isEmpty(),
+                picture.contains(beyond) ? beyond : centred(size, cone.pointAt(0.5, cone.radius() - LABEL_GAP - clear)),
+                sensor.reported().isOff()
+                        ? context.palette().muted()
+                        : context.palette().text());
+    }
+
+    private static Rectangle2D centred(Rectangle2D size, Vector2 centre) {
+        return new Rectangle2D.Double(
+                centre.x() - size.getWidth() / 2, centre.y() - size.getHeight() / 2, size.getWidth(), size.getHeight());
     }
 
     private static boolean differsFromReported(ScreenSector cone, double truth, SensorSnapshot sensor) {
         return !(Math.abs(sensor.reported().encoded() - truth) * cone.scale() < MIN_READING_DIFFERENCE);
     }
 
-    private static String labelText(int index, SensorSnapshot sensor, SceneLabels labels) {
+    /** Returns the names of the faults of a sensor, or that it is switched off; empty if neither applies. */
+    private static String stateText(SensorSnapshot sensor, SceneLabels labels) {
         String faults = sensor.faults().stream()
                 .map(fault -> labels.faultName().apply(fault.kind()))
                 .distinct()
                 .collect(Collectors.joining(", "));
-        String state = faults.isEmpty() && !sensor.spec().on() ? labels.switchedOff() : faults;
-        return (index + 1 + " " + state).strip();
+        return faults.isEmpty() && !sensor.spec().on() ? labels.switchedOff() : faults;
     }
+
+    /** A label of a sensor and its bounding box; {@code isNumber} if it has no text but the number. */
+    private record SensorLabel(String text, boolean isNumber, Rectangle2D box, Color colour) {}
 }

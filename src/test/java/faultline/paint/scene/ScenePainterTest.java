@@ -238,10 +238,43 @@ class ScenePainterTest {
                 FaultKind.STUCK.createFault(0.3),
                 FaultKind.BIAS.createFault(0.1),
                 FaultKind.BIAS.createFault(0.1)));
-        String svg = new RenderRequest(
+        assertTrue(conesOf(frame).contains(">1 stuck, bias<"), "each fault once");
+    }
+
+    private static String conesOf(Frame frame) {
+        return new RenderRequest(
                         frame, FrameRenderer.fitCamera(frame.snapshot(), 900, 640), LIGHT, EnumSet.of(Layer.CONES))
                 .toSvg();
-        assertTrue(svg.contains(">1 stuck, bias<"), "each fault once");
+    }
+
+    /** On a circle of 125 pixels, the numbers of 8 sensors are 96 pixels apart, and those of 64 only 12. */
+    @ParameterizedTest
+    @CsvSource({"8, 8, 8", "64, 21, 43"})
+    void aNumberThatWouldOverlapAnotherIsOmitted(int sensors, int fewest, int most) {
+        List<SensorSnapshot> around = IntStream.range(0, sensors)
+                .mapToObj(i -> new SensorSpec("s" + i, Vector2.ZERO, 2 * Math.PI * i / sensors, 0.8, 0.05, true, 0))
+                .map(spec -> SampleFrames.sensor(spec, AT_2_1, SampleFrames.NOTHING))
+                .toList();
+        String svg = conesOf(SampleFrames.frameOf(AT_2_1, SampleFrames.pathThrough(AT_2_1.position()), around));
+        long shown = IntStream.rangeClosed(1, sensors)
+                .filter(number -> svg.contains(">" + number + "<"))
+                .count();
+        assertTrue(shown >= fewest && shown <= most, shown + " numbers");
+    }
+
+    @Test
+    void theNameOfAFaultIsShownInsteadOfANumberThatItWouldOverlap() {
+        SensorSnapshot plain = SampleFrames.sensor(FRONT, AT_2_1, SampleFrames.NOTHING);
+        SensorSnapshot stuck = SampleFrames.faultySensor(
+                new SensorSpec("second", Vector2.ZERO, 0, 0.8, 0.5, true, 0),
+                AT_2_1,
+                SampleFrames.NOTHING,
+                new Reading(0.3),
+                FaultKind.STUCK.createFault(0.3));
+        String svg = conesOf(
+                SampleFrames.frameOf(AT_2_1, SampleFrames.pathThrough(AT_2_1.position()), List.of(plain, stuck)));
+        assertTrue(svg.contains(">2 stuck<"));
+        assertFalse(svg.contains(">1<"));
     }
 
     @Test
