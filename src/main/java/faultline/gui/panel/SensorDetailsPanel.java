@@ -50,6 +50,7 @@ public final class SensorDetailsPanel extends JPanel {
             selectedSensor().ifPresent(id -> listeners.forEach(listener -> listener.accept(id)));
         });
         UiText.tip(inject, "faults.inject.tip");
+        inject.setEnabled(false);
         inject.addActionListener(event -> inject());
         UiText.nameAndTip(sensorChoice, "faults.sensor");
     }

@@ -128,6 +128,18 @@ class ControlPanelTest {
     }
 
     @Test
+    void aFirstRobotWithoutSensorsHasNoFaultToInject() {
+        SensorDetailsPanel details =
+                callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {})));
+        runOnEdt(() -> {
+            details.setSensors(List.of());
+            assertFalse(injectButton(details).isEnabled());
+            details.setSensors(world.sensors());
+            assertTrue(injectButton(details).isEnabled());
+        });
+    }
+
+    @Test
     void aRobotWithoutSensorsKeepsNoneOfTheScenarioBefore() {
         SensorDetailsPanel details =
                 callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {})));
