@@ -4,6 +4,7 @@ import faultline.gui.settings.WindowPreferences.PreferenceStore;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -14,6 +15,8 @@ public final class RecentFiles {
     private static final int MAX_FILES = 8;
     /** The longest value that a preference may have. */
     private static final int MAX_TEXT_LENGTH = 8192;
+
+    private static final Pattern LINE_BREAK = Pattern.compile("[\\n\\r]");
 
     private final PreferenceStore store;
 
@@ -34,11 +37,14 @@ public final class RecentFiles {
         }
     }
 
+    /** Adds a file as the newest one. One whose name has a line break is not kept, because lines separate the names. */
     public void add(Path file) {
         Path newest = file.toAbsolutePath().normalize();
-        store(Stream.concat(Stream.of(newest), files().stream().filter(other -> !other.equals(newest)))
-                .limit(MAX_FILES)
-                .toList());
+        if (!LINE_BREAK.matcher(newest.toString()).find()) {
+            store(Stream.concat(Stream.of(newest), files().stream().filter(other -> !other.equals(newest)))
+                    .limit(MAX_FILES)
+                    .toList());
+        }
     }
 
     public void remove(Path file) {

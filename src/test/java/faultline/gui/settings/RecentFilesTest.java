@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.prefs.Preferences;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 
 /** The list of recently opened files. */
 class RecentFilesTest {
@@ -37,6 +39,16 @@ class RecentFilesTest {
                         .mapToObj(i -> file("room" + i))
                         .toList(),
                 recent.files());
+    }
+
+    /** Systems whose names cannot have line breaks have no such files. */
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void aNameWithALineBreakDoesNotBecomeTwoFiles() {
+        recent.add(file("room"));
+        recent.add(file("two\nlines"));
+        recent.add(file("end\r"));
+        assertEquals(List.of(file("room")), recent.files());
     }
 
     @Test
