@@ -1,6 +1,7 @@
 package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.geometry.Pose;
@@ -56,5 +57,15 @@ class ObstacleXmlTest {
             })
     void textWithoutValidObstaclesIsRefused(String text) {
         assertThrows(ScenarioException.class, () -> ObstacleXml.parse(text));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"<circle id=", "desks & chairs", "</world>"})
+    void aMistakeIsDescribedByTheTextAlone(String text) {
+        String message = assertThrows(ScenarioException.class, () -> ObstacleXml.parse(text))
+                .problems()
+                .get(0)
+                .toString();
+        assertFalse(message.contains("maxMoving"), message);
     }
 }
