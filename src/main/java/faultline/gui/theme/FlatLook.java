@@ -7,6 +7,7 @@ import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
 import java.awt.RenderingHints;
 import java.awt.Toolkit;
+import java.awt.Window;
 import java.beans.PropertyChangeListener;
 import java.util.List;
 import java.util.stream.Stream;
@@ -17,6 +18,9 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.JViewport;
 import javax.swing.KeyStroke;
+import javax.swing.Popup;
+import javax.swing.PopupFactory;
+import javax.swing.SwingUtilities;
 import javax.swing.UIDefaults;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
@@ -82,6 +86,7 @@ final class FlatLook {
         FlatDefaults.table(theme.colours()).forEach(defaults::put);
         enableTextAntialiasing(defaults);
         leaveGalleryKey(defaults);
+        PopupFactory.setSharedInstance(new FlatPopupFactory());
         KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
         focus.removePropertyChangeListener("focusOwner", FOCUS_REPAINTER);
         focus.addPropertyChangeListener("focusOwner", FOCUS_REPAINTER);
@@ -102,6 +107,19 @@ final class FlatLook {
     static void showPlainText(JComponent component) {
         if (component.getClientProperty("html.disable") == null) {
             component.putClientProperty("html.disable", true);
+        }
+    }
+
+    /** Gives a menu or a list that is a window of its own its colour, which is visible before the first paint. */
+    private static final class FlatPopupFactory extends PopupFactory {
+        @Override
+        public Popup getPopup(Component owner, Component contents, int x, int y) {
+            Popup popup = super.getPopup(owner, contents, x, y);
+            Window window = SwingUtilities.getWindowAncestor(contents);
+            if (window != null && window.getType() == Window.Type.POPUP) {
+                window.setBackground(contents.getBackground());
+            }
+            return popup;
         }
     }
 
