@@ -50,7 +50,6 @@ public final class SensorDetailsPanel extends JPanel {
             selectedSensor().ifPresent(id -> listeners.forEach(listener -> listener.accept(id)));
         });
         UiText.tip(inject, "faults.inject.tip");
-        inject.setEnabled(false);
         inject.addActionListener(event -> inject());
         UiText.nameAndTip(sensorChoice, "faults.sensor");
     }
@@ -98,7 +97,6 @@ public final class SensorDetailsPanel extends JPanel {
     private void setIds(List<String> newIds) {
         ids = newIds;
         sensorChoice.setModel(new DefaultComboBoxModel<>(newIds.toArray(String[]::new)));
-        inject.setEnabled(!newIds.isEmpty());
         mountFields.setSensor(selectedSensor().orElse(null));
     }
 
@@ -110,6 +108,7 @@ public final class SensorDetailsPanel extends JPanel {
         if (!now.equals(ids)) {
             setIds(now);
         }
+        inject.setEnabled(!now.isEmpty());
         mountFields.update();
         sensors.stream()
                 .filter(sensor -> sensor.spec().id().equals(sensorChoice.getSelectedItem()))

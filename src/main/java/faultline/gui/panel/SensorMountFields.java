@@ -97,14 +97,14 @@ final class SensorMountFields {
         if (!Objects.equals(id, sensor)) {
             fields().forEach(NumberSpinner::commitPendingEdit);
             sensor = id;
-            fields().forEach(field -> field.setEnabled(id != null));
             update();
         }
     }
 
-    /** Shows the current settings of the sensor. */
+    /** Shows the current settings of the sensor, or disabled empty fields if there is none. */
     void update() {
         Optional<SensorSpec> shown = spec();
+        fields().forEach(field -> field.setEnabled(shown.isPresent()));
         if (shown.isEmpty()) {
             fields().forEach(field -> field.setWorldValue(Double.NaN));
         }

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
 import faultline.geometry.Vector2;
+import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
 import faultline.gui.action.UiAction;
 import faultline.gui.edit.UndoController;
@@ -69,11 +70,15 @@ class ControlPanelTest {
     void show() {
         panel = callOnEdt(() -> {
             Theme.LIGHT.install();
-            ControlPanel made = new ControlPanel(
-                    new UndoController(this::execute, () -> {}), null, UiAction.toggle("path", true, on -> {}));
+            ControlPanel made = createPanel();
             made.setSnapshot(world);
             return made;
         });
+    }
+
+    private ControlPanel createPanel() {
+        return new ControlPanel(
+                new UndoController(this::execute, () -> {}), null, UiAction.toggle("path", true, on -> {}));
     }
 
     /** Records commands, and how to refuse them. */
@@ -128,15 +133,25 @@ class ControlPanelTest {
     }
 
     @Test
-    void aFirstRobotWithoutSensorsHasNoFaultToInject() {
-        SensorDetailsPanel details =
-                callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {})));
+    void aFirstRobotWithoutSensorsHasNothingToEdit() {
         runOnEdt(() -> {
-            details.setSensors(List.of());
-            assertFalse(injectButton(details).isEnabled());
-            details.setSensors(world.sensors());
-            assertTrue(injectButton(details).isEnabled());
+            ControlPanel first = createPanel();
+            first.startScenario();
+            first.setSnapshot(SampleFrames.frameOf(new Pose(2, 1, 0)).snapshot());
+            assertEquals(List.of(), enabledControls(first));
+            first.setSnapshot(world);
+            assertEquals(2, enabledControls(first).size());
         });
+    }
+
+    /** Returns the field for the bearing and the button for a fault, if they are enabled. */
+    private static List<JComponent> enabledControls(JComponent parent) {
+        return Stream.<JComponent>concat(
+                        NumberSpinner.findIn(parent).filter(field -> ComponentFinder.accessibleName(field)
+                                .startsWith("Bearing")),
+                        Stream.of(injectButton(parent)))
+                .filter(JComponent::isEnabled)
+                .toList();
     }
 
     @Test
@@ -147,13 +162,7 @@ class ControlPanelTest {
             details.setSensors(world.sensors());
             details.startScenario();
             details.setSensors(List.of());
-            List<JComponent> enabled = Stream.<JComponent>concat(
-                            NumberSpinner.findIn(details).filter(field -> ComponentFinder.accessibleName(field)
-                                    .startsWith("Bearing")),
-                            Stream.of(injectButton(details)))
-                    .filter(JComponent::isEnabled)
-                    .toList();
-            assertEquals(List.of(), enabled);
+            assertEquals(List.of(), enabledControls(details));
             assertEquals(
                     0, ComponentFinder.find(details, JComboBox.class, "Sensor").getItemCount());
         });
