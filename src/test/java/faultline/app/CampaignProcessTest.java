@@ -44,6 +44,10 @@ class CampaignProcessTest {
     }
 
     private Process start(String... arguments) throws Exception {
+        return builder(arguments).start();
+    }
+
+    private ProcessBuilder builder(String... arguments) throws Exception {
         Path classes = Path.of(CampaignPlan.class
                 .getProtectionDomain()
                 .getCodeSource()
@@ -56,8 +60,7 @@ class CampaignProcessTest {
         return new ProcessBuilder(command)
                 .directory(folder.toFile())
                 .redirectErrorStream(true)
-                .redirectOutput(folder.resolve("output.txt").toFile())
-                .start();
+                .redirectOutput(folder.resolve("output.txt").toFile());
     }
 
     private Process startCampaign(String out) throws Exception {
@@ -97,6 +100,23 @@ class CampaignProcessTest {
                     List.of(),
                     files.filter(file -> file.toString().endsWith(".tmp")).toList());
         }
+    }
+
+    /** The verdict of a run at 6 km needs 1.9 million places. */
+    @Test
+    void aCampaignWithoutEnoughMemorySaysSo() throws Exception {
+        Files.writeString(
+                folder.resolve("plan.xml"),
+                SamplePlan.text(
+                        "",
+                        "<worlds><scenario file=\"room.xml\"/></worlds>"
+                                + "<set attribute=\"controller/@distance\" value=\"6000\"/>"));
+        ProcessBuilder small = builder("campaign", "plan.xml", "--out", "small");
+        small.command().add(1, "-Xmx48m");
+        Process process = small.start();
+        assertTrue(process.waitFor(120, TimeUnit.SECONDS));
+        assertEquals("faultline: there is not enough memory\n", Files.readString(folder.resolve("output.txt")));
+        assertEquals(ExitCode.RUN_FAILED, process.exitValue());
     }
 
     @Test

@@ -27,11 +27,19 @@ public final class RunMeter implements TickObserver {
     public void observe(Simulation simulation) {
         wall.observe(simulation);
         if (laps == null && simulation.telemetry().state() != FollowerState.SEARCH && !wall.isLarge()) {
-            laps = new CarryOnMetrics(
-                    new WallCircuits().forCarryOn(setup), setup.robot().speed(), 0);
+            laps = new CarryOnMetrics(circuit(), setup.robot().speed(), 0);
         }
         if (laps != null) {
             laps.observe(simulation);
+        }
+    }
+
+    /** Returns the path that the robot follows; if it is too long, no laps are measured. */
+    private WallCircuit circuit() {
+        try {
+            return new WallCircuits().forCarryOn(setup);
+        } catch (WallReference.PathTooLongException e) {
+            return WallCircuit.empty();
         }
     }
 

@@ -35,6 +35,7 @@ public final class WallCircuit {
      *
      * @param world before anything moves
      * @param distance the distance from a wall to the robot's centre, metres
+     * @throws WallReference.PathTooLongException if the path is too long
      */
     public static WallCircuit forCarryOn(WorldSpec world, double distance) {
         double spacing = 0.02;

@@ -11,14 +11,7 @@ public final class WallCircuits {
 
     private static final int MAX_KEPT = 16;
 
-    private final Map<CircuitKey, WallCircuit> kept = new LinkedHashMap<>(MAX_KEPT, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<CircuitKey, WallCircuit> eldest) {
-            return size() > MAX_KEPT;
-        }
-    };
+    private final Map<CircuitKey, WallCircuit> kept = new LinkedHashMap<>(MAX_KEPT, 0.75f, true);
 
     /** Creates a cache without circuits. */
     public WallCircuits() {}
@@ -29,6 +22,7 @@ public final class WallCircuits {
      * {@return the circuit for {@link CarryOnMetrics}}
      *
      * @param setup the setup of the run
+     * @throws WallReference.PathTooLongException if the path is too long
      */
     public WallCircuit forCarryOn(SimulationSetup setup) {
         OptionalDouble distance = CarryOnMetrics.wantedDistance(setup);
@@ -45,7 +39,14 @@ public final class WallCircuits {
         WallCircuit circuit = WallCircuit.forCarryOn(key.world, key.distance);
         synchronized (kept) {
             kept.put(key, circuit);
+            while (kept.size() > MAX_KEPT || keptPlaces() > WallReference.MAX_PLACES) {
+                kept.remove(kept.keySet().iterator().next());
+            }
         }
         return circuit;
+    }
+
+    private long keptPlaces() {
+        return kept.values().stream().mapToLong(WallCircuit::size).sum();
     }
 }

@@ -3,6 +3,7 @@ package faultline.engine.metrics;
 import faultline.engine.Simulation;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
 import faultline.world.CandidateBuffer;
 import faultline.world.SpatialIndex;
 import faultline.world.WorldSpec;
@@ -17,6 +18,9 @@ public final class WallReference {
 
     /** A bound of the error of a distance, metres. */
     static final double ROUNDING = 1e-9;
+
+    /** The maximum number of places of a world, because every place takes about 130 bytes. */
+    static final int MAX_PLACES = 2_000_000;
 
     private final WorldSpec world;
     private final CandidateBuffer candidates = new CandidateBuffer();
@@ -59,6 +63,7 @@ public final class WallReference {
      *
      * @param distance the distance from the wall to the robot's centre, metres
      * @param spacing the spacing of the samples along the path, metres
+     * @throws PathTooLongException if there are too many places
      */
     public List<WallSample> samplesAlongPath(double distance, double spacing) {
         return samples(distance, spacing, distance);
@@ -68,33 +73,42 @@ public final class WallReference {
      * Returns the points at a distance from a wall and not nearer to any other wall, in the order of the walls. They
      * are spaced along the path of the robot if {@code reach} is its distance from the walls, and along the walls if it
      * is 0.
+     *
+     * @throws PathTooLongException if there are too many places
      */
     List<WallSample> samples(double distance, double spacing, double reach) {
         List<WallSample> places = new ArrayList<>();
+        if (walls().size() == 0) {
+            return places;
+        }
+        // The path around all walls is at least as long as a circle at the distance.
+        if (2 * StrictMath.PI * distance > MAX_PLACES * spacing) {
+            throw new PathTooLongException(distance, spacing);
+        }
         List<Vector2> circle = PlaceRow.circle(distance, spacing);
         for (int i = 0; i < walls().size(); i++) {
             List<PlaceRow> rows = PlaceRow.of(walls().shape(i), distance, spacing, reach, circle);
             boolean bothSides = rows.get(0) instanceof PlaceRow.Side;
             if (bothSides) {
-                addInTurn(rows.get(0), rows.get(1), distance, places);
+                addInTurn(rows.get(0), rows.get(1), distance, spacing, places);
             }
             for (PlaceRow row : rows.subList(bothSides ? 2 : 0, rows.size())) {
                 for (int place = 0; place < row.size(); place++) {
-                    addIfFree(row, place, distance, places);
+                    addIfFree(row, place, distance, spacing, places);
                 }
             }
         }
         return places;
     }
 
-    private void addInTurn(PlaceRow left, PlaceRow right, double distance, List<WallSample> places) {
+    private void addInTurn(PlaceRow left, PlaceRow right, double distance, double spacing, List<WallSample> places) {
         for (int place = 0; place < left.size(); place++) {
-            addIfFree(left, place, distance, places);
-            addIfFree(right, place, distance, places);
+            addIfFree(left, place, distance, spacing, places);
+            addIfFree(right, place, distance, spacing, places);
         }
     }
 
-    private void addIfFree(PlaceRow row, int index, double distance, List<WallSample> places) {
+    private void addIfFree(PlaceRow row, int index, double distance, double spacing, List<WallSample> places) {
         Vector2 place = row.place(index);
         if (lastNearer != null && nearness(lastNearer, place, distance) > 0) {
             return;
@@ -105,6 +119,9 @@ public final class WallReference {
                 lastNearer = near.shape(i);
                 return;
             }
+        }
+        if (places.size() == MAX_PLACES) {
+            throw new PathTooLongException(distance, spacing);
         }
         places.add(new WallSample(place, row.wallLength(index)));
     }
@@ -138,6 +155,17 @@ public final class WallReference {
         candidates.clear();
         walls().findNear(point.x(), point.y(), radius, candidates);
         return candidates;
+    }
+
+    /** Thrown if the path along the walls is too long to be sampled. */
+    public static final class PathTooLongException extends RuntimeException {
+
+        private static final long serialVersionUID = 1L;
+
+        private PathTooLongException(double distance, double spacing) {
+            super("the path at a distance of " + DecimalText.format(distance) + " m from the walls is too long;"
+                    + " expected at most " + DecimalText.format(MAX_PLACES * spacing) + " m");
+        }
     }
 
     /**

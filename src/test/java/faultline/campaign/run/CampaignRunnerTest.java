@@ -190,6 +190,24 @@ class CampaignRunnerTest {
         assertEquals(result, merged(folder));
     }
 
+    /** The verdict of the second run would need the places of a circle of 100 km. */
+    @Test
+    void aRunWithoutAPossibleVerdictIsOneRowAndTheOthersAreMade() throws Exception {
+        String plan = SamplePlan.text(
+                "",
+                """
+                <worlds><scenario file="room.xml"/></worlds>
+                <set attribute="controller/@distance" value="0.3 100000 0.4"/>
+                """);
+        CampaignRunner.RunCounts result = new CampaignRunner(
+                        SamplePlan.read(plan), new CampaignFolder(folder), Shard.ALL, 2)
+                .run(false, (made, runs) -> {}, () -> false);
+        assertEquals(new CampaignRunner.RunCounts(3, 3, 1), result);
+        String broken = Files.readAllLines(folder.resolve("runs.csv")).get(2);
+        assertTrue(broken.endsWith("m from the walls is too long; expected at most 40000 m"), broken);
+        assertEquals(result, merged(folder));
+    }
+
     @Test
     void aFaultThatAPlanCallsBrokenBreaksNoRun() throws Exception {
         String plan = SamplePlan.text(

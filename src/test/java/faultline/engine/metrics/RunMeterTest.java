@@ -1,9 +1,11 @@
 package faultline.engine.metrics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.FollowerState;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
@@ -69,5 +71,15 @@ class RunMeterTest {
         RunMeter meter = new RunMeter(still);
         HeadlessRun.run(still, ControllerMode.DIRECT, List.of(meter));
         assertEquals(RunMeasures.NONE, meter.measures());
+    }
+
+    @Test
+    void aPathThatIsTooLongHasNoLaps() {
+        ControllerSpec.WallFollowing far = ControllerSpec.WallFollowing.DEFAULT.withDistance(100_000);
+        SimulationSetup distant = SETUP.withController(far).withDuration(10);
+        RunMeter meter = new RunMeter(distant);
+        RunResult result = HeadlessRun.run(distant, ControllerMode.DIRECT, List.of(meter));
+        assertNotEquals(List.of(FollowerState.SEARCH), result.visitedStates());
+        assertTrue(Double.isNaN(meter.measures().laps()));
     }
 }

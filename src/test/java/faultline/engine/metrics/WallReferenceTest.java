@@ -1,16 +1,21 @@
 package faultline.engine.metrics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.CpuTime;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** A square room of 4 m, to be followed with the centre 0.35 m from the wall, and things in it. */
 class WallReferenceTest {
@@ -85,5 +90,26 @@ class WallReferenceTest {
         WaypointPath motion = new WaypointPath(0.1, true, List.of(new Vector2(1, 1)));
         Obstacle visitor = new Obstacle("visitor", new ObstacleShape.CircleShape(0.3), new Pose(2, 2, 0), motion);
         assertEquals(room().samples(WANTED, 0.01, 0), room(visitor).samples(WANTED, 0.01, 0));
+    }
+
+    /** A path of 31 million places did not fit into memory. */
+    @ParameterizedTest
+    @CsvSource({"4, 100000", "100000, 0.35"})
+    void aPathThatIsTooLongIsRefusedSoon(double size, double distance) {
+        WallReference walls = new WallReference(new WorldSpec(size, size, true, 3, List.of()));
+        CpuTime time = CpuTime.start();
+        Exception refusal =
+                assertThrows(WallReference.PathTooLongException.class, () -> walls.samplesAlongPath(distance, 0.02));
+        assertEquals(
+                "the path at a distance of " + DecimalText.format(distance)
+                        + " m from the walls is too long; expected at most 40000 m",
+                refusal.getMessage());
+        time.assertBelow(10);
+    }
+
+    @Test
+    void aWorldWithoutWallsHasNoPathAtAnyDistance() {
+        WallReference open = new WallReference(new WorldSpec(4, 4, false, 3, List.of()));
+        assertEquals(List.of(), open.samplesAlongPath(100_000, 0.02));
     }
 }
