@@ -83,32 +83,32 @@ public final class WallReference {
         }
         // The path around all walls is at least as long as a circle at the distance.
         if (2 * StrictMath.PI * distance > MAX_PLACES * spacing) {
-            throw new PathTooLongException(distance, spacing);
+            throw new PathTooLongException(distance);
         }
         List<Vector2> circle = PlaceRow.circle(distance, spacing);
         for (int i = 0; i < walls().size(); i++) {
             List<PlaceRow> rows = PlaceRow.of(walls().shape(i), distance, spacing, reach, circle);
             boolean bothSides = rows.get(0) instanceof PlaceRow.Side;
             if (bothSides) {
-                addInTurn(rows.get(0), rows.get(1), distance, spacing, places);
+                addInTurn(rows.get(0), rows.get(1), distance, places);
             }
             for (PlaceRow row : rows.subList(bothSides ? 2 : 0, rows.size())) {
                 for (int place = 0; place < row.size(); place++) {
-                    addIfFree(row, place, distance, spacing, places);
+                    addIfFree(row, place, distance, places);
                 }
             }
         }
         return places;
     }
 
-    private void addInTurn(PlaceRow left, PlaceRow right, double distance, double spacing, List<WallSample> places) {
+    private void addInTurn(PlaceRow left, PlaceRow right, double distance, List<WallSample> places) {
         for (int place = 0; place < left.size(); place++) {
-            addIfFree(left, place, distance, spacing, places);
-            addIfFree(right, place, distance, spacing, places);
+            addIfFree(left, place, distance, places);
+            addIfFree(right, place, distance, places);
         }
     }
 
-    private void addIfFree(PlaceRow row, int index, double distance, double spacing, List<WallSample> places) {
+    private void addIfFree(PlaceRow row, int index, double distance, List<WallSample> places) {
         Vector2 place = row.place(index);
         if (lastNearer != null && nearness(lastNearer, place, distance) > 0) {
             return;
@@ -121,7 +121,7 @@ public final class WallReference {
             }
         }
         if (places.size() == MAX_PLACES) {
-            throw new PathTooLongException(distance, spacing);
+            throw new PathTooLongException(distance);
         }
         places.add(new WallSample(place, row.wallLength(index)));
     }
@@ -162,9 +162,9 @@ public final class WallReference {
 
         private static final long serialVersionUID = 1L;
 
-        private PathTooLongException(double distance, double spacing) {
-            super("the path at a distance of " + DecimalText.format(distance) + " m from the walls is too long;"
-                    + " expected at most " + DecimalText.format(MAX_PLACES * spacing) + " m");
+        private PathTooLongException(double distance) {
+            super("the path at a distance of " + DecimalText.format(distance)
+                    + " m from the walls has too many places; expected at most " + MAX_PLACES);
         }
     }
 

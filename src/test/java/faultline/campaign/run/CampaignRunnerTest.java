@@ -204,7 +204,7 @@ class CampaignRunnerTest {
                 .run(false, (made, runs) -> {}, () -> false);
         assertEquals(new CampaignRunner.RunCounts(3, 3, 1), result);
         String broken = Files.readAllLines(folder.resolve("runs.csv")).get(2);
-        assertTrue(broken.endsWith("m from the walls is too long; expected at most 40000 m"), broken);
+        assertTrue(broken.endsWith("m from the walls has too many places; expected at most 2000000"), broken);
         assertEquals(result, merged(folder));
     }
 

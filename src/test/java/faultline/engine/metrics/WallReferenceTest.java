@@ -102,7 +102,7 @@ class WallReferenceTest {
                 assertThrows(WallReference.PathTooLongException.class, () -> walls.samplesAlongPath(distance, 0.02));
         assertEquals(
                 "the path at a distance of " + DecimalText.format(distance)
-                        + " m from the walls is too long; expected at most 40000 m",
+                        + " m from the walls has too many places; expected at most 2000000",
                 refusal.getMessage());
         time.assertBelow(10);
     }
