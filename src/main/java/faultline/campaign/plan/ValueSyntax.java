@@ -20,11 +20,12 @@ import java.util.regex.Pattern;
  */
 public final class ValueSyntax {
 
-    /** The forms of a value, for error messages. */
-    static final String RULE = "one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C";
-
     /** The maximum number of values in one list. */
     static final int MAX_VALUES = 100_000;
+
+    /** The forms of a value, for error messages. */
+    static final String RULE = "one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C;"
+            + " at most " + MAX_VALUES + " values";
 
     private static final Pattern INTERVAL = Pattern.compile("(\\S+?)\\.\\.([^\\s/]+)(?:/(\\d{1,6}))?");
     private static final Pattern CHOICE = Pattern.compile("any of\\s+(.+)");
@@ -54,8 +55,8 @@ public final class ValueSyntax {
         String trimmed = text.strip();
         Matcher choice = CHOICE.matcher(trimmed);
         if (choice.matches()) {
-            return Optional.of(List.of(
-                    new AttributeValue.DrawnValue(stream, new DrawRange.Words(words(choice.group(1), isText)))));
+            return words(choice.group(1), isText)
+                    .map(words -> List.of(new AttributeValue.DrawnValue(stream, new DrawRange.Words(words))));
         }
         Matcher interval = INTERVAL.matcher(trimmed);
         if (interval.matches()) {
@@ -64,7 +65,7 @@ public final class ValueSyntax {
         if (trimmed.isEmpty() || trimmed.contains("..")) {
             return Optional.empty();
         }
-        return Optional.of(fixed(words(trimmed, isText)));
+        return words(trimmed, isText).map(ValueSyntax::fixed);
     }
 
     private static List<AttributeValue> fixed(List<String> texts) {
@@ -73,13 +74,18 @@ public final class ValueSyntax {
                 .toList();
     }
 
-    private static List<String> words(String text, boolean isText) {
+    /** Returns the different words of a text; empty if it has too many words. */
+    private static Optional<List<String>> words(String text, boolean isText) {
+        String[] words = text.strip().split("\\s+", MAX_VALUES + 1);
+        if (words.length > MAX_VALUES) {
+            return Optional.empty();
+        }
         Map<Object, String> different = new LinkedHashMap<>();
-        for (String word : text.strip().split("\\s+")) {
+        for (String word : words) {
             Optional<BigDecimal> number = isText ? Optional.empty() : DecimalText.parse(word);
             different.putIfAbsent(number.isPresent() ? number.get().stripTrailingZeros() : word, word);
         }
-        return List.copyOf(different.values());
+        return Optional.of(List.copyOf(different.values()));
     }
 
     private static Optional<List<AttributeValue>> parseInterval(Matcher interval, String stream) {

@@ -33,7 +33,7 @@ class PlanReaderTest {
             <set attribute="robot/@sped" value="5"/> | plan.xml:3:41: <robot> has no attribute "sped"; expected x, y, heading, length, width, track, trackScale, speed, turnRate, defaultSensors; did you mean "speed"? (in room)
             <set attribute="robot/speed" value="5"/> | plan.xml:3:41: attribute of <set> is "robot/speed"; expected a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration
             <set attribute="world/circle[pale]/@x" value="1"/> | plan.xml:3:51: attribute of <set> is "world/circle[pale]/@x", but <world> has no circle[pale]; did you mean "pole"? (in room)
-            <set attribute="robot/@speed" value="3..2"/> | plan.xml:3:45: value of <set> is "3..2"; expected one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C
+            <set attribute="robot/@speed" value="3..2"/> | plan.xml:3:45: value of <set> is "3..2"; expected one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C; at most 100000 values
             <set attribute="robot/@speed" value="0.1..1e999/3"/> | plan.xml:3:53: speed of <robot> is "1e999"; expected a number more than 0 and at most 1000 metres per second (in room)
             <faults><fault sensor="front" kind="stuck" value="0.1" at="1..1e999"/></faults> | plan.xml:3:71: at of <fault> is "1e999"; expected a number from 0 to 10000000 seconds (in room)
             <set attribute="robot/@speed" value="0..1"/> | plan.xml:3:45: speed of <robot> is "0"; expected a number more than 0 and at most 1000 metres per second (in room)

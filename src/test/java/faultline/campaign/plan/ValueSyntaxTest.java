@@ -52,6 +52,13 @@ class ValueSyntaxTest {
         assertTrue(bytes < 100_000, bytes + " bytes for 100 000 values");
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"", "any of "})
+    void aListHasAtMostAHundredThousandValues(String form) {
+        assertTrue(ValueSyntax.count(form + "5 ".repeat(100_000)).isPresent());
+        assertEquals(OptionalInt.empty(), ValueSyntax.count(form + "5 ".repeat(100_001)));
+    }
+
     @Test
     void anIntervalIsDrawnFrom() {
         assertEquals(List.of("0.1"), texts("0.1..0.4", 0));
