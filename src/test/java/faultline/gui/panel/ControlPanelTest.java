@@ -9,8 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
-import faultline.geometry.Vector2;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.action.UiAction;
 import faultline.gui.edit.UndoController;
