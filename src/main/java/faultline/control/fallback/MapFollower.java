@@ -75,27 +75,6 @@ public final class MapFollower {
     /** The margin of a square that contains a lap around a pole at the wanted distance, metres. */
     private static final double LAP_MARGIN = 0.4;
 
-    /** If its heading differs from its direction by more than this, the robot turns on the spot, radians. */
-    private static final double ASIDE = StrictMath.toRadians(35);
-
-    /**
-     * The robot slows down if its heading differs from its direction by more than this less 1, as a share of
-     * {@link #ASIDE}.
-     */
-    private static final double FULL_SPEED = 1.3;
-
-    /** The least speed while it drives, as a share of the robot's. */
-    private static final double MIN_SPEED = 0.3;
-
-    /** The turn rate by the difference of heading and direction, 1/s. */
-    private static final double STEERING = 2.5;
-
-    /**
-     * The rate of a turn on the spot to a direction that is known to be free, as a multiple of the robot's turn rate.
-     * It can be high because nothing has to be seen during the turn.
-     */
-    private static final double RETURN_RATE = 2;
-
     private static final double QUARTER = StrictMath.PI / 2;
 
     /** A direction that is this far clockwise from the wall leads back, radians. */
@@ -280,7 +259,8 @@ public final class MapFollower {
      */
     private void leaveDeadEnd() {
         double turn = wall - direction;
-        boolean turned = Math.abs(Angles.difference(driveDirection.leading(at().heading()), direction)) < ASIDE;
+        boolean turned =
+                Math.abs(Angles.difference(driveDirection.leading(at().heading()), direction)) < Steering.ASIDE;
         if (turned && turn > TURNED_BACK) {
             double left = bearingOfWall(direction + QUARTER);
             wall = Double.isNaN(left) ? wall : left;
@@ -359,24 +339,12 @@ public final class MapFollower {
                 endScan();
             }
             v = 0;
-            omega = scan.sign() * turnRate(1);
+            omega = scan.sign() * Steering.turnRate(robot);
             return;
         }
         double off = Angles.difference(driveDirection.leading(at().heading()), direction);
-        if (Math.abs(off) > ASIDE) {
-            v = 0;
-            omega = Math.copySign(turnRate(RETURN_RATE), off);
-            return;
-        }
-        double rate = turnRate(1);
-        v = driveDirection.velocity(
-                robot.speed() * Math.max(MIN_SPEED, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE)));
-        omega = Math.max(-rate, Math.min(rate, STEERING * off));
-    }
-
-    /** Returns a multiple of the robot's turn rate, as far as its motors allow, radians per second. */
-    private double turnRate(double multiple) {
-        return Math.min(multiple * robot.turnRate(), robot.maxTurnRate());
+        v = Math.abs(off) > Steering.ASIDE ? 0 : driveDirection.velocity(Steering.speed(robot, off));
+        omega = Steering.turnRate(robot, off);
     }
 
     /** Ends a scan, or continues it if its place has been seen but another place is still unknown. */
