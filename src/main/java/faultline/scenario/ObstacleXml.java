@@ -15,9 +15,8 @@ public final class ObstacleXml {
     private static final String PREFIX = "<scenario xmlns=\"" + XmlFormat.SCENARIO.namespace()
             + "\" name=\"\"><world width=\"1\" height=\"1\" enclosed=\"false\""
             + " maxMoving=\"" + ScenarioLimits.MAX_PARTS + "\">"
-            // A message about a mistake quotes the 40 characters before it, which must not be those of the prefix. A
-            // line break would change the line numbers.
-            + " ".repeat(40);
+            // A message about a mistake must not quote the prefix; a line break would change the line numbers.
+            + " ".repeat(ScenarioLimits.EXCERPT_LENGTH);
     /** A scenario must have a robot; this one is far away. */
     private static final String SUFFIX = "</world><robot x=\"-100000\" y=\"-100000\"/></scenario>";
 

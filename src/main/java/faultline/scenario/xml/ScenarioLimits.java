@@ -21,6 +21,9 @@ public final class ScenarioLimits {
     /** The length of an id, characters. */
     public static final int MAX_ID_LENGTH = 100;
 
+    /** The length of the text before a mistake that a message quotes, characters. */
+    public static final int EXCERPT_LENGTH = 40;
+
     /** The length of the name of a scenario, characters. */
     public static final int MAX_NAME_LENGTH = 10_000;
 

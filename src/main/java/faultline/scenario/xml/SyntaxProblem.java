@@ -14,8 +14,6 @@ import org.xml.sax.SAXParseException;
  */
 final class SyntaxProblem {
 
-    private static final int EXCERPT_LENGTH = 40;
-
     private final byte[] bytes;
     private final XmlFormat format;
     private final XmlParser tree;
@@ -91,7 +89,8 @@ final class SyntaxProblem {
         }
         String line = lines.get(lines.size() - 1);
         int end = Math.max(0, Math.min(line.length(), e.getColumnNumber() - 1));
-        String before = line.substring(Math.max(0, end - EXCERPT_LENGTH), end).strip();
-        return before.isEmpty() ? "" : MessageText.excerpt((end > EXCERPT_LENGTH ? "..." : "") + before);
+        String before = line.substring(Math.max(0, end - ScenarioLimits.EXCERPT_LENGTH), end)
+                .strip();
+        return before.isEmpty() ? "" : MessageText.excerpt((end > ScenarioLimits.EXCERPT_LENGTH ? "..." : "") + before);
     }
 }
