@@ -188,7 +188,7 @@ class AtomicFileTest {
             Files.writeString(file, "old");
         }
         PlantedLinks attacker = new PlantedLinks(victim, 3);
-        write(attacker.attacked(file), "new", true);
+        write(attacker.forwarding(file), "new", true);
         assertEquals(3, Set.copyOf(attacker.links()).size(), "each time another name");
         for (Path link : attacker.links()) {
             assertEquals(victim, Files.readSymbolicLink(link));

@@ -115,12 +115,20 @@ public final class RecoveryStore {
 
     /**
      * Shows every process that uses the folder, also those of other containers and machines, that this one is running.
+     * Where files cannot be locked, there is no lock file, and the id of the process shows it to those of this machine.
      */
     private void acquireLock() throws IOException {
-        if (locking && lock == null) {
-            lock = FileChannel.open(
-                    folder.resolve(process + LOCK_SUFFIX), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-            lock.tryLock();
+        if (!locking || lock != null) {
+            return;
+        }
+        Path lockFile = folder.resolve(process + LOCK_SUFFIX);
+        FileChannel opened = FileChannel.open(lockFile, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        try {
+            opened.tryLock();
+            lock = opened;
+        } catch (IOException unsupported) {
+            opened.close();
+            Files.delete(lockFile);
         }
     }
 
@@ -229,7 +237,7 @@ public final class RecoveryStore {
         if (Files.exists(lockFile)) {
             return !isLocked(lockFile);
         }
-        // It was written by an earlier version, which did not lock files.
+        // It was written where files cannot be locked, or by an earlier version, which did not lock files.
         return ProcessHandle.of(Long.parseLong(name.group(1)))
                 .filter(alive -> hasStartTime(alive, Long.parseLong(name.group(2))))
                 .isEmpty();

@@ -5,14 +5,20 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.io.ForwardingFileSystemProvider;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
+import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileAttribute;
+import java.time.Instant;
 import java.util.Collections;
+import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CyclicBarrier;
 import java.util.concurrent.ExecutorService;
@@ -37,7 +43,8 @@ class RecoveryStoreTest {
         CyclicBarrier start = new CyclicBarrier(THREADS);
         try {
             for (int i = 0; i < STORES; i++) {
-                RecoveryStore store = new RecoveryStore(folder.resolve(Integer.toString(i)));
+                Path own = folder.resolve(Integer.toString(i));
+                RecoveryStore store = new RecoveryStore(own);
                 Callable<Void> save = () -> {
                     start.await();
                     store.save(null, scenario);
@@ -46,9 +53,9 @@ class RecoveryStoreTest {
                 for (Future<Void> saved : threads.invokeAll(Collections.nCopies(THREADS, save))) {
                     saved.get();
                 }
-                assertEquals(3, countFiles(i), "the edits, their origin and the lock");
+                assertEquals(3, countFiles(own), "the edits, their origin and the lock");
                 store.delete();
-                assertEquals(0, countFiles(i));
+                assertEquals(0, countFiles(own));
             }
         } finally {
             threads.shutdownNow();
@@ -72,8 +79,33 @@ class RecoveryStoreTest {
         assertTrue(Files.notExists(lock));
     }
 
-    private long countFiles(int store) throws IOException {
-        try (var files = Files.list(folder.resolve(Integer.toString(store)))) {
+    /** A lock that nobody holds would show other windows that the edits were left by a crash. */
+    @Test
+    void whereFilesCannotBeLockedTheProcessIdShowsThatTheEditsAreInUse() throws Exception {
+        Path unlockable = new FilesWithoutLocks().forwarding(folder);
+        RecoveryStore store = new RecoveryStore(unlockable);
+        store.save(null, Scenario.load(Path.of("scenarios/collision-on-purpose.xml")));
+        assertEquals(2, countFiles(folder), "the edits and their origin");
+        assertEquals(Optional.empty(), new RecoveryStore(unlockable, 0, Instant.EPOCH).findOrphan());
+        store.delete();
+        assertEquals(0, countFiles(folder));
+    }
+
+    /** As a network drive without a lock service: a closed channel refuses to lock with an {@link IOException}. */
+    private static final class FilesWithoutLocks extends ForwardingFileSystemProvider {
+        @Override
+        public FileChannel newFileChannel(Path path, Set<? extends OpenOption> options, FileAttribute<?>... attributes)
+                throws IOException {
+            FileChannel channel = super.newFileChannel(path, options, attributes);
+            if (path.toString().endsWith(".lock")) {
+                channel.close();
+            }
+            return channel;
+        }
+    }
+
+    private static long countFiles(Path folder) throws IOException {
+        try (var files = Files.list(folder)) {
             return files.count();
         }
     }
