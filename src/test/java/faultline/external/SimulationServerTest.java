@@ -97,7 +97,7 @@ class SimulationServerTest {
         List<String> answers = serve(
                 "{\"type\":\"reset\",\"seed\":7}",
                 "{\"type\":\"drive\",\"left_v\":1,\"right_v\":1,\"ticks\":5}",
-                "{\"type\":\"drive\",\"v_m_s\":0.1,\"omega_rad_s\":0}",
+                "{\"type\":\"drive\",\"v_m_s\":0.1,\"omega_rad_s\":0,\"ticks\":1}",
                 "{\"type\":\"close\"}");
         assertEquals(4, answers.size());
         assertTrue(answers.get(0).startsWith("{\"type\":\"hello\",\"protocol\":1,"), answers.get(0));
@@ -268,6 +268,7 @@ class SimulationServerTest {
             {"type":"reset","seed":"7"}                        | the client wrote a message at tick 0 whose "seed" is the string "7"; expected a whole number
             {"type":"reset","seed":1.5}                        | the client wrote a message at tick 0 whose "seed" is "1.5"; expected a whole number
             {"type":"reset","seed":9223372036854775808}        | the client wrote a message at tick 0 whose "seed" is "9223372036854775808"; expected a whole number from -9223372036854775808 to 9223372036854775807, without an exponent
+            {"type":"reset","seed":9007199254740992.0}         | the client wrote a message at tick 0 whose "seed" is "9007199254740992"; expected a whole number from -9223372036854775808 to 9223372036854775807, without an exponent
             {"type":"reset","seed":1e16}                       | the client wrote a message at tick 0 whose "seed" is "1E+16"; expected a whole number from -9223372036854775808 to 9223372036854775807, without an exponent
             hello                                              | the client wrote no JSON at tick 0: "hello" (there is no value at character 1); write messages for people to standard error
             """)

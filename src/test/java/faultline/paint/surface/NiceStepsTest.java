@@ -8,9 +8,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 class NiceStepsTest {
 
     @ParameterizedTest
-    @CsvSource({"1, 1", "1.01, 2", "2, 2", "3, 5", "5, 5", "7, 10", "0.3, 0.5", "0.012, 0.02", "130, 200"})
+    @CsvSource({"1, 1", "1.01, 2", "2, 2", "3, 5", "5, 5", "5.5, 10", "7, 10", "0.3, 0.5", "0.012, 0.02", "130, 200"})
     void aStepIsTheNextNiceLength(double metres, double round) {
         assertEquals(round, NiceSteps.atLeast(metres), 1e-12);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 1", "9.9, 1", "10, 10", "1000, 1000", "0.001, 0.001", "0.0099, 0.001"})
+    void thePowerOfTenIsNotAboveTheNumber(double number, double power) {
+        assertEquals(power, NiceSteps.powerOfTen(number));
     }
 
     @ParameterizedTest
@@ -20,7 +26,16 @@ class NiceStepsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"2000, 2 km", "50, 50 m", "1, 1 m", "0.5, 50 cm", "0.01, 1 cm", "0.005, 5 mm"})
+    @CsvSource({
+        "2000, 2 km",
+        "1000, 1 km",
+        "500, 500 m",
+        "50, 50 m",
+        "1, 1 m",
+        "0.5, 50 cm",
+        "0.01, 1 cm",
+        "0.005, 5 mm"
+    })
     void aLengthIsNamedInTheUnitThatSuitsIt(double round, String name) {
         assertEquals(name, NiceSteps.format(round));
     }
