@@ -3,6 +3,7 @@ package faultline.io;
 import faultline.geometry.Degrees;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.regex.Pattern;
@@ -178,6 +179,18 @@ public final class DecimalText {
                 .round(new MathContext(3))
                 .stripTrailingZeros()
                 .toPlainString();
+    }
+
+    /**
+     * {@return the text of a number with a fixed number of decimals; a negative number that is rounded to zero has no
+     * sign}
+     *
+     * @param value the number
+     * @param decimals the number of decimals
+     */
+    public static String formatFixed(double value, int decimals) {
+        String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
+        return text.chars().allMatch(c -> "-0.".indexOf(c) >= 0) ? text.replace("-", "") : text;
     }
 
     /**

@@ -17,6 +17,12 @@ class DecimalTextTest {
     private static final int NUMBERS = Integer.getInteger("faultline.numbers", 100_000) / 5;
 
     @ParameterizedTest
+    @CsvSource({"0.004, 2, 0.00", "-0.004, 2, 0.00", "-0.0, 0, 0", "-0.006, 2, -0.01", "-10, 1, -10.0", "-0.4, 0, 0"})
+    void aNumberThatIsRoundedToZeroHasNoSign(double value, int decimals, String text) {
+        assertEquals(text, DecimalText.formatFixed(value, decimals));
+    }
+
+    @ParameterizedTest
     @CsvSource({
         "0, 0",
         "-0.0, -0",

@@ -1,34 +1,34 @@
 package faultline.campaign.report;
 
 import faultline.engine.metrics.RunResult;
+import faultline.io.DecimalText;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 
 /** A number of each run by which controllers are compared. */
 enum Metric {
     /** The share of the wall that was followed. */
-    COVERAGE("coverage", "the share of the wall that was followed", "%.3f", run -> run.result()
+    COVERAGE("coverage", "the share of the wall that was followed", 3, run -> run.result()
             .coverage()),
     /** The error of the distance to straight walls. */
-    DISTANCE_RMS("distance_rms_m", "the distance error on straight walls, metres RMS", "%.4f", run -> run.result()
+    DISTANCE_RMS("distance_rms_m", "the distance error on straight walls, metres RMS", 4, run -> run.result()
             .distanceRms()),
     /** Whether the robot collided. */
-    COLLISION("collision", "the share of the runs with a collision", "%.2f", run -> collided(run.result())),
+    COLLISION("collision", "the share of the runs with a collision", 2, run -> collided(run.result())),
     /** The distance that the robot drove. */
-    PATH("path_m", "the length of the path, metres", "%.2f", run -> OptionalDouble.of(run.metres()));
+    PATH("path_m", "the length of the path, metres", 2, run -> OptionalDouble.of(run.metres()));
 
     private final String column;
     private final String meaning;
-    private final String format;
+    private final int decimals;
     private final Function<ControllerRuns.ComparedRun, OptionalDouble> value;
 
-    Metric(String column, String meaning, String format, Function<ControllerRuns.ComparedRun, OptionalDouble> value) {
+    Metric(String column, String meaning, int decimals, Function<ControllerRuns.ComparedRun, OptionalDouble> value) {
         this.column = column;
         this.meaning = meaning;
-        this.format = format;
+        this.decimals = decimals;
         this.value = value;
     }
 
@@ -47,7 +47,7 @@ enum Metric {
     }
 
     String format(double number) {
-        return String.format(Locale.ROOT, format, number);
+        return DecimalText.formatFixed(number, decimals);
     }
 
     /** Returns the value for a run, empty if it has none. */

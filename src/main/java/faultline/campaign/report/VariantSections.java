@@ -3,6 +3,7 @@ package faultline.campaign.report;
 import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.Column;
 import faultline.campaign.plan.FactorKind;
+import faultline.io.DecimalText;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -87,13 +88,20 @@ final class VariantSections {
         double low = scale * difference.interval().low();
         double high = scale * difference.interval().high();
         String value = scale == 100
-                ? Html.format("%+.0f", scale * difference.value())
+                ? signedPoints(scale * difference.value())
                 : (difference.value() > 0 ? "+" : "") + Html.number(difference.value());
-        String range =
-                scale == 100 ? Html.format("%+.0f to %+.0f", low, high) : Html.number(low) + " to " + Html.number(high);
+        String range = scale == 100
+                ? signedPoints(low) + " to " + signedPoints(high)
+                : Html.number(low) + " to " + Html.number(high);
         boolean clear = low > 0 || high < 0;
         return (clear ? "<b>" + value + "</b>" : value) + "<br><small>" + range + "; "
                 + Html.count(difference.pairs(), "pair") + "</small>";
+    }
+
+    /** Returns whole percentage points, with a sign unless they are zero. */
+    private static String signedPoints(double points) {
+        String text = DecimalText.formatFixed(points, 0);
+        return points < 0 || text.equals("0") ? text : "+" + text;
     }
 
     private String forests(Comparison comparison, List<String> levels) {

@@ -3,11 +3,11 @@ package faultline.gui.edit;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.text.Messages;
+import faultline.io.DecimalText;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 
 /**
@@ -68,7 +68,7 @@ public final class ShapeHandles {
 
     /** Returns a length in metres with three decimals. */
     public static String formatMetres(double value) {
-        return String.format(Locale.ROOT, "%.3f", value);
+        return DecimalText.formatFixed(value, 3);
     }
 
     /** The handles of one kind of shape. */

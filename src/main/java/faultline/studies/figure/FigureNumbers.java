@@ -1,6 +1,6 @@
 package faultline.studies.figure;
 
-import java.util.Locale;
+import faultline.io.DecimalText;
 
 /** Formats numbers for figures. */
 public final class FigureNumbers {
@@ -9,8 +9,6 @@ public final class FigureNumbers {
 
     /** Returns a number with some decimals and a true minus sign. */
     public static String format(double value, int decimals) {
-        String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
-        boolean zero = text.chars().allMatch(c -> "-0.".indexOf(c) >= 0);
-        return (zero ? text.replace("-", "") : text).replace('-', '\u2212');
+        return DecimalText.formatFixed(value, decimals).replace('-', '\u2212');
     }
 }

@@ -56,6 +56,11 @@ class MetricTest {
     }
 
     @Test
+    void aDifferenceThatIsRoundedToZeroHasNoSign() {
+        assertEquals("0.00 [0.00, 0.00]", Metric.PATH.summary(new double[] {-0.001, -0.001}));
+    }
+
+    @Test
     void seedsMakeNoDifferenceIfSeveralRunsAreEqual() {
         assertTrue(new ControllerRuns("drive", List.of(RESTING, RESTING), List.of()).areAllEqual());
         assertFalse(new ControllerRuns("drive", List.of(RESTING, COLLIDING), List.of()).areAllEqual());

@@ -45,6 +45,7 @@ class VariantSectionsTest {
         assertTrue(comparison(0, 10).contains("<b>+100</b><br><small>+"), comparison(0, 10));
         assertTrue(comparison(5, 6).contains("<td>+10<br><small>-"), comparison(5, 6));
         assertFalse(comparison(5, 6).contains("<b>+10</b>"), comparison(5, 6));
+        assertTrue(comparison(5, 5).contains("<td>0<br><small>-"), comparison(5, 5));
     }
 
     /** Of ten parts of the range from 0 to 0.8, runs are in the first two; the greatest value is in the last one. */

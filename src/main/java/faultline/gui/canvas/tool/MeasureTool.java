@@ -2,8 +2,8 @@ package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
 import faultline.gui.edit.ShapeHandles;
+import faultline.gui.text.AngleText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.NumberText;
 import faultline.paint.scene.InteractionPainter;
 import faultline.paint.surface.DrawContext;
 import java.util.List;
@@ -63,7 +63,7 @@ public final class MeasureTool implements Tool {
             return Messages.get(
                     "value.measure",
                     ShapeHandles.formatMetres(offset.length()),
-                    NumberText.format("%.1f", Math.toDegrees(offset.angle())),
+                    AngleText.degrees(offset.angle(), 1),
                     ShapeHandles.formatMetres(offset.x()),
                     ShapeHandles.formatMetres(offset.y()));
         });

@@ -27,6 +27,13 @@ class MeasureToolTest {
     }
 
     @Test
+    void aMeasurementThatIsRoundedToZeroHasNoSign() {
+        tool.press(new Vector2(0, 0), false);
+        tool.release(new Vector2(2, -0.0004));
+        assertEquals(Optional.of("2.000 m   0.0°   Δx 2.000 m   Δy 0.000 m"), tool.measurementText());
+    }
+
+    @Test
     void keysMoveTheEndOfTheMeasurement() {
         tool.press(new Vector2(1, 1), false);
         tool.release(new Vector2(1, 1));
