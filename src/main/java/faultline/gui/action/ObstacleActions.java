@@ -57,6 +57,8 @@ public final class ObstacleActions {
     /** The note that was shown last about the use of a tool. */
     private String toolNote = "";
 
+    private String pasteNote = "";
+
     /**
      * Creates the actions. {@code askSpeed} asks for a speed, metres per second, given the present one, and returns
      * empty if cancelled.
@@ -222,19 +224,21 @@ public final class ObstacleActions {
         }
     }
 
-    private void paste(String text) {
+    /** Inserts the obstacles of a text; a note says why if it has none. */
+    void paste(String text) {
         try {
             List<Obstacle> pasted = ObstacleXml.parse(text);
+            notes.remove(pasteNote);
             if (!pasted.isEmpty()) {
                 addCopies(ObstacleCopies.displaced(pasted, tools.displacementIntoView(pasted)));
             }
         } catch (ScenarioException exception) {
             int more = exception.problems().size() - 1;
             String first = Messages.get(exception.problems().get(0).message());
-            notes.show(
-                    more == 0
-                            ? Messages.get("note.notPasted", first)
-                            : Messages.get("note.notPasted.more", first, Integer.toString(more)));
+            pasteNote = more == 0
+                    ? Messages.get("note.notPasted", first)
+                    : Messages.get("note.notPasted.more", first, Integer.toString(more));
+            notes.show(pasteNote);
         }
     }
 

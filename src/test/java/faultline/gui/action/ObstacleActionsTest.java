@@ -2,7 +2,9 @@ package faultline.gui.action;
 
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.engine.SampleFrames;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
@@ -21,6 +23,7 @@ class ObstacleActionsTest {
 
     private final ActionRegistry actions = new ActionRegistry();
     private final List<String> notes = new ArrayList<>();
+    private SimulationCanvas canvas;
 
     @Test
     void theNoteAboutAToolDisappearsWithTheTool() {
@@ -51,16 +54,31 @@ class ObstacleActionsTest {
         });
     }
 
-    private void addActions() {
+    @Test
+    void theNoteAboutARefusedPasteDisappearsWithTheNextPaste() {
+        runOnEdt(() -> {
+            ObstacleActions obstacles = addActions();
+            canvas.setFrame(SampleFrames.fullFrame());
+            obstacles.paste("<desk/>");
+            assertEquals(1, notes.size());
+            assertTrue(notes.get(0).startsWith("Not pasted: "), notes.get(0));
+            obstacles.paste("<circle id=\"pole\" x=\"1\" y=\"1\" radius=\"0.1\"/>");
+            assertEquals(List.of(), notes);
+        });
+    }
+
+    private ObstacleActions addActions() {
         Theme.LIGHT.install();
         UndoController edits = new UndoController(new RunController(new Workspace())::send, () -> {});
-        new ObstacleActions(
-                        new SimulationCanvas(edits).tools(),
-                        edits,
-                        new Notes(notes::add, notes::remove),
-                        now -> OptionalDouble.empty(),
-                        WindowPreferences.nonPersistent())
-                .addTo(actions);
+        canvas = new SimulationCanvas(edits);
+        ObstacleActions obstacles = new ObstacleActions(
+                canvas.tools(),
+                edits,
+                new Notes(notes::add, notes::remove),
+                now -> OptionalDouble.empty(),
+                WindowPreferences.nonPersistent());
+        obstacles.addTo(actions);
+        return obstacles;
     }
 
     private void assertNotesAfter(String action, String... expected) {
