@@ -113,6 +113,15 @@ public record Scenario(
     }
 
     /**
+     * {@return this scenario with another name}
+     *
+     * @param other the name for people
+     */
+    public Scenario withName(String other) {
+        return new Scenario(other, description, recorded, setup, expectation);
+    }
+
+    /**
      * {@return this scenario with another setup; unless the setup is equal, the result is not a record of a run}
      *
      * @param other the new setup

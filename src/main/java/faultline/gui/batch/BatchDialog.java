@@ -271,8 +271,13 @@ final class BatchDialog extends JDialog {
                         index,
                         shown.value(index, "outcome"),
                         Double.parseDouble(shown.value(index, "simulated_s"))),
-                this::openRun,
+                opened -> openRun(named(opened, index)),
                 this::showFailure);
+    }
+
+    /** Returns the scenario of a run, with its name in the language of the window. */
+    static Scenario named(Scenario run, int index) {
+        return run.withName(Messages.get("batch.run", Integer.toString(index)));
     }
 
     private void openRun(Scenario opened) {

@@ -13,11 +13,16 @@ import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.CampaignRunner;
 import faultline.campaign.run.RunScenario;
 import faultline.campaign.run.Shard;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
 import faultline.engine.session.Session;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -259,5 +264,21 @@ class BatchRunTest {
         assertTrue(problem.getMessage().contains("1.5"), problem.getMessage());
         assertEquals(0, run.completion().runs());
         run.delete();
+    }
+
+    @Test
+    void aRunIsNamedInTheLanguageOfTheWindow() {
+        Scenario scenario = new Scenario(
+                "Run 2",
+                "",
+                false,
+                SimulationSetup.of(new WorldSpec(3, 2, true, 0, List.of()), new Pose(1, 1, 0)),
+                Expectation.NONE);
+        try {
+            Messages.setLanguage(Language.POLISH);
+            assertEquals("Przebieg 2", BatchDialog.named(scenario, 2).name());
+        } finally {
+            Messages.setLanguage(Language.ENGLISH);
+        }
     }
 }
