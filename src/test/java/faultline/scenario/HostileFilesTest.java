@@ -119,7 +119,7 @@ class HostileFilesTest {
     @Test
     void noEntityIsReadOrExpanded() throws IOException {
         assertEquals(
-                "file.xml:2:10: the file has a DOCTYPE; expected none",
+                "file.xml:2:10: this has a DOCTYPE; expected none",
                 problemIn(
                         """
                 <?xml version="1.0"?>
@@ -127,13 +127,13 @@ class HostileFilesTest {
                 <scenario>&secret;</scenario>
                 """));
         assertEquals(
-                "file.xml:1:10: the file has a DOCTYPE; expected none",
+                "file.xml:1:10: this has a DOCTYPE; expected none",
                 problemIn(
                         """
                 <!DOCTYPE a [<!ENTITY a "aaaaaaaa"><!ENTITY b "&a;&a;&a;&a;"><!ENTITY c "&b;&b;&b;&b;">]><a>&c;</a>
                 """));
         assertEquals(
-                "file.xml:1:10: the file has a DOCTYPE; expected none",
+                "file.xml:1:10: this has a DOCTYPE; expected none",
                 problemIn("<!DOCTYPE scenario SYSTEM \"http://localhost:1/scenario.dtd\"><scenario/>"));
     }
 

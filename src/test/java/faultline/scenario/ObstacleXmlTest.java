@@ -3,6 +3,7 @@ package faultline.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -67,5 +68,12 @@ class ObstacleXmlTest {
                 .get(0)
                 .toString();
         assertFalse(message.contains("maxMoving"), message);
+    }
+
+    @Test
+    void aTextWithADoctypeIsNotCalledAFile() {
+        ScenarioException refused = assertThrows(
+                ScenarioException.class, () -> ObstacleXml.parse("<?xml version=\"1.0\"?><!DOCTYPE x><x/>"));
+        assertTrue(refused.getMessage().endsWith("this has a DOCTYPE; expected none"), refused.getMessage());
     }
 }

@@ -59,11 +59,11 @@ public enum ProblemKind implements Message.Template {
     /** The file is not in the encoding that it names. */
     ENCODING("the bytes are not text in the encoding that the file names; expected UTF-8"),
     /** The XML parser failed for another reason. */
-    UNREADABLE_XML("the file cannot be read as XML"),
+    UNREADABLE_XML("this cannot be read as XML"),
     /** The file has a document type declaration. */
-    DOCTYPE("the file has a DOCTYPE; expected none"),
+    DOCTYPE("this has a DOCTYPE; expected none"),
     /** The file exceeds a limit of the XML parser. */
-    PARSER_LIMIT("the file exceeds a limit of the XML parser"),
+    PARSER_LIMIT("this exceeds a limit of the XML parser"),
     /** The file is not XML. */
     NOT_XML("this is not XML; expected a document that begins with <{0}>"),
     /** The file is not XML after a certain text. */
