@@ -26,13 +26,20 @@ final class DetachedProcesses {
     /** The time for which processes are searched again because new ones were found, nanoseconds. */
     private static final long LONGEST_SEARCH = TimeUnit.SECONDS.toNanos(2);
 
+    /** The number of searches in a row that must find nothing; one may miss a process that starts another and ends. */
+    private static final int SEARCHES_WITHOUT_RESULT = 3;
+
     private static final int STANDARD_STREAMS = 3;
     private static final AtomicLong SEQUENCE = new AtomicLong();
 
     private final String mark;
+
+    /** The processes that ran before the child was started. They are not searched again, so a search is short. */
+    private final Set<ProcessHandle> earlier = ProcessHandle.allProcesses().collect(Collectors.toSet());
+
     private volatile Set<String> pipes = Set.of();
 
-    /** Creates a mark that no other child has. */
+    /** Creates a mark that no other child has, for a child that is not yet started. */
     DetachedProcesses() {
         ProcessHandle own = ProcessHandle.current();
         long start = own.info().startInstant().map(Instant::toEpochMilli).orElse(0L);
@@ -66,17 +73,17 @@ final class DetachedProcesses {
     /** Ends the processes, and those that they start meanwhile. */
     void killAll() {
         long start = System.nanoTime();
-        boolean found = true;
-        while (found && System.nanoTime() - start < LONGEST_SEARCH) {
-            found = ProcessHandle.allProcesses()
-                            .filter(process -> belongs(process) && process.destroyForcibly())
-                            .count()
-                    > 0;
+        int without = 0;
+        while (without < SEARCHES_WITHOUT_RESULT && System.nanoTime() - start < LONGEST_SEARCH) {
+            long found = ProcessHandle.allProcesses()
+                    .filter(process -> belongs(process) && process.destroyForcibly())
+                    .count();
+            without = found == 0 ? without + 1 : 0;
         }
     }
 
     private boolean belongs(ProcessHandle process) {
-        return isMarked(process) || hasPipe(process);
+        return !earlier.contains(process) && (isMarked(process) || hasPipe(process));
     }
 
     private boolean isMarked(ProcessHandle process) {
