@@ -29,6 +29,9 @@ public final class DecimalText {
         1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14
     };
 
+    /** A minus sign before a number all of whose digits are zero. */
+    private static final Pattern SIGN_OF_ZERO = Pattern.compile("(?<![\\w.])-(?=0(?:\\.0*+)?(?![.\\d]))");
+
     private DecimalText() {}
 
     /**
@@ -189,8 +192,16 @@ public final class DecimalText {
      * @param decimals the number of decimals
      */
     public static String formatFixed(double value, int decimals) {
-        String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
-        return text.chars().allMatch(c -> "-0.".indexOf(c) >= 0) ? text.replace("-", "") : text;
+        return withoutSignOfZero(String.format(Locale.ROOT, "%." + decimals + "f", value));
+    }
+
+    /**
+     * {@return a text without the minus signs of the numbers in it that are zero, such as {@code -0.00}}
+     *
+     * @param text a text with numbers that were formatted
+     */
+    public static String withoutSignOfZero(String text) {
+        return SIGN_OF_ZERO.matcher(text).replaceAll("");
     }
 
     /**

@@ -1,14 +1,15 @@
 package faultline.gui.text;
 
+import faultline.io.DecimalText;
 import java.util.Locale;
 
-/** Formats numbers for users. They have a decimal point in every language. */
+/** Formats numbers for users. They have a decimal point in every language, and zero has no sign. */
 public final class NumberText {
 
     private NumberText() {}
 
     /** Returns a text with a pattern of {@link String#format}. */
     public static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
+        return DecimalText.withoutSignOfZero(String.format(Locale.ROOT, pattern, values));
     }
 }
