@@ -116,9 +116,10 @@ public final class RecoveryStore {
     /**
      * Shows every process that uses the folder, also those of other containers and machines, that this one is running.
      * Where files cannot be locked, there is no lock file, and the id of the process shows it to those of this machine.
+     * A lock is tried only before the edits are first saved: with a lock that fails later, they would look abandoned.
      */
     private void acquireLock() throws IOException {
-        if (!locking || lock != null) {
+        if (!locking || lock != null || Files.exists(ownFile())) {
             return;
         }
         Path lockFile = folder.resolve(process + LOCK_SUFFIX);

@@ -82,9 +82,13 @@ class RecoveryStoreTest {
     /** A lock that nobody holds would show other windows that the edits were left by a crash. */
     @Test
     void whereFilesCannotBeLockedTheProcessIdShowsThatTheEditsAreInUse() throws Exception {
-        Path unlockable = new FilesWithoutLocks().forwarding(folder);
+        FilesWithoutLocks files = new FilesWithoutLocks();
+        Path unlockable = files.forwarding(folder);
         RecoveryStore store = new RecoveryStore(unlockable);
-        store.save(null, Scenario.load(Path.of("scenarios/collision-on-purpose.xml")));
+        Scenario scenario = Scenario.load(Path.of("scenarios/collision-on-purpose.xml"));
+        store.save(null, scenario);
+        store.save(null, scenario);
+        assertEquals(1, files.attempts, "a lock file beside saved edits would show for a moment that nobody uses them");
         assertEquals(2, countFiles(folder), "the edits and their origin");
         assertEquals(Optional.empty(), new RecoveryStore(unlockable, 0, Instant.EPOCH).findOrphan());
         store.delete();
@@ -93,12 +97,16 @@ class RecoveryStoreTest {
 
     /** As a network drive without a lock service: a closed channel refuses to lock with an {@link IOException}. */
     private static final class FilesWithoutLocks extends ForwardingFileSystemProvider {
+
+        private int attempts;
+
         @Override
         public FileChannel newFileChannel(Path path, Set<? extends OpenOption> options, FileAttribute<?>... attributes)
                 throws IOException {
             FileChannel channel = super.newFileChannel(path, options, attributes);
             if (path.toString().endsWith(".lock")) {
                 channel.close();
+                attempts++;
             }
             return channel;
         }
