@@ -34,7 +34,7 @@ final class DetachedProcesses {
 
     private final String mark;
 
-    /** The processes that ran before the child was started. They are not searched again, so a search is short. */
+    /** The processes that ran before the child was started, also this one. None of them is a descendant. */
     private final Set<ProcessHandle> earlier = ProcessHandle.allProcesses().collect(Collectors.toSet());
 
     private volatile Set<String> pipes = Set.of();
@@ -97,14 +97,12 @@ final class DetachedProcesses {
         }
     }
 
-    /** The program itself has the other ends, and a process that it is just starting may still have them. */
+    /** A process that the program is just starting may still have the other ends. */
     private boolean hasPipe(ProcessHandle process) {
-        ProcessHandle own = ProcessHandle.current();
         return IntStream.range(0, STANDARD_STREAMS)
                         .mapToObj(stream -> pipe(process.pid(), stream))
                         .flatMap(Optional::stream)
                         .anyMatch(pipes::contains)
-                && !process.equals(own)
-                && !process.parent().equals(Optional.of(own));
+                && !process.parent().equals(Optional.of(ProcessHandle.current()));
     }
 }
