@@ -30,7 +30,10 @@ final class AttributeConflicts {
         this.found = found;
     }
 
-    /** Reports each attribute that is set twice. Variants and masks may replace a constant value. */
+    /**
+     * Reports each attribute that is set twice, in worlds of each kind. Variants and masks may replace a constant
+     * value.
+     */
     static void report(
             List<WorldSource> worlds, List<ScenarioChange> constants, List<Factor> factors, Problems problems) {
         Set<ScenarioChange.SetAttribute> found = new LinkedHashSet<>();

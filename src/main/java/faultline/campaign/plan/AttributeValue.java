@@ -2,7 +2,9 @@ package faultline.campaign.plan;
 
 import faultline.io.DecimalText;
 import java.math.BigDecimal;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The text of an attribute in a run: fixed, or drawn for each block of runs. */
 sealed interface AttributeValue {
@@ -13,11 +15,19 @@ sealed interface AttributeValue {
     /** Returns the text for a block of runs, counted from 0, with the draws of the plan. */
     String text(UniformSource numbers, long block);
 
+    /** Returns the ranges from which it is drawn; none if it is the same in every run. */
+    List<DrawRange> ranges();
+
     /** A text that is the same in every run. */
     record FixedValue(String text) implements AttributeValue {
         @Override
         public String text(UniformSource numbers, long block) {
             return text;
+        }
+
+        @Override
+        public List<DrawRange> ranges() {
+            return List.of();
         }
     }
 
@@ -26,6 +36,11 @@ sealed interface AttributeValue {
         @Override
         public String text(UniformSource numbers, long block) {
             return range.at(numbers.uniform(stream, block));
+        }
+
+        @Override
+        public List<DrawRange> ranges() {
+            return List.of(range);
         }
     }
 
@@ -39,6 +54,12 @@ sealed interface AttributeValue {
             return a.isEmpty() || b.isEmpty()
                     ? text
                     : a.get().add(b.get()).stripTrailingZeros().toPlainString();
+        }
+
+        @Override
+        public List<DrawRange> ranges() {
+            return Stream.concat(first.ranges().stream(), second.ranges().stream())
+                    .toList();
         }
     }
 

@@ -14,13 +14,18 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * Tries every level of every factor in every scenario of a plan, one level at a time, so that an invalid value is
- * reported at its location in the plan before any run. Draws are tried at the ends of their ranges.
+ * Tries every level of every factor in every kind of world of a plan, one level at a time, so that an invalid value is
+ * reported at its location in the plan before any run. Draws are tried at the ends of their ranges. After very many
+ * trials, only the constant changes are tried in each further world.
  */
 final class PlanCheck {
 
+    /** The number of trials, each of which takes about 0.1 ms in a room, after which levels are not tried. */
+    private static final int MAX_TRIALS = 50_000;
+
     private final CampaignPlan plan;
     private final Problems problems;
+    private int trials;
 
     PlanCheck(String file, CampaignPlan plan) {
         this.plan = plan;
@@ -29,15 +34,19 @@ final class PlanCheck {
 
     void check(PlanWorlds worlds, List<ScenarioChange> constants, List<Factor> factors) throws ScenarioException {
         Set<String> reported = new HashSet<>();
-        for (WorldSource source : worlds.sources()) {
+        boolean typeVaries = factors.stream().anyMatch(PlanCheck::setsType);
+        for (WorldSource source : worlds.kinds()) {
             XmlElement root = source.root(0);
-            boolean typeVaries = factors.stream().anyMatch(PlanCheck::setsType);
             check(source.label(0), root, constants, typeVaries, reported);
             for (Factor factor : factors) {
+                boolean otherSetsType = typeVaries && !setsType(factor);
                 for (Factor.Level level : factor.levels()) {
+                    if (trials >= MAX_TRIALS) {
+                        break;
+                    }
                     List<ScenarioChange> edits = new ArrayList<>(constants);
                     edits.addAll(level.edits());
-                    check(source.label(0), root, edits, typeVaries && !setsType(factor), reported);
+                    check(source.label(0), root, edits, otherSetsType, reported);
                 }
             }
         }
@@ -61,6 +70,10 @@ final class PlanCheck {
     private void check(
             String world, XmlElement root, List<ScenarioChange> edits, boolean typeVaries, Set<String> reported) {
         for (double uniform : uniforms(edits)) {
+            if (uniform > 0 && trials >= MAX_TRIALS) {
+                break;
+            }
+            trials++;
             try {
                 Scenario scenario = Scenario.read("", plan.apply(root, edits, (stream, block) -> uniform, 0));
                 if (scenario.setup().controller() instanceof ControllerSpec.Extern && !typeVaries) {
@@ -74,16 +87,23 @@ final class PlanCheck {
         }
     }
 
-    /** Returns the draws that give both ends of every interval and every word of every choice. */
+    /**
+     * Returns the draws that give both ends of every interval and every word of every choice; one draw if nothing is
+     * drawn.
+     */
     private static Set<Double> uniforms(List<ScenarioChange> edits) {
-        Set<Double> uniforms = new TreeSet<>(Set.of(0.0, Math.nextDown(1.0)));
-        edits.forEach(edit -> edit.values().forEach(value -> {
-            if (value instanceof AttributeValue.DrawnValue drawn && drawn.range() instanceof DrawRange.Words choice) {
-                for (int i = 0; i < choice.words().size(); i++) {
-                    uniforms.add((i + 0.5) / choice.words().size());
-                }
-            }
-        }));
+        Set<Double> uniforms = new TreeSet<>(Set.of(0.0));
+        edits.stream()
+                .flatMap(edit -> edit.values().stream())
+                .flatMap(value -> value.ranges().stream())
+                .forEach(range -> {
+                    uniforms.add(Math.nextDown(1.0));
+                    if (range instanceof DrawRange.Words choice) {
+                        for (int i = 0; i < choice.words().size(); i++) {
+                            uniforms.add((i + 0.5) / choice.words().size());
+                        }
+                    }
+                });
         return uniforms;
     }
 

@@ -65,7 +65,7 @@ final class PlanReader {
         Seeds seeds = root.firstChild("seeds").map(this::readSeeds).orElse(Seeds.DEFAULT);
         root.children().forEach(this::readFactor);
         checkColumns(root);
-        AttributeConflicts.report(worlds, constants, factors, problems);
+        AttributeConflicts.report(WorldSource.kinds(worlds), constants, factors, problems);
         checkSize(root, worlds, seeds);
         return problems.isEmpty()
                 ? Optional.of(new CampaignPlan(

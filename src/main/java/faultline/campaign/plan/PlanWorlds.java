@@ -4,6 +4,8 @@ import faultline.scenario.xml.XmlElement;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
+import java.util.TreeMap;
 import java.util.function.BiFunction;
 
 /** All worlds of a plan, numbered consecutively. Trees of generated worlds are cached. Safe on any thread. */
@@ -11,7 +13,9 @@ final class PlanWorlds {
 
     private static final int MAX_KEPT = 64;
 
-    private final List<WorldSource> sources;
+    /** The sources by the number of the first world of each. */
+    private final NavigableMap<Integer, WorldSource> sources = new TreeMap<>();
+
     private final int count;
     private final Map<Integer, XmlElement> kept = new LinkedHashMap<>(MAX_KEPT, 0.75f, true) {
         private static final long serialVersionUID = 1L;
@@ -23,12 +27,17 @@ final class PlanWorlds {
     };
 
     PlanWorlds(List<WorldSource> sources) {
-        this.sources = List.copyOf(sources);
-        this.count = sources.stream().mapToInt(WorldSource::count).sum();
+        int first = 0;
+        for (WorldSource source : sources) {
+            this.sources.put(first, source);
+            first += source.count();
+        }
+        this.count = first;
     }
 
-    List<WorldSource> sources() {
-        return sources;
+    /** Returns sources of all kinds of worlds, see {@link WorldSource#kinds}. */
+    List<WorldSource> kinds() {
+        return WorldSource.kinds(sources.values());
     }
 
     int count() {
@@ -45,13 +54,7 @@ final class PlanWorlds {
 
     /** Calls the source of a world with the number of the world in that source. */
     private <T> T at(int index, BiFunction<WorldSource, Integer, T> property) {
-        int rest = index;
-        for (WorldSource source : sources) {
-            if (rest < source.count()) {
-                return property.apply(source, rest);
-            }
-            rest -= source.count();
-        }
-        throw new IndexOutOfBoundsException(index);
+        Map.Entry<Integer, WorldSource> source = sources.floorEntry(index);
+        return property.apply(source.getValue(), index - source.getKey());
     }
 }

@@ -9,9 +9,10 @@ import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import java.io.IOException;
+import java.util.Collection;
+import java.util.HashSet;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.Set;
 
 /** A source of worlds of a plan. */
 sealed interface WorldSource {
@@ -24,6 +25,14 @@ sealed interface WorldSource {
 
     /** Returns the scenario of a world as a tree of elements. */
     XmlElement root(int index);
+
+    /** Returns all scenario files of some sources, and the first source of rooms with each set of rules. */
+    static List<WorldSource> kinds(Collection<WorldSource> sources) {
+        Set<RoomRules> rules = new HashSet<>();
+        return sources.stream()
+                .filter(source -> !(source instanceof Rooms rooms) || rules.add(rooms.rules))
+                .toList();
+    }
 
     /** A scenario file: its name in {@code runs.csv}, its name in the plan, and its content. */
     record ScenarioFile(String label, String file, XmlElement tree) implements WorldSource {
@@ -46,11 +55,9 @@ sealed interface WorldSource {
     /** Generated rooms with consecutive seeds, and the rules for their corners and visitors. */
     record Rooms(long first, int count, RoomRules rules) implements WorldSource {
 
-        private static final Pattern NAME = Pattern.compile("room-(0|[1-9]\\d{0,17})(.*)");
-
         @Override
         public String label(int index) {
-            return "room-" + (first + index) + suffix();
+            return label(first + index, suffix());
         }
 
         @Override
@@ -60,20 +67,15 @@ sealed interface WorldSource {
             return toTree(new Scenario(label(index), "", false, setup, Expectation.NONE));
         }
 
-        /** Returns whether one of these rooms has a name. */
-        boolean contains(String label) {
-            Matcher name = NAME.matcher(label);
-            if (!name.matches() || !name.group(2).equals(suffix())) {
-                return false;
-            }
-            long number = Long.parseLong(name.group(1));
-            return number >= first && number < first + count;
-        }
-
-        /** Rooms with rules other than the default have different names. */
-        private String suffix() {
+        /** Returns the end of their names, which is not empty if their rules are not the default ones. */
+        String suffix() {
             String corners = rules.minCorner() == RoomRules.DEFAULT.minCorner() ? "" : "-corners-" + rules.minCorner();
             return corners + (rules.visitors() == 0 ? "" : "-visitors-" + rules.visitors());
+        }
+
+        /** Returns the name of a room with a number and an end. */
+        static String label(long number, String suffix) {
+            return "room-" + number + suffix;
         }
 
         /** Omits the default controller, whose attributes another one does not have. */

@@ -24,6 +24,7 @@ final class WorldsReader {
     private final PlanFiles.Resolver resolver;
     private final Map<String, byte[]> scenarios;
     private final Set<String> labels = new HashSet<>();
+    private final RoomNames rooms = new RoomNames();
 
     /** Creates a reader that puts the bytes of the scenarios into a map, by their names. */
     WorldsReader(Problems problems, PlanFiles.Resolver resolver, Map<String, byte[]> scenarios) {
@@ -40,7 +41,7 @@ final class WorldsReader {
             new AttributeReader(node, problems).reportUnknownAndMissing();
             for (XmlElement child : node.children()) {
                 readSource(child).ifPresent(source -> {
-                    checkRooms(child, source, sources);
+                    checkRooms(child, source);
                     sources.add(source);
                 });
             }
@@ -52,17 +53,10 @@ final class WorldsReader {
     }
 
     /** Reports rooms that are worlds already, and a scenario with the name of a room. */
-    private void checkRooms(XmlElement node, WorldSource source, List<WorldSource> earlier) {
-        for (WorldSource other : earlier) {
-            if (other instanceof WorldSource.Rooms rooms && rooms.contains(source.label(0))) {
-                String label = MessageText.excerpt(source.label(0));
-                boolean scenario = source instanceof WorldSource.ScenarioFile;
-                problems.add(
-                        node, (scenario ? PlanProblem.DUPLICATE_SCENARIO : PlanProblem.DUPLICATE_ROOM).with(label));
-            } else if (source instanceof WorldSource.Rooms rooms && rooms.contains(other.label(0))) {
-                problems.add(node, PlanProblem.DUPLICATE_ROOM.with(MessageText.excerpt(other.label(0))));
-            }
-        }
+    private void checkRooms(XmlElement node, WorldSource source) {
+        PlanProblem problem =
+                source instanceof WorldSource.Rooms ? PlanProblem.DUPLICATE_ROOM : PlanProblem.DUPLICATE_SCENARIO;
+        rooms.add(source).ifPresent(name -> problems.add(node, problem.with(MessageText.excerpt(name))));
     }
 
     private Optional<WorldSource> readSource(XmlElement node) {

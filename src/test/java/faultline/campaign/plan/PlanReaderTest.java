@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.CpuTime;
 import faultline.campaign.RoomRules;
 import faultline.scenario.xml.ScenarioException;
 import java.io.File;
@@ -11,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -80,6 +82,19 @@ class PlanReaderTest {
                 ScenarioException.class, () -> SamplePlan.read(SamplePlan.text("", "<worlds>" + worlds + "</worlds>")));
         assertEquals(1, refusal.problems().size());
         assertEquals(problem, refusal.problems().get(0).toString().replaceFirst("^plan.xml:2:\\d+: ", ""));
+    }
+
+    /** A comparison of all pairs takes several times as long, as does a room for each element. */
+    @Test
+    void manyRoomsAreReadInAlmostLinearTime() throws ScenarioException {
+        String rooms = IntStream.range(0, 50_000)
+                .mapToObj(i -> "<rooms first=\"" + i + "\" visitors=\"" + i % 4 + "\"/>")
+                .collect(Collectors.joining());
+        CpuTime time = CpuTime.start();
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", "<worlds>" + rooms + "</worlds>"));
+        time.assertBelow(10);
+        assertEquals(50_000, plan.worldCount());
+        assertEquals("room-49999-visitors-3", plan.run(49_999).world());
     }
 
     @Test
