@@ -132,6 +132,9 @@ final class SensorInspection extends PacedCheck {
         alert = isSuspicious(time);
         for (InspectedSensor sensor : sensors) {
             inspect(sensor, readings, time);
+        }
+        // After all of them, because the judgement of one sensor can restore the trust in another.
+        for (InspectedSensor sensor : sensors) {
             report.update(sensor, assessment, tick);
         }
         if (alert || reckoning.distance() - bodyMarkedDistance > MARKING) {

@@ -1,10 +1,15 @@
 package faultline.control.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
 import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
@@ -33,5 +38,34 @@ class HealthReportTest {
         assertTrust(SensorTrust.SUSPECTED, 0.4, 0.41);
         assertTrust(SensorTrust.TRUSTED, 0.3, 0.39);
         assertTrust(SensorTrust.TRUSTED, 0.2, 0.29);
+    }
+
+    /** The first sensor is contradicted only by two that are inspected, and lose trust, after it. */
+    @Test
+    void aSensorIsReportedAsTrustedInTheInspectionThatRestoresTheTrustInIt() {
+        InspectedSensor first = sensors[0];
+        InspectedSensor second = sensors[1];
+        InspectedSensor third = sensors[2];
+        MotionAccumulator motion = new MotionAccumulator();
+        SensorInspection inspection = new SensorInspection(
+                new EvidenceGrid(sensors.length + 1), new DeadReckoning(), new MotionClock(), motion, report);
+        inspection.refit(sensors, 0.1, assessment);
+        double[] readings = new double[sensors.length];
+        Arrays.fill(readings, Reading.NOTHING);
+
+        assessment.addContradiction(0, second.bit() | third.bit(), 10);
+        motion.advance(0, 0, 1);
+        inspection.run(readings, 100);
+        assertEquals(SensorFinding.CONTRADICTED, report.all().get(0).finding());
+
+        assessment.addContradiction(1, second.bit(), 20);
+        assessment.addContradiction(2, third.bit(), 15);
+        motion.advance(0, 0, 1);
+        inspection.run(readings, 200);
+        assertFalse(second.isTrusted() || third.isTrusted());
+        assertTrue(first.isTrusted());
+        SensorHealth restored = report.all().get(0);
+        assertEquals(SensorTrust.TRUSTED, restored.trust());
+        assertEquals(200, restored.sinceTick());
     }
 }
