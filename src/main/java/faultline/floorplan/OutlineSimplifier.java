@@ -10,7 +10,14 @@ import java.util.Deque;
  */
 public final class OutlineSimplifier {
 
-    private record Range(int from, int to) {}
+    /**
+     * The number of divisions, one within another, after which ranges are halved. An outline of a building needs a few
+     * dozen; one that loses one corner in each division, such as that of a comb, would take quadratic time.
+     */
+    private static final int MAX_DEPTH = 500;
+
+    /** The corners between two that are kept, and the number of divisions that made this range. */
+    private record Range(int from, int to, int depth) {}
 
     private OutlineSimplifier() {}
 
@@ -27,15 +34,16 @@ public final class OutlineSimplifier {
         kept.set(0);
         kept.set(opposite);
         Deque<Range> open = new ArrayDeque<>();
-        open.push(new Range(0, opposite));
-        open.push(new Range(opposite, ring.size()));
+        open.push(new Range(0, opposite, 0));
+        open.push(new Range(opposite, ring.size(), 0));
         while (!open.isEmpty()) {
             Range range = open.pop();
             int farthest = farthestFromChord(ring, range, tolerance);
             if (farthest >= 0) {
-                kept.set(farthest);
-                open.push(new Range(range.from(), farthest));
-                open.push(new Range(farthest, range.to()));
+                int middle = range.depth() < MAX_DEPTH ? farthest : (range.from() + range.to()) / 2;
+                kept.set(middle);
+                open.push(new Range(range.from(), middle, range.depth() + 1));
+                open.push(new Range(middle, range.to(), range.depth() + 1));
             }
         }
         return kept.cardinality() < 3 ? ring : ring.select(kept.stream().toArray());

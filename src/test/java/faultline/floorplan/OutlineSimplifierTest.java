@@ -4,6 +4,7 @@ import static faultline.floorplan.OutlineTracerTest.cells;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.CpuTime;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -35,6 +36,25 @@ class OutlineSimplifierTest {
     void aBoundOfNothingKeepsEveryCorner() {
         GridRing ring = OutlineTracer.trace(cells("#..", "##.", "###")).get(0);
         assertEquals(ring.size(), OutlineSimplifier.simplify(ring, 0).size());
+    }
+
+    /** Each division of a comb takes one tooth off, so that all divisions together took quadratic time. */
+    @Test
+    void aCombIsSimplifiedInAlmostLinearTime() {
+        int teeth = 50_000;
+        int[] columns = new int[4 * teeth];
+        int[] rows = new int[4 * teeth];
+        for (int i = 0; i < 4 * teeth; i++) {
+            columns[i] = (i + 1) / 2;
+            rows[i] = i % 4 == 0 || i % 4 == 3 ? 0 : 1;
+        }
+        GridRing comb = new GridRing(columns, rows);
+        CpuTime time = CpuTime.start();
+        GridRing simple = OutlineSimplifier.simplify(comb, 0.4);
+        time.assertBelow(5);
+        for (int i = 0; i < comb.size(); i += 9973) {
+            assertTrue(distance(simple, comb.column(i), comb.row(i)) <= 0.4);
+        }
     }
 
     private static double distance(GridRing ring, double x, double y) {
