@@ -81,13 +81,13 @@ class PaintTimesRobotTest {
         meter.drain();
         measure("running", this::watch);
         measure("panning", this::pan);
-        measure("zooming by the wheel", () -> repeat(20, turn -> driver.robot().rotateWheel(turn < 10 ? -1 : 1)));
+        measure("zooming by the wheel", () -> repeat(10, turn -> driver.robot().rotateWheel(turn < 5 ? -1 : 1)));
         measure("fitting", () -> driver.choose("fit"));
         measure("dragging an obstacle", this::dragAnObstacle);
-        measure("undoing and redoing", () -> repeat(20, turn -> driver.choose(turn % 2 == 0 ? "undo" : "redo")));
+        measure("undoing and redoing", () -> repeat(10, turn -> driver.choose(turn % 2 == 0 ? "undo" : "redo")));
         measure("selecting all", () -> driver.choose("selectAll"));
         measure("dragging all", this::dragAnObstacle);
-        measure("switching sensors", () -> repeat(8, turn -> driver.robot().pressKeys(KeyEvent.VK_1 + turn % 4)));
+        measure("switching sensors", () -> repeat(4, turn -> driver.robot().pressKeys(KeyEvent.VK_1 + turn % 4)));
         measure("names on and off", () -> repeat(4, turn -> driver.choose("labels")));
         measure("path on and off", () -> repeat(4, turn -> driver.choose("path")));
         measure("dark and light", () -> repeat(2, turn -> driver.choose("dark")));
