@@ -31,6 +31,7 @@ final class InspectedSensor {
     private ConeTable table;
     private SensorFinding finding = SensorFinding.NONE;
     private double since;
+    private double offAt = Double.NEGATIVE_INFINITY;
     private double probation = FIRST_PROBATION;
     private boolean wasDistrusted;
     private double confirmations;
@@ -163,8 +164,16 @@ final class InspectedSensor {
             wasDistrusted = true;
             disagreement = 0;
         }
+        if (reason == SensorFinding.OFF) {
+            offAt = time;
+        }
         since = time;
         confirmations = 0;
+    }
+
+    /** Returns when it last gave no answer, seconds. */
+    double offAt() {
+        return offAt;
     }
 
     /** Resets the time after which it is tried again. */

@@ -166,10 +166,14 @@ final class TrustAssessment {
         return time - sensor.jumpedAt() < JUMP_MEMORY;
     }
 
-    /** Trusts sensors again that were contradicted only by sensors that are no longer trusted. */
+    /**
+     * Trusts sensors again that were contradicted only by sensors that are no longer trusted, except those that give no
+     * answer now.
+     */
     private void restoreContradicted(double time) {
         for (InspectedSensor sensor : sensors) {
             if (sensor.finding() == SensorFinding.CONTRADICTED
+                    && sensor.offAt() != time
                     && time - sensor.since() < RESTORATION
                     && conflicts.against(sensor.index(), trusted) < FORGIVEN) {
                 trust(sensor, time);
