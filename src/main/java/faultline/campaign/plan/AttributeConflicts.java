@@ -18,7 +18,7 @@ import java.util.Set;
  */
 final class AttributeConflicts {
 
-    private final XmlElement world;
+    private final ScenarioTree world;
     private final Set<ScenarioChange.SetAttribute> found;
     private final Map<AttributePath, AttributePath> numbered = new HashMap<>();
     private final Set<AttributePath> constant = new HashSet<>();
@@ -26,7 +26,7 @@ final class AttributeConflicts {
 
     /** Creates a finder of conflicts in a world; the changes that set an attribute again are added to a set. */
     private AttributeConflicts(XmlElement world, Set<ScenarioChange.SetAttribute> found) {
-        this.world = world;
+        this.world = new ScenarioTree(world);
         this.found = found;
     }
 
@@ -75,6 +75,6 @@ final class AttributeConflicts {
     }
 
     private AttributePath numbered(ScenarioChange.SetAttribute change) {
-        return numbered.computeIfAbsent(change.path(), path -> ScenarioTree.numbered(world, path));
+        return numbered.computeIfAbsent(change.path(), world::numbered);
     }
 }

@@ -59,7 +59,15 @@ record AttributePath(List<PathStep> steps, String attribute) {
      * An element by its name, and its id or its number among the elements with its name, from 1; empty for the only
      * one.
      */
-    record PathStep(String element, String key) {}
+    record PathStep(String element, String key) {
+
+        private static final Pattern NUMBER = Pattern.compile("[1-9]\\d{0,5}");
+
+        /** Returns whether its key can be a number. */
+        boolean isNumbered() {
+            return NUMBER.matcher(key).matches();
+        }
+    }
 
     /** Parses a path, which may start with {@code scenario/}; returns an empty result if the text is not a path. */
     static Optional<AttributePath> parse(String text) {

@@ -184,22 +184,24 @@ public final class CampaignPlan {
     private XmlElement withSeed(XmlElement tree, PlannedRun run) throws ScenarioException {
         AttributePath seed = new AttributePath(List.of(), "seed");
         AttributePath name = new AttributePath(List.of(), "name");
-        XmlElement seeded = ScenarioTree.set(tree, seed, Long.toString(run.seed()), file, SourceLocation.NONE);
-        return ScenarioTree.set(seeded, name, "Run " + run.index(), file, SourceLocation.NONE);
+        ScenarioTree named = new ScenarioTree(tree);
+        named.set(seed, Long.toString(run.seed()), file, SourceLocation.NONE);
+        named.set(name, "Run " + run.index(), file, SourceLocation.NONE);
+        return named.toElement();
     }
 
     /** Makes changes in a tree, in their order. */
     XmlElement apply(XmlElement root, List<ScenarioChange> edits, AttributeValue.UniformSource numbers, long block)
             throws ScenarioException {
-        XmlElement tree = root;
+        ScenarioTree tree = new ScenarioTree(root);
         for (ScenarioChange edit : edits) {
-            tree = edit.apply(tree, numbers, block, file);
+            edit.apply(tree, numbers, block, file);
         }
-        return tree;
+        return tree.toElement();
     }
 
     /** Checks every level of every factor in every kind of world, one at a time. */
     void check() throws ScenarioException {
-        new PlanCheck(file, this).check(worlds, commonChanges, factors);
+        new PlanCheck(file, this, commonChanges).check(worlds, factors);
     }
 }

@@ -7,50 +7,87 @@ import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 
 /**
  * Tries every level of every factor in every kind of world of a plan, one level at a time, so that an invalid value is
  * reported at its location in the plan before any run. Draws are tried at the ends of their ranges. After very many
- * trials, only the constant changes are tried in each further world.
+ * trials or problems, only the constant changes are tried in each further world.
  */
 final class PlanCheck {
 
-    /** The number of trials, each of which takes about 0.1 ms in a room, after which levels are not tried. */
-    private static final int MAX_TRIALS = 50_000;
+    /**
+     * The sum of the {@linkplain #size sizes} of scenarios after which levels are not tried; it takes several seconds.
+     */
+    private static final long MAX_TRIED = 200_000;
+
+    /** The characters of attributes that take as long to check as an element. */
+    private static final int TEXT_PER_ELEMENT = 4000;
 
     private final CampaignPlan plan;
     private final Problems problems;
-    private int trials;
+    private final List<ScenarioChange> constants;
+    private final Set<SourceLocation> constantLocations;
+    private final Set<String> reported = new HashSet<>();
+    private long tried;
 
-    PlanCheck(String file, CampaignPlan plan) {
+    /** Creates a check of a plan in a file, whose changes of every scenario are given. */
+    PlanCheck(String file, CampaignPlan plan, List<ScenarioChange> constants) {
         this.plan = plan;
         this.problems = new Problems(file);
+        this.constants = constants;
+        this.constantLocations =
+                constants.stream().map(ScenarioChange::location).collect(Collectors.toSet());
     }
 
-    void check(PlanWorlds worlds, List<ScenarioChange> constants, List<Factor> factors) throws ScenarioException {
-        Set<String> reported = new HashSet<>();
+    void check(PlanWorlds worlds, List<Factor> factors) throws ScenarioException {
         boolean typeVaries = factors.stream().anyMatch(PlanCheck::setsType);
         for (WorldSource source : worlds.kinds()) {
-            XmlElement root = source.root(0);
-            check(source.label(0), root, constants, typeVaries, reported);
-            for (Factor factor : factors) {
-                boolean otherSetsType = typeVaries && !setsType(factor);
-                for (Factor.Level level : factor.levels()) {
-                    if (trials >= MAX_TRIALS) {
-                        break;
-                    }
-                    List<ScenarioChange> edits = new ArrayList<>(constants);
-                    edits.addAll(level.edits());
-                    check(source.label(0), root, edits, otherSetsType, reported);
-                }
-            }
+            check(source, factors, typeVaries);
         }
         problems.throwIfAny();
+    }
+
+    private void check(WorldSource source, List<Factor> factors, boolean typeVaries) {
+        XmlElement root;
+        try {
+            root = plan.apply(source.root(0), constants, (stream, block) -> 0, 0);
+        } catch (ScenarioException e) {
+            report(source.label(0), e.problems(), List.of());
+            return;
+        }
+        CheckedWorld world = new CheckedWorld(source.label(0), root, size(root));
+        check(world, List.of(), typeVaries);
+        for (Factor factor : factors) {
+            boolean otherSetsType = typeVaries && !setsType(factor);
+            for (Factor.Level level : factor.levels()) {
+                if (isEnough()) {
+                    return;
+                }
+                check(world, level.edits(), otherSetsType);
+            }
+        }
+    }
+
+    /** Returns whether the check takes long, or has found many problems, so that no more levels are tried. */
+    private boolean isEnough() {
+        return tried >= MAX_TRIED || reported.size() >= 10 * Problems.MAX_LISTED;
+    }
+
+    /** A world with the constant changes, its name, and its size. */
+    private record CheckedWorld(String name, XmlElement root, long size) {}
+
+    /** Returns the number of elements, and a share for the text of their attributes. */
+    private static long size(XmlElement node) {
+        long text =
+                node.attributes().values().stream().mapToLong(String::length).sum();
+        return 1
+                + text / TEXT_PER_ELEMENT
+                + node.children().stream().mapToLong(PlanCheck::size).sum();
     }
 
     /** Returns whether a factor sets the type of the controller, which no other factor does then. */
@@ -67,22 +104,20 @@ final class PlanCheck {
     }
 
     /** Checks some changes of a world, given whether another factor also sets the type of the controller. */
-    private void check(
-            String world, XmlElement root, List<ScenarioChange> edits, boolean typeVaries, Set<String> reported) {
+    private void check(CheckedWorld world, List<ScenarioChange> edits, boolean typeVaries) {
         for (double uniform : uniforms(edits)) {
-            if (uniform > 0 && trials >= MAX_TRIALS) {
-                break;
+            if (uniform > 0 && isEnough()) {
+                return;
             }
-            trials++;
+            tried += world.size + edits.size();
             try {
-                Scenario scenario = Scenario.read("", plan.apply(root, edits, (stream, block) -> uniform, 0));
+                Scenario scenario = Scenario.read("", plan.apply(world.root, edits, (stream, block) -> uniform, 0));
                 if (scenario.setup().controller() instanceof ControllerSpec.Extern && !typeVaries) {
-                    report(world, new Problem("", SourceLocation.NONE, PlanProblem.EXTERN.with()), edits, reported);
+                    Problem outside = new Problem("", SourceLocation.NONE, PlanProblem.EXTERN.with());
+                    report(world.name, List.of(outside), edits);
                 }
             } catch (ScenarioException e) {
-                for (Problem problem : e.problems()) {
-                    report(world, problem, edits, reported);
-                }
+                report(world.name, e.problems(), edits);
             }
         }
     }
@@ -108,16 +143,21 @@ final class PlanCheck {
     }
 
     /**
-     * Reports a problem. If its location is in the scenario instead of the plan, it is reported at the level's last
+     * Reports problems. One whose location is in the scenario instead of the plan is reported at the level's last
      * change.
      */
-    private void report(String world, Problem problem, List<ScenarioChange> edits, Set<String> reported) {
-        boolean inPlan = edits.stream().anyMatch(edit -> edit.location().equals(problem.location()));
-        SourceLocation location = inPlan || edits.isEmpty()
-                ? problem.location()
-                : edits.get(edits.size() - 1).location();
-        if (reported.add(location.toString() + problem.message())) {
-            problems.add(location, PlanProblem.IN_WORLD.with(problem.message(), world));
+    private void report(String world, List<Problem> found, List<ScenarioChange> edits) {
+        List<ScenarioChange> last = edits.isEmpty() ? constants : edits;
+        Set<SourceLocation> changed =
+                edits.stream().map(ScenarioChange::location).collect(Collectors.toSet());
+        for (Problem problem : found) {
+            boolean inPlan = changed.contains(problem.location()) || constantLocations.contains(problem.location());
+            SourceLocation location = inPlan || last.isEmpty()
+                    ? problem.location()
+                    : last.get(last.size() - 1).location();
+            if (reported.add(location.toString() + problem.message())) {
+                problems.add(location, PlanProblem.IN_WORLD.with(problem.message(), world));
+            }
         }
     }
 }

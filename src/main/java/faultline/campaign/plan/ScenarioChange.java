@@ -2,7 +2,6 @@ package faultline.campaign.plan;
 
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
-import faultline.scenario.xml.XmlElement;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -18,8 +17,8 @@ sealed interface ScenarioChange {
     /** Returns the values that the change sets. */
     Collection<AttributeValue> values();
 
-    /** Returns the changed tree of a block of runs, counted from 0; the file of the plan is named in problems. */
-    XmlElement apply(XmlElement tree, AttributeValue.UniformSource numbers, long block, String file)
+    /** Changes the tree of a block of runs, counted from 0; the file of the plan is named in problems. */
+    void apply(ScenarioTree tree, AttributeValue.UniformSource numbers, long block, String file)
             throws ScenarioException;
 
     /** Sets an attribute. */
@@ -31,9 +30,9 @@ sealed interface ScenarioChange {
         }
 
         @Override
-        public XmlElement apply(XmlElement tree, AttributeValue.UniformSource numbers, long block, String file)
+        public void apply(ScenarioTree tree, AttributeValue.UniformSource numbers, long block, String file)
                 throws ScenarioException {
-            return ScenarioTree.set(tree, path, value.text(numbers, block), file, location);
+            tree.set(path, value.text(numbers, block), file, location);
         }
     }
 
@@ -49,10 +48,10 @@ sealed interface ScenarioChange {
         }
 
         @Override
-        public XmlElement apply(XmlElement tree, AttributeValue.UniformSource numbers, long block, String file) {
+        public void apply(ScenarioTree tree, AttributeValue.UniformSource numbers, long block, String file) {
             Map<String, String> texts = new LinkedHashMap<>();
             attributes.forEach((name, value) -> texts.put(name, value.text(numbers, block)));
-            return ScenarioTree.addFault(tree, texts, location);
+            tree.addFault(texts, location);
         }
     }
 }
