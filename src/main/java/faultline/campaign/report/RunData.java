@@ -21,6 +21,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Function;
 
 /** The runs of a campaign, and the meaning of their columns according to the plan. */
@@ -35,7 +37,8 @@ final class RunData {
     private final CampaignPlan plan;
     private final Map<String, Integer> indices = new HashMap<>();
     private final List<RunRow> rows = new ArrayList<>();
-    private final List<Integer> damagedRows = new ArrayList<>();
+    /** The numbers of cells of the rows that have more or fewer than the header, by the numbers of their lines. */
+    private final SortedMap<Integer, Integer> damagedRows = new TreeMap<>();
 
     /** Creates the data of a table from the cells of its header and rows; an incomplete last row is omitted. */
     RunData(CampaignPlan plan, Iterable<List<String>> lines) {
@@ -48,11 +51,11 @@ final class RunData {
             } else if (cells.size() == indices.size()) {
                 rows.add(new RunRow(this, cells));
             } else {
-                damagedRows.add(number);
+                damagedRows.put(number, cells.size());
             }
         }
         // The last row may be incomplete because it is still being written.
-        damagedRows.remove(Integer.valueOf(number));
+        damagedRows.remove(number);
     }
 
     /** Reads a table. Throws an exception if a row cannot be used. */
@@ -62,8 +65,8 @@ final class RunData {
             Map<String, String> shared = new HashMap<>();
             RunData data = new RunData(plan, in.lines().map(line -> cells(line, shared))::iterator);
             if (!data.damagedRows.isEmpty()) {
-                throw new IOException(table + ":" + data.damagedRows.get(0) + ": the row does not have "
-                        + data.indices.size() + " cells like the header");
+                int line = data.damagedRows.firstKey();
+                throw wrong(table, line, RowCheck.cellCount(data.damagedRows.get(line), data.indices.size()));
             }
             data.checkColumns(table);
             data.checkRows(table);
@@ -87,24 +90,29 @@ final class RunData {
 
     private void checkRows(Path table) throws IOException {
         BitSet runs = new BitSet();
+        int line = 1;
         for (RunRow row : rows) {
+            line++;
             Optional<String> problem = RowCheck.findProblem(row::text);
             if (problem.isPresent()) {
-                throw new IOException(table + ": " + problem.get());
+                throw wrong(table, line, problem.get());
             }
             long run = Long.parseLong(row.text("run"));
             if (run >= plan.runCount()) {
-                throw new IOException(
-                        table + ": run " + run + " is not in the plan; expected 0 to " + (plan.runCount() - 1));
+                throw wrong(table, line, "run " + run + " is not in the plan; expected 0 to " + (plan.runCount() - 1));
             }
             if (runs.get((int) run)) {
-                throw new IOException(table + ": run " + run + " is there twice; expected each run once");
+                throw wrong(table, line, "run " + run + " is there twice; expected each run once");
             }
             runs.set((int) run);
         }
         if (rows.isEmpty()) {
             throw new IOException(table + ":1:1: there is no row of a run; expected at least one below the header");
         }
+    }
+
+    private static IOException wrong(Path table, int line, String problem) {
+        return new IOException(table + ":" + line + ": " + problem);
     }
 
     /** Checks the length of the lines, because a long line of a damaged file could fill the memory. */

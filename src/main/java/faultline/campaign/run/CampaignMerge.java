@@ -2,6 +2,7 @@ package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.io.AtomicFile;
+import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -143,7 +144,7 @@ public final class CampaignMerge {
                 }
                 for (String line = in.next(); line.endsWith("\n"); line = in.next()) {
                     if (complete) {
-                        requireRun(next, line);
+                        requireRun(next, line, next - first);
                         List<String> cells = Csv.cells(line.stripTrailing());
                         requireGood(names, cells, next - first);
                         broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
@@ -159,18 +160,23 @@ public final class CampaignMerge {
             return broken;
         }
 
-        private void requireRun(long run, String line) throws IOException {
+        private void requireRun(long run, String line, long row) throws IOException {
             if (!line.startsWith(run + ",")) {
-                throw new IOException(file + ": run " + run + " is not where it should be");
+                String found = Csv.cells(line.stripTrailing()).get(0);
+                throw wrong(row, "run is " + MessageText.quoted(found) + "; expected " + run);
             }
         }
 
-        /** Throws an exception if a row, counted from 0 below the header, has an error. */
         private void requireGood(List<String> names, List<String> cells, long row) throws IOException {
             Optional<String> problem = RowCheck.findProblem(names, cells);
             if (problem.isPresent()) {
-                throw new IOException(file + ":" + (row + 2) + ": " + problem.get());
+                throw wrong(row, problem.get());
             }
+        }
+
+        /** Returns an exception for a row, counted from 0 below the header. */
+        private IOException wrong(long row, String problem) {
+            return new IOException(file + ":" + (row + 2) + ": " + problem);
         }
 
         private void write(String line) throws IOException {

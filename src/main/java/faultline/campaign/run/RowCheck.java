@@ -1,15 +1,23 @@
 package faultline.campaign.run;
 
 import faultline.io.MessageText;
+import faultline.scenario.xml.ScenarioLimits;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Checks a row of {@code runs.csv}, which people and other programs may have changed. */
 public final class RowCheck {
 
     private static final Set<String> FLAGS = Set.of("", "0", "1");
+
+    private static final String OUTCOMES = Stream.concat(
+                    Arrays.stream(Outcome.values()).map(Outcome::word), Stream.of(Outcome.BROKEN))
+            .collect(Collectors.joining(", ", "one of ", ""));
 
     private RowCheck() {}
 
@@ -25,7 +33,7 @@ public final class RowCheck {
         }
         boolean broken = outcome.equals(Outcome.BROKEN);
         if (!broken && Outcome.ofWord(outcome).isEmpty()) {
-            return problem("outcome", cell, "an outcome");
+            return problem("outcome", cell, OUTCOMES);
         }
         for (String column : List.of("carried_on", "collided")) {
             // A program that stores them as numbers with gaps writes 1.0.
@@ -36,8 +44,8 @@ public final class RowCheck {
         if (!isNumber(cell.apply("wall_share")) && !cell.apply("wall_share").isEmpty()) {
             return problem("wall_share", cell, "a number or nothing");
         }
-        if (!isNumber(cell.apply("simulated_s")) && !broken) {
-            return problem("simulated_s", cell, "a number");
+        if (!isDuration(cell.apply("simulated_s")) && !broken) {
+            return problem("simulated_s", cell, "a number from 0 to " + ScenarioLimits.MAX_DURATION);
         }
         return Optional.empty();
     }
@@ -45,13 +53,27 @@ public final class RowCheck {
     /** Returns the error in a row with a header; empty if the row is valid. */
     static Optional<String> findProblem(List<String> header, List<String> cells) {
         if (cells.size() != header.size()) {
-            return Optional.of("a row has " + cells.size() + " cells; expected " + header.size());
+            return Optional.of(cellCount(cells.size(), header.size()));
         }
         return findProblem(column -> header.contains(column) ? cells.get(header.indexOf(column)) : "");
     }
 
+    /**
+     * {@return the error in a row with another number of cells than the header, as the end of a sentence}
+     *
+     * @param cells the number of its cells
+     * @param expected the number of the header's cells
+     */
+    public static String cellCount(int cells, int expected) {
+        return "the row has " + cells + " cells; expected " + expected + " like the header";
+    }
+
     private static boolean isNumber(String text) {
         return text.matches("-?\\d{1,18}(\\.\\d{1,18})?(E-?\\d{1,2})?");
+    }
+
+    private static boolean isDuration(String text) {
+        return isNumber(text) && !text.startsWith("-") && Double.parseDouble(text) <= ScenarioLimits.MAX_DURATION;
     }
 
     private static Optional<String> problem(String column, UnaryOperator<String> cell, String expected) {

@@ -98,9 +98,11 @@ public final class WorstRuns {
         PriorityQueue<Candidate> worst = new PriorityQueue<>(Candidate.WORST_FIRST.reversed());
         try (LineReader in = new LineReader(folder.runs())) {
             List<String> header = Csv.cells(in.next().strip());
+            long number = 1;
             for (String line = in.next(); !line.isEmpty(); line = in.next()) {
                 List<String> cells = Csv.cells(line.stripTrailing());
-                requireGood(header, cells);
+                number++;
+                requireGood(header, cells, number);
                 Outcome.ofWord(cells.get(header.indexOf("outcome")))
                         .ifPresent(outcome -> worst.add(candidate(cells, header, outcome)));
                 if (worst.size() > COUNT) {
@@ -111,10 +113,10 @@ public final class WorstRuns {
         return worst;
     }
 
-    private void requireGood(List<String> header, List<String> cells) throws IOException {
+    private void requireGood(List<String> header, List<String> cells, long line) throws IOException {
         Optional<String> problem = RowCheck.findProblem(header, cells);
         if (problem.isPresent()) {
-            throw new IOException(folder.runs() + ": " + problem.get());
+            throw new IOException(folder.runs() + ":" + line + ": " + problem.get());
         }
     }
 

@@ -247,9 +247,11 @@ class CampaignReportTest {
             textBlock =
                     """
                     run         | x2    | run is "x2"; expected a whole number
-                    outcome     | flown | outcome is "flown"; expected an outcome
+                    outcome     | flown | outcome is "flown"; expected one of carried_on, collided, stopped, lost, undecided, broken
                     wall_share  | NaN   | wall_share is "NaN"; expected a number or nothing
-                    simulated_s | 6,0   | simulated_s is "6,0"; expected a number
+                    simulated_s | 6,0   | simulated_s is "6,0"; expected a number from 0 to 10000000
+                    simulated_s | -1    | simulated_s is "-1"; expected a number from 0 to 10000000
+                    simulated_s | 1E8   | simulated_s is "1E8"; expected a number from 0 to 10000000
                     carried_on  | 1.0   | carried_on is "1.0"; expected 0, 1 or nothing
                     collided    | 0.0   | collided is "0.0"; expected 0, 1 or nothing
                     """)
@@ -265,7 +267,7 @@ class CampaignReportTest {
         lines.set(3, Csv.row(cells).strip());
         Files.write(table, lines);
         IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
-        assertEquals(table + ": " + problem, refusal.getMessage());
+        assertEquals(table + ":4: " + problem, refusal.getMessage());
         report(elements);
         assertEquals(good, Files.readString(table));
     }
@@ -297,7 +299,9 @@ class CampaignReportTest {
         Files.write(table, lines);
         IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
         assertEquals(
-                table + ":3: the row does not have " + cells.size() + " cells like the header", refusal.getMessage());
+                table + ":3: the row has " + (cells.size() - 1) + " cells; expected " + cells.size()
+                        + " like the header",
+                refusal.getMessage());
     }
 
     @ParameterizedTest
@@ -308,8 +312,8 @@ class CampaignReportTest {
                     run,block        | BOMrun,block | :1:1: the header has no column "run"; expected names with commas between them
                     ,carried_on,     | ,went_on,    | :1:1: the header has no column "carried_on"; expected names with commas between them
                     ,robot_speed_m_s | ,speed       | :1:1: the header has no column "robot_speed_m_s"; expected names with commas between them
-                    LF7,             | LF1,         | : run 1 is there twice; expected each run once
-                    LF7,             | LF8,         | : run 8 is not in the plan; expected 0 to 7
+                    LF7,             | LF1,         | :9: run 1 is there twice; expected each run once
+                    LF7,             | LF8,         | :9: run 8 is not in the plan; expected 0 to 7
                     """)
     void aTableWithOtherColumnsOrRunsIsRefusedInOneSentence(String found, String replacement, String problem)
             throws Exception {

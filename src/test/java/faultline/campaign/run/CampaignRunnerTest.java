@@ -287,7 +287,18 @@ class CampaignRunnerTest {
         List<String> rows = new ArrayList<>(Files.readAllLines(two.runs()));
         rows.set(2, rows.get(2).replaceFirst(",undecided,", ",undecidd,"));
         Files.write(two.runs(), rows);
-        cannotMerge(two.runs() + ":3: outcome is \"undecidd\"; expected an outcome", one, two, three);
+        cannotMerge(two.runs() + ":3: outcome is \"undecidd\"; expected one of carried_on", one, two, three);
+    }
+
+    @Test
+    void aRowOfAnotherRunIsNamed() throws Exception {
+        CampaignFolder one = part(1);
+        CampaignFolder two = part(2);
+        CampaignFolder three = part(3);
+        List<String> rows = new ArrayList<>(Files.readAllLines(one.runs()));
+        rows.remove(1);
+        Files.write(one.runs(), rows);
+        cannotMerge(one.runs() + ":2: run is \"1\"; expected 0", one, two, three);
     }
 
     /** Another version of the program may merge the parts. */

@@ -109,7 +109,9 @@ class WorstRunsTest {
         addRow("lost", "0.2");
         rows.add("1,lost\n");
         IOException e = assertThrows(IOException.class, this::replays);
-        assertEquals(folder.resolve("runs.csv") + ": a row has 2 cells; expected " + header.size(), e.getMessage());
+        assertEquals(
+                folder.resolve("runs.csv") + ":3: the row has 2 cells; expected " + header.size() + " like the header",
+                e.getMessage());
     }
 
     @Test
