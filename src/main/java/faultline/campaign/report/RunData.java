@@ -21,8 +21,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.function.Function;
 
 /** The runs of a campaign, and the meaning of their columns according to the plan. */
@@ -37,25 +35,31 @@ final class RunData {
     private final CampaignPlan plan;
     private final Map<String, Integer> indices = new HashMap<>();
     private final List<RunRow> rows = new ArrayList<>();
-    /** The numbers of cells of the rows that have more or fewer than the header, by the numbers of their lines. */
-    private final SortedMap<Integer, Integer> damagedRows = new TreeMap<>();
+    /** The line of the first row that has more or fewer cells than the header, 0 if there is none. */
+    private int damagedLine;
+    /** The number of cells of that row. */
+    private int damagedCells;
 
     /** Creates the data of a table from the cells of its header and rows; an incomplete last row is omitted. */
     RunData(CampaignPlan plan, Iterable<List<String>> lines) {
         this.plan = plan;
         int number = 0;
         for (List<String> cells : lines) {
+            if (damagedLine > 0) {
+                return;
+            }
             number++;
             if (indices.isEmpty()) {
                 cells.forEach(name -> indices.put(name, indices.size()));
             } else if (cells.size() == indices.size()) {
                 rows.add(new RunRow(this, cells));
             } else {
-                damagedRows.put(number, cells.size());
+                damagedLine = number;
+                damagedCells = cells.size();
             }
         }
         // The last row may be incomplete because it is still being written.
-        damagedRows.remove(number);
+        damagedLine = 0;
     }
 
     /** Reads a table. Throws an exception if a row cannot be used. */
@@ -64,9 +68,8 @@ final class RunData {
         try (BufferedReader in = Files.newBufferedReader(table)) {
             Map<String, String> shared = new HashMap<>();
             RunData data = new RunData(plan, in.lines().map(line -> cells(line, shared))::iterator);
-            if (!data.damagedRows.isEmpty()) {
-                int line = data.damagedRows.firstKey();
-                throw wrong(table, line, RowCheck.cellCount(data.damagedRows.get(line), data.indices.size()));
+            if (data.damagedLine > 0) {
+                throw wrong(table, data.damagedLine, RowCheck.cellCount(data.damagedCells, data.indices.size()));
             }
             data.checkColumns(table);
             data.checkRows(table);

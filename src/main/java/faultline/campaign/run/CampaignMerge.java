@@ -144,7 +144,7 @@ public final class CampaignMerge {
                 }
                 for (String line = in.next(); line.endsWith("\n"); line = in.next()) {
                     if (complete) {
-                        requireRun(next, line, next - first);
+                        requireRun(next, line, next - first, end - first);
                         List<String> cells = Csv.cells(line.stripTrailing());
                         requireGood(names, cells, next - first);
                         broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
@@ -160,7 +160,10 @@ public final class CampaignMerge {
             return broken;
         }
 
-        private void requireRun(long run, String line, long row) throws IOException {
+        private void requireRun(long run, String line, long row, long rows) throws IOException {
+            if (row >= rows) {
+                throw wrong(row, "there is a row after that of the last run; expected " + rows + " rows");
+            }
             if (!line.startsWith(run + ",")) {
                 String found = Csv.cells(line.stripTrailing()).get(0);
                 throw wrong(row, "run is " + MessageText.quoted(found) + "; expected " + run);

@@ -65,7 +65,8 @@ public final class RowCheck {
      * @param expected the number of the header's cells
      */
     public static String cellCount(int cells, int expected) {
-        return "the row has " + cells + " cells; expected " + expected + " like the header";
+        return "the row has " + cells + (cells == 1 ? " cell" : " cells") + "; expected " + expected
+                + " like the header";
     }
 
     private static boolean isNumber(String text) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.CpuTime;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.plan.SamplePlan;
@@ -247,7 +248,7 @@ class CampaignReportTest {
             textBlock =
                     """
                     run         | x2    | run is "x2"; expected a whole number
-                    outcome     | flown | outcome is "flown"; expected one of carried_on, collided, stopped, lost, undecided, broken
+                    outcome     | flown | outcome is "flown"; expected one of collided, lost, stopped, undecided, carried_on, broken
                     wall_share  | NaN   | wall_share is "NaN"; expected a number or nothing
                     simulated_s | 6,0   | simulated_s is "6,0"; expected a number from 0 to 10000000
                     simulated_s | -1    | simulated_s is "-1"; expected a number from 0 to 10000000
@@ -302,6 +303,18 @@ class CampaignReportTest {
                 table + ":3: the row has " + (cells.size() - 1) + " cells; expected " + cells.size()
                         + " like the header",
                 refusal.getMessage());
+    }
+
+    /** The lines of a table that is mostly empty are not kept. */
+    @Test
+    void aTableOfManyEmptyLinesIsRefusedInLinearTime() throws Exception {
+        report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        Path table = folder.resolve("runs.csv");
+        Files.writeString(table, Files.readString(table) + "\n".repeat(4_000_000));
+        CpuTime time = CpuTime.start();
+        IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
+        time.assertBelow(10);
+        assertTrue(refusal.getMessage().startsWith(table + ":10: the row has 1 cell; expected "), refusal.getMessage());
     }
 
     @ParameterizedTest

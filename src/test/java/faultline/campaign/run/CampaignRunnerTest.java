@@ -287,7 +287,7 @@ class CampaignRunnerTest {
         List<String> rows = new ArrayList<>(Files.readAllLines(two.runs()));
         rows.set(2, rows.get(2).replaceFirst(",undecided,", ",undecidd,"));
         Files.write(two.runs(), rows);
-        cannotMerge(two.runs() + ":3: outcome is \"undecidd\"; expected one of carried_on", one, two, three);
+        cannotMerge(two.runs() + ":3: outcome is \"undecidd\"; expected one of collided", one, two, three);
     }
 
     @Test
@@ -296,9 +296,13 @@ class CampaignRunnerTest {
         CampaignFolder two = part(2);
         CampaignFolder three = part(3);
         List<String> rows = new ArrayList<>(Files.readAllLines(one.runs()));
-        rows.remove(1);
+        String first = rows.remove(1);
         Files.write(one.runs(), rows);
         cannotMerge(one.runs() + ":2: run is \"1\"; expected 0", one, two, three);
+        rows.add(1, first);
+        rows.add(first.replaceFirst("\\d+", String.valueOf(rows.size() - 1)));
+        Files.write(one.runs(), rows);
+        cannotMerge(one.runs() + ":" + rows.size() + ": there is a row after that of the last run", one, two, three);
     }
 
     /** Another version of the program may merge the parts. */
