@@ -112,8 +112,15 @@ public final class ControllerProviders {
             providers.forEach(ControllerProviders::requireName);
             return providers;
         } catch (ServiceConfigurationError | LinkageError e) {
-            throw new RunFailedException(RunProblem.NOT_LOADED.with(String.valueOf(e.getMessage())), e);
+            throw new RunFailedException(RunProblem.NOT_LOADED.with(reason(e)), e);
         }
+    }
+
+    /** Returns the message of an error, with the exception of the provider's constructor if that caused it. */
+    private static String reason(Error error) {
+        return error.getCause() == null
+                ? String.valueOf(error.getMessage())
+                : error.getMessage() + ": " + error.getCause();
     }
 
     private static void requireName(ControllerProvider provider) {

@@ -133,7 +133,7 @@ public final class ControllerChoice {
         List<String> names = names();
         return command.contains(" ") || command.contains("/") || command.contains("\\")
                 ? ""
-                : Allowed.withHint(ControllerProblem.NAMES.with(String.join(", ", names)), command, names);
+                : Allowed.withHint(ControllerProblem.NAMES.with(Allowed.names(names)), command, names);
     }
 
     /**

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
@@ -16,6 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.stream.Stream;
@@ -88,5 +90,34 @@ class JarControllerSourceTest {
         Path broken = jar("no.such.Turner");
         assertThrows(RunFailedException.class, () -> new Simulation(setup, ControllerMode.DIRECT));
         assertTrue(!isOpen(broken));
+    }
+
+    /** A provider whose constructor fails. */
+    public static final class UnfinishedProvider implements ControllerProvider {
+
+        /** Fails. */
+        public UnfinishedProvider() {
+            throw new IllegalStateException("no map");
+        }
+
+        @Override
+        public String name() {
+            return "unfinished";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError();
+        }
+    }
+
+    @Test
+    void aConstructorThatFailsIsReportedWithItsException() throws IOException {
+        Path jar = jar(UnfinishedProvider.class.getName());
+        RunFailedException failure = assertThrows(
+                RunFailedException.class, () -> ControllerChoice.withJars(List.of(jar), ControllerChoice::names));
+        assertTrue(
+                failure.getMessage().endsWith(" could not be instantiated: java.lang.IllegalStateException: no map"),
+                failure.getMessage());
     }
 }

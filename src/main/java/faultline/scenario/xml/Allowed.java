@@ -103,7 +103,7 @@ public enum Allowed implements Message.Template {
      * @param names the names
      */
     public static Object names(Collection<String> names) {
-        String first = names.stream().limit(MAX_NAMES).map(MessageText::oneLine).collect(Collectors.joining(", "));
+        String first = names.stream().limit(MAX_NAMES).map(MessageText::excerpt).collect(Collectors.joining(", "));
         return names.size() > MAX_NAMES ? MORE.with(first, names.size() - MAX_NAMES) : first;
     }
 
