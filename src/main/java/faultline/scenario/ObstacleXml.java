@@ -41,11 +41,26 @@ public final class ObstacleXml {
      */
     public static List<Obstacle> parse(String text) throws ScenarioException {
         String trimmed = text.strip();
-        boolean whole = trimmed.startsWith("<?xml") || trimmed.startsWith("<scenario");
-        String file = whole ? trimmed : PREFIX + trimmed + SUFFIX;
+        String file = isScenario(trimmed) ? trimmed : PREFIX + trimmed + SUFFIX;
         return ScenarioReader.read("", file.getBytes(StandardCharsets.UTF_8))
                 .setup()
                 .world()
                 .obstacles();
+    }
+
+    /** Returns whether a text is that of a scenario file, which may begin with comments. */
+    private static boolean isScenario(String text) {
+        int start = 0;
+        while (text.startsWith("<!--", start)) {
+            int end = text.indexOf("-->", start + "<!--".length());
+            if (end < 0) {
+                return false;
+            }
+            start = end + "-->".length();
+            while (start < text.length() && Character.isWhitespace(text.charAt(start))) {
+                start++;
+            }
+        }
+        return text.startsWith("<?xml", start) || text.startsWith("<scenario", start);
     }
 }

@@ -48,10 +48,28 @@ class ObstacleXmlTest {
                 ObstacleXml.parse(new String(office.toBytes(), StandardCharsets.UTF_8)));
     }
 
+    @Test
+    void aScenarioOrElementsCanBeginWithComments() throws Exception {
+        String room =
+                """
+                <!-- My room --><!-- <scenario> -->
+
+                <scenario xmlns="urn:faultline:scenario:1" name="Room" duration="6">
+                  <world width="3" height="2"><circle id="pole" x="2" y="0.5" radius="0.1"/></world>
+                  <robot x="0.6" y="1.2"/>
+                </scenario>
+                """;
+        assertEquals("pole", ObstacleXml.parse(room).get(0).id());
+        String pole = "<!-- One --> <!-- pole --><circle id=\"pole\" x=\"2\" y=\"0.5\" radius=\"0.1\"/>";
+        assertEquals(ObstacleXml.parse(room), ObstacleXml.parse(pole));
+        assertEquals(List.of(), ObstacleXml.parse("<!---->".repeat(1000)));
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {
                 "some words",
+                "<!-- a comment without an end",
                 "<circle id=\"pole\" x=\"1\" y=\"2\" radius=\"-1\"/>",
                 "</world>",
                 "<!DOCTYPE x><circle/>"
