@@ -104,14 +104,14 @@ final class RobotReader {
         standard.forEach(sensor -> sensors.put(sensor.id(), sensor));
         Map<String, SourceLocation> ids = new HashMap<>();
         List<XmlElement> elements = robot.childrenNamed("sensor").toList();
-        if (elements.size() > ScenarioLimits.MAX_SENSORS) {
-            problems.add(robot, ProblemKind.TOO_MANY_SENSORS.with(ScenarioLimits.MAX_SENSORS));
-        }
         elements.stream().limit(ScenarioLimits.MAX_SENSORS).forEach(node -> {
             SensorSpec sensor = readSensor(node, standard);
             ElementRules.checkUniqueId(node, sensor.id(), ids, problems);
             sensors.put(sensor.id(), sensor);
         });
+        if (Math.max(elements.size(), sensors.size()) > ScenarioLimits.MAX_SENSORS) {
+            problems.add(robot, ProblemKind.TOO_MANY_SENSORS.with(ScenarioLimits.MAX_SENSORS));
+        }
         return List.copyOf(sensors.values());
     }
 

@@ -15,8 +15,8 @@ public final class ScenarioLimits {
     /** The number of elements of a file. */
     static final int MAX_ELEMENTS = 300_000;
 
-    /** The number of sensors of a robot. */
-    public static final int MAX_SENSORS = 1000;
+    /** The number of sensors of a robot: eight standard ones and 1000 others. */
+    public static final int MAX_SENSORS = 1008;
 
     /** The length of an id, characters. */
     public static final int MAX_ID_LENGTH = 100;
