@@ -97,6 +97,16 @@ class PlanReaderTest {
         assertEquals("room-49999-visitors-3", plan.run(49_999).world());
     }
 
+    /** The first hundred are listed. */
+    @Test
+    void levelsAreTriedUntilThereAreAThousandProblems() {
+        String values = IntStream.range(1, 3000).mapToObj(i -> "-" + i).collect(Collectors.joining(" "));
+        List<String> problems = SamplePlan.problems("<set attribute=\"robot/@speed\" value=\"" + values + "\"/>");
+        assertEquals(101, problems.size());
+        assertTrue(problems.get(0).contains("speed of <robot> is \"-1\""), problems.get(0));
+        assertTrue(problems.get(100).endsWith("and 900 more problems"), problems.get(100));
+    }
+
     @Test
     void anAttributeIsFoundTwiceByTheIdAndTheNumberOfItsElement() {
         String twice = "; expected one element that sets it";
