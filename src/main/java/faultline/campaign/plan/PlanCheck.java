@@ -23,7 +23,7 @@ final class PlanCheck {
     /**
      * The sum of the {@linkplain #size sizes} of scenarios after which levels are not tried; it takes several seconds.
      */
-    private static final long MAX_TRIED = 200_000;
+    private static final long MAX_TRIED = 100_000;
 
     /** The characters of attributes that take as long to check as an element. */
     private static final int TEXT_PER_ELEMENT = 4000;
