@@ -257,6 +257,7 @@ public final class MainWindow extends JFrame {
             }
         });
         addWindowFocusListener(new FocusReturn(canvas));
+        setFocusTraversalPolicy(new DisabledFocusPolicy(canvas));
     }
 
     private void quit() {

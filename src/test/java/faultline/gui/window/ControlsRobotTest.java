@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
 import javax.swing.JDialog;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
@@ -223,5 +224,18 @@ class ControlsRobotTest {
         driver.robot().pressKeys(KeyEvent.VK_SPACE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
         assertFalse(callOnEdt(driver::isRunning));
+    }
+
+    /** The next field, which would have it otherwise, may be out of sight, and would receive the next keys. */
+    @Test
+    void theCanvasGetsTheFocusOfAFieldThatIsDisabled() {
+        JComboBox<?> choice = ComponentFinder.findAll(driver.window(), JComboBox.class)
+                .filter(box -> box.isShowing() && box.isEnabled())
+                .findFirst()
+                .orElseThrow();
+        runOnEdt(choice::requestFocusInWindow);
+        driver.robot().waitFor("the field has the focus", choice::isFocusOwner);
+        runOnEdt(() -> choice.setEnabled(false));
+        driver.robot().waitFor("the canvas has the focus", driver.canvas()::isFocusOwner);
     }
 }
