@@ -11,8 +11,8 @@ import java.util.Deque;
 public final class OutlineSimplifier {
 
     /**
-     * The number of divisions, one within another, after which ranges are halved. An outline of a building needs a few
-     * dozen; one that loses one corner in each division, such as that of a comb, would take quadratic time.
+     * The number of divisions, one within another, after which ranges are halved. An outline that loses one corner in
+     * each division, such as that of a comb, would take quadratic time otherwise.
      */
     private static final int MAX_DEPTH = 500;
 
