@@ -109,6 +109,11 @@ public record RobotSpec(
                 0);
     }
 
+    /** {@return the ids of the sensors, in their order} */
+    public List<String> sensorIds() {
+        return sensors.stream().map(SensorSpec::id).toList();
+    }
+
     /**
      * {@return the index of the sensor with an id, or -1 if there is none}
      *

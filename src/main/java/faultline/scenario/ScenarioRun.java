@@ -10,7 +10,6 @@ import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 import faultline.scenario.xml.Allowed;
 import faultline.sensor.Reading;
-import faultline.sensor.SensorSpec;
 import faultline.world.Collision;
 import java.util.ArrayList;
 import java.util.List;
@@ -141,7 +140,7 @@ public final class ScenarioRun {
         RobotSpec robot = scenario.setup().robot();
         int index = robot.indexOf(sensor);
         if (index < 0) {
-            List<String> ids = robot.sensors().stream().map(SensorSpec::id).toList();
+            List<String> ids = robot.sensorIds();
             throw new IllegalArgumentException(
                     "the robot has no sensor " + MessageText.quoted(sensor) + ", only " + Allowed.names(ids, sensor));
         }

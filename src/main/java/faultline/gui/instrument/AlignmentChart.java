@@ -14,6 +14,7 @@ import faultline.paint.surface.Shapes;
 import faultline.paint.surface.Surface;
 import faultline.paint.surface.TextStyle;
 import faultline.paint.surface.TextStyle.Anchor;
+import java.awt.Color;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.stream.DoubleStream;
@@ -30,7 +31,7 @@ final class AlignmentChart {
     private final Surface surface;
     private final Theme theme;
     private final AlignmentTrace trace;
-    /** The index of the sensor whose reading is plotted. */
+    /** The index of the sensor whose reading is plotted, -1 if it is that of the local map. */
     private final int sensor;
 
     private final Plot plot;
@@ -70,7 +71,7 @@ final class AlignmentChart {
                 trace.samples().stream()
                         .map(sample -> new Vector2(sample.clock(), sample.reading()))
                         .toList(),
-                LineStyle.solid(theme.palette().sensorColours(sensor).outline(), 2));
+                LineStyle.solid(lineColour(), 2));
         if (trace.isTimed()) {
             paintEdge(trace.f3(), Messages.get("spin.f3"));
             paintEdge(trace.f4(), Messages.get("spin.f4"));
@@ -78,6 +79,12 @@ final class AlignmentChart {
             paintDuration(trace.f4(), trace.f4() - trace.tP(), 0.28, Messages.get("spin.tP"), false);
         }
         paintRobotClock();
+    }
+
+    private Color lineColour() {
+        return sensor < 0
+                ? theme.palette().robot()
+                : theme.palette().sensorColours(sensor).outline();
     }
 
     private void paintEdge(double time, String name) {

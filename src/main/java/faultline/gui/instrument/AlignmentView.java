@@ -37,7 +37,8 @@ public final class AlignmentView extends AccessibleComponent {
 
     private static final int ROW_HEIGHT = 20;
 
-    private int sensor;
+    /** The index of the sensor on the side of the wall, -1 if there is none of this name. */
+    private int sensor = -1;
     /** The rule that the tool tip explains. */
     private TimingRule timingRule = TimingRule.EQUAL_READINGS;
     /** Null if there is no manoeuvre. */
@@ -58,7 +59,7 @@ public final class AlignmentView extends AccessibleComponent {
         assert EventQueue.isDispatchThread();
         trace = AlignmentTrace.latest(frame).orElse(null);
         if (trace != null) {
-            sensor = SignalGroup.sensorFacingWall(frame.snapshot().sensors(), trace.wallSide());
+            sensor = frame.snapshot().robot().indexOf(trace.wallSide().fileName());
         }
         TimingRule rule = trace == null ? AlignmentTrace.presentRule(frame) : trace.rule();
         if (rule != timingRule) {

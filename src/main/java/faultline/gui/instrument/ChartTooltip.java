@@ -15,6 +15,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 
 /** The values of a chart's lines at the time under the cursor, as text and as a box on the chart. */
 final class ChartTooltip {
@@ -50,12 +51,13 @@ final class ChartTooltip {
     }
 
     private String valueText(ChartLine curve) {
+        OptionalInt channel = chart.data().channelOf(curve);
         TraceLevel level = chart.data().level();
-        float low = level.min(curve.channel(), bucket);
-        float high = level.max(curve.channel(), bucket);
-        if (!Float.isFinite(low)) {
+        if (channel.isEmpty() || !Float.isFinite(level.min(channel.getAsInt(), bucket))) {
             return "–";
         }
+        float low = level.min(channel.getAsInt(), bucket);
+        float high = level.max(channel.getAsInt(), bucket);
         String least = NumberText.format("%.3f", low);
         String most = NumberText.format("%.3f", high);
         return (least.equals(most) ? least : least + " … " + most) + " "
@@ -77,11 +79,13 @@ final class ChartTooltip {
     }
 
     private void paintDot(Graphics2D g, Theme theme, ChartLine curve, double x) {
-        float value = chart.data().level().max(curve.channel(), bucket);
-        if (Float.isFinite(value)) {
-            g.setColor(curve.colour().apply(theme));
-            g.fill(new Ellipse2D.Double(x - 3, chart.plot().y(value) - 3, 6, 6));
-        }
+        chart.data().channelOf(curve).ifPresent(channel -> {
+            float value = chart.data().level().max(channel, bucket);
+            if (Float.isFinite(value)) {
+                g.setColor(curve.colour().apply(theme));
+                g.fill(new Ellipse2D.Double(x - 3, chart.plot().y(value) - 3, 6, 6));
+            }
+        });
     }
 
     /** Returns the box beside the marked time, on the side that has room, no wider than the picture. */

@@ -1,28 +1,36 @@
 package faultline.gui.instrument;
 
-import faultline.control.WallSide;
 import faultline.engine.recording.TraceChannels;
 import faultline.gui.text.Messages;
 import faultline.paint.surface.DashPattern;
-import faultline.world.SensorSnapshot;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A choice of a strip chart: lines that are shown together, from back to front, and their unit. */
-record SignalGroup(String name, String unit, List<ChartLine> lines) {
+/**
+ * A choice of a strip chart: lines that are shown together, from back to front, and their unit.
+ *
+ * @param id what distinguishes it from other choices, in any language and for any robot
+ * @param name its name in the current language
+ * @param unit the unit of its lines
+ * @param lines the lines
+ */
+record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
+
+    /** A choice without lines. */
+    static final SignalGroup NONE = new SignalGroup("", "", "", List.of());
 
     SignalGroup {
         lines = List.copyOf(lines);
     }
 
     /** Returns all groups for a robot with the given sensors. */
-    static List<SignalGroup> allOf(List<SensorSnapshot> sensors) {
+    static List<SignalGroup> allOf(List<String> sensors) {
         List<SignalGroup> signals = new ArrayList<>();
         signals.add(distance());
         signals.add(pair("terms", "rad/s", TraceChannels.PROPORTIONAL, TraceChannels.DERIVATIVE));
         signals.add(pair("volts", "V", TraceChannels.LEFT_VOLTS, TraceChannels.RIGHT_VOLTS));
         for (int i = 0; i < sensors.size(); i++) {
-            signals.add(sensor(sensors.get(i).spec().id(), i));
+            signals.add(sensor(sensors.get(i), i));
         }
         return signals;
     }
@@ -31,7 +39,7 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
     static List<ChartLine> additions(SignalGroup shown, List<SignalGroup> all) {
         return all.stream()
                 .filter(other ->
-                        other.unit().equals(shown.unit()) && !other.name().equals(shown.name()))
+                        other.unit().equals(shown.unit()) && !other.id().equals(shown.id()))
                 .flatMap(other -> other.lines().stream().map(line -> line.withName(other.name() + ", " + line.name())))
                 .toList();
     }
@@ -40,50 +48,42 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
     SignalGroup with(List<ChartLine> additions) {
         List<ChartLine> all = new ArrayList<>(additions);
         all.addAll(lines);
-        return new SignalGroup(name, unit, all);
-    }
-
-    /**
-     * Returns the index of the sensor that faces the wall, which is named after the side of the wall; that of the
-     * default robot if there is none of this name.
-     */
-    static int sensorFacingWall(List<SensorSnapshot> sensors, WallSide side) {
-        for (int i = 0; i < sensors.size(); i++) {
-            if (sensors.get(i).spec().id().equals(side.fileName())) {
-                return i;
-            }
-        }
-        return side == WallSide.LEFT ? 2 : 6;
+        return new SignalGroup(id, name, unit, all);
     }
 
     /** Returns the distance that the controller uses, which is a reading or that of its local map, and its target. */
     private static SignalGroup distance() {
         ChartLine measured = new ChartLine(
                 Messages.get("signal.distance.first"),
+                "",
                 TraceChannels.MEASURED_DISTANCE,
                 theme -> theme.palette().robot(),
                 DashPattern.SOLID);
         ChartLine target = new ChartLine(
                 Messages.get("signal.distance.second"),
+                "",
                 TraceChannels.WANTED_DISTANCE,
                 theme -> theme.palette().text(),
                 DashPattern.DASHED);
-        return new SignalGroup(Messages.get("signal.distance"), "m", List.of(target, measured));
+        return new SignalGroup("distance", Messages.get("signal.distance"), "m", List.of(target, measured));
     }
 
     private static SignalGroup pair(String key, String unit, int first, int second) {
         String texts = "signal." + key;
         return new SignalGroup(
+                key,
                 Messages.get(texts),
                 unit,
                 List.of(
                         new ChartLine(
                                 Messages.get(texts + ".second"),
+                                "",
                                 second,
                                 theme -> theme.palette().text(),
                                 DashPattern.DASHED),
                         new ChartLine(
                                 Messages.get(texts + ".first"),
+                                "",
                                 first,
                                 theme -> theme.palette().robot(),
                                 DashPattern.SOLID)));
@@ -92,15 +92,17 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
     private static SignalGroup sensor(String id, int index) {
         ChartLine truth = new ChartLine(
                 Messages.get("signal.sensor.truth"),
-                TraceChannels.trueReading(index),
+                id,
+                TraceChannels.trueReading(0),
                 theme -> theme.palette().sensorColours(index).outline(),
                 DashPattern.DOTTED);
         ChartLine reported = new ChartLine(
                 Messages.get("signal.sensor.reported"),
-                TraceChannels.reportedReading(index),
+                id,
+                TraceChannels.reportedReading(0),
                 theme -> theme.palette().sensorColours(index).outline(),
                 DashPattern.SOLID);
-        return new SignalGroup(Messages.get("signal.sensor", id), "m", List.of(reported, truth));
+        return new SignalGroup("sensor " + id, Messages.get("signal.sensor", id), "m", List.of(reported, truth));
     }
 
     @Override

@@ -10,7 +10,6 @@ import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
 import faultline.gui.timeline.TimelineItem;
-import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -45,8 +44,7 @@ public final class StripChart extends JPanel {
     private final JButton add = new JButton(Glyph.ADD.icon());
     private final JToggleButton fitValues = new JToggleButton(Glyph.FIT.icon());
     private final JToggleButton freeze = new JToggleButton(Glyph.PAUSE.icon());
-    private List<String> sensors = List.of("");
-    private transient List<SensorSnapshot> robotSensors = List.of();
+    private List<String> sensors = List.of();
     private transient List<SignalGroup> groups = List.of();
     /** Adds the actions of the window to the context menu. */
     private transient Consumer<JPopupMenu> menuExtension = menu -> {};
@@ -73,7 +71,7 @@ public final class StripChart extends JPanel {
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
         bar.setBorder(BorderFactory.createEmptyBorder(3, 8, 2, 4));
         RefreshSteps.add(choice, box -> {
-            renameGroups();
+            setGroups();
             fitChoice();
         });
         // As narrow as the buttons beside it, which stay pressed.
@@ -114,7 +112,7 @@ public final class StripChart extends JPanel {
                 Messages.get("signal.sensor", "front-right"));
         String longest = names.max(Comparator.comparingInt(getFontMetrics(choice.getFont())::stringWidth))
                 .orElseThrow();
-        return new SignalGroup(longest + "  ", "", List.of());
+        return new SignalGroup("", longest + "  ", "", List.of());
     }
 
     private void freeze(boolean on) {
@@ -222,44 +220,41 @@ public final class StripChart extends JPanel {
     /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
-        updateChoices(frame.snapshot().sensors());
+        List<String> present = frame.snapshot().robot().sensorIds();
+        if (!present.equals(sensors)) {
+            sensors = present;
+            setGroups();
+        }
         view.setFrame(frame);
     }
 
-    /** Updates the choices for another robot; the selected index is kept if it still exists. */
-    private void updateChoices(List<SensorSnapshot> present) {
-        List<String> ids = present.stream().map(sensor -> sensor.spec().id()).toList();
-        if (!ids.equals(sensors)) {
-            sensors = ids;
-            robotSensors = present;
-            setGroups();
-        }
-    }
-
-    /** Shows the groups of the robot; the selected index is kept if it still exists. */
+    /**
+     * Shows the groups of the robot in the current language, with the group, the lines and the scale that the user has
+     * chosen; the first group if the robot lacks the sensor of the chosen one.
+     */
     private void setGroups() {
-        int chosen = Math.max(0, choice.getSelectedIndex());
-        groups = SignalGroup.allOf(robotSensors);
+        Optional<SignalGroup> before = chosen();
+        List<ChartLine> added = List.copyOf(additions);
+        ValueRange range = view.range();
+        groups = SignalGroup.allOf(sensors);
+        SignalGroup kept = before.flatMap(old -> groups.stream()
+                        .filter(group -> group.id().equals(old.id()))
+                        .findFirst())
+                .orElse(groups.get(0));
         choice.setModel(new DefaultComboBoxModel<>(groups.toArray(SignalGroup[]::new)));
         choice.setMaximumRowCount(choice.getItemCount());
-        choice.setSelectedIndex(chosen < choice.getItemCount() ? chosen : 0);
+        choice.setSelectedItem(kept);
+        if (before.filter(old -> old.id().equals(kept.id())).isPresent()) {
+            SignalGroup.additions(kept, groups).stream()
+                    .filter(line -> added.stream().anyMatch(line::showsSameAs))
+                    .forEach(additions::add);
+            updateSignal();
+            view.setRange(range);
+        }
     }
 
-    /** Shows the groups in the current language, with the lines and the scale that the user has chosen. */
-    private void renameGroups() {
-        if (groups.isEmpty()) {
-            return;
-        }
-        List<Integer> channels = additions.stream().map(ChartLine::channel).toList();
-        ValueRange range = view.range();
-        setGroups();
-        if (choice.getSelectedItem() instanceof SignalGroup signal) {
-            SignalGroup.additions(signal, groups).stream()
-                    .filter(line -> channels.contains(line.channel()))
-                    .forEach(additions::add);
-        }
-        updateSignal();
-        view.setRange(range);
+    private Optional<SignalGroup> chosen() {
+        return Optional.ofNullable((SignalGroup) choice.getSelectedItem());
     }
 
     StripView view() {

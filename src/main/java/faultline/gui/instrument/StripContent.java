@@ -35,8 +35,7 @@ public record StripContent(
 
     /** Returns the values of the reference run, for a plot of the given width; empty if there is none. */
     Optional<StripData> referenceData(int pixels) {
-        return Optional.ofNullable(reference)
-                .map(run -> StripData.of(run.recording().trace(), run.setup().dt(), span, pixels));
+        return Optional.ofNullable(reference).map(run -> StripData.of(run, span, pixels));
     }
 
     /** Returns the scale of a picture, pixels, with a legend above the plot or without. */

@@ -1,16 +1,25 @@
 package faultline.gui.instrument;
 
+import faultline.engine.SimulationSetup;
 import faultline.engine.recording.Trace;
 import faultline.engine.recording.TraceLevel;
+import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
+import java.util.List;
+import java.util.OptionalInt;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 
 /**
- * The buckets of a trace that a chart shows, without the one at the end, at a resolution suitable for its width;
- * {@code dt} is the length of a tick, seconds.
+ * The buckets of a trace that a chart shows, at a resolution suitable for its width.
+ *
+ * @param level the trace at this resolution
+ * @param sensors the ids of the robot's sensors, in its order
+ * @param from the first bucket
+ * @param to the bucket after the last
+ * @param dt the length of a tick, seconds
  */
-record StripData(TraceLevel level, long from, long to, double dt) {
+record StripData(TraceLevel level, List<String> sensors, long from, long to, double dt) {
 
     private static final int MAX_BUCKETS_PER_PIXEL = 3;
 
@@ -20,18 +29,23 @@ record StripData(TraceLevel level, long from, long to, double dt) {
         double dt = frame.snapshot().tick() > 0
                 ? frame.snapshot().time() / frame.snapshot().tick()
                 : 1;
-        return of(frame.recording().trace(), dt, span, pixels);
+        return of(frame.recording().trace(), frame.snapshot().robot().sensorIds(), dt, span, pixels);
     }
 
-    /** Returns the data of a trace in a time span; {@code dt} is the length of a tick, seconds. */
-    static StripData of(Trace trace, double dt, TimeSpan span, int pixels) {
+    /** Returns the recorded data of a reference run in a time span, for a chart of the given width. */
+    static StripData of(ReferenceRun run, TimeSpan span, int pixels) {
+        SimulationSetup setup = run.setup();
+        return of(run.recording().trace(), setup.robot().sensorIds(), setup.dt(), span, pixels);
+    }
+
+    private static StripData of(Trace trace, List<String> sensors, double dt, TimeSpan span, int pixels) {
         long first = (long) Math.floor(span.start() / dt);
         long last = (long) Math.ceil(span.end() / dt) + 1;
         TraceLevel level =
                 trace.levelFor(Math.max(0, first), Math.min(last, trace.tickCount()), MAX_BUCKETS_PER_PIXEL * pixels);
         long from = Math.max(level.firstBucket(), Math.floorDiv(first, level.ticksPerBucket()));
         long to = Math.min(level.endBucket(), Math.floorDiv(last, level.ticksPerBucket()) + 1);
-        return new StripData(level, Math.max(0, from), Math.max(from, to), dt);
+        return new StripData(level, sensors, Math.max(0, from), Math.max(from, to), dt);
     }
 
     /** Returns the centre of a bucket, seconds. */
@@ -49,20 +63,16 @@ record StripData(TraceLevel level, long from, long to, double dt) {
         return Math.floorDiv(Math.round(time / dt), level.ticksPerBucket());
     }
 
-    /** Returns whether a line is recorded; another robot may have fewer sensors. */
-    boolean contains(ChartLine line) {
-        return line.channel() < level.channelCount();
+    /** Returns the channel of a line; empty if the robot lacks its sensor. */
+    OptionalInt channelOf(ChartLine line) {
+        return line.channelIn(sensors);
     }
 
     /** Returns all values of a line without gaps. */
-    DoubleStream values(ChartLine curve) {
-        if (!contains(curve)) {
-            return DoubleStream.empty();
-        }
-        return LongStream.range(from, to)
-                .mapToObj(bucket ->
-                        DoubleStream.of(level.min(curve.channel(), bucket), level.max(curve.channel(), bucket)))
+    DoubleStream values(ChartLine line) {
+        return channelOf(line).stream().boxed().flatMapToDouble(channel -> LongStream.range(from, to)
+                .mapToObj(bucket -> DoubleStream.of(level.min(channel, bucket), level.max(channel, bucket)))
                 .flatMapToDouble(both -> both)
-                .filter(Double::isFinite);
+                .filter(Double::isFinite));
     }
 }

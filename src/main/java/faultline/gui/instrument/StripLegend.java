@@ -11,7 +11,6 @@ import faultline.paint.surface.TextStyle;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics;
-import java.util.List;
 import javax.swing.JComponent;
 
 /** The legend of a strip chart: one row or two beside the controls, or none if there is no room for all names. */
@@ -21,7 +20,7 @@ final class StripLegend extends JComponent {
     private static final int HEIGHT = 28;
     private static final int FONT_SIZE = 11;
 
-    private transient SignalGroup signal = new SignalGroup("", "", List.of());
+    private transient SignalGroup signal = SignalGroup.NONE;
     private boolean reference;
 
     StripLegend() {

@@ -28,15 +28,18 @@ final class StripLines {
     }
 
     void paint(ChartLine line) {
-        paint(scale.data(), line.channel(), line.style(theme));
+        paint(scale.data(), line, line.style(theme));
     }
 
     /** Paints the same lines of the reference run. */
     void paintReference(StripContent content) {
         int width = (int) scale.plot().area().width();
         content.referenceData(width).ifPresent(data -> scale.signal().lines().stream()
-                .filter(data::contains)
-                .forEach(line -> paint(data, line.channel(), LegendEntry.referenceStyle(theme))));
+                .forEach(line -> paint(data, line, LegendEntry.referenceStyle(theme))));
+    }
+
+    private void paint(StripData data, ChartLine line, LineStyle style) {
+        data.channelOf(line).ifPresent(channel -> paint(data, channel, style));
     }
 
     private void paint(StripData data, int channel, LineStyle style) {

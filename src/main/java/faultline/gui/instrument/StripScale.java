@@ -14,7 +14,7 @@ import java.util.stream.Stream;
  * The content of a strip chart and its plot, with axes of time and value. The legend has no rows if the lines are named
  * elsewhere.
  */
-record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> sensors, LegendPlace legend) {
+record StripScale(SignalGroup signal, StripData data, Plot plot, LegendPlace legend) {
 
     static final int LEFT_MARGIN = 46;
     static final int RIGHT_MARGIN = 20;
@@ -39,9 +39,6 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
         SignalGroup signal = content.signal();
         StripData data = StripData.of(content.frame(), content.span(), room);
         Axis time = Axis.linear("s", content.span().start(), content.span().end());
-        List<String> ids = content.frame().snapshot().sensors().stream()
-                .map(sensor -> sensor.spec().id())
-                .toList();
         double[] all = Stream.concat(Stream.of(data), content.referenceData(room).stream())
                 .flatMapToDouble(run -> values(signal, run))
                 .toArray();
@@ -52,7 +49,7 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
                 TOP_MARGIN + names.above(),
                 Math.max(1, room + LEFT_MARGIN - left),
                 Math.max(1, height - TOP_MARGIN - names.above() - BOTTOM_MARGIN));
-        return new StripScale(signal, data, new Plot(area, time, values), ids, names);
+        return new StripScale(signal, data, new Plot(area, time, values), names);
     }
 
     /** Returns the margin in which the labels of an axis fit, pixels. */
@@ -94,7 +91,7 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
 
     /** Returns the index of a sensor in the robot's order, 0 if there is none. */
     int sensorIndex(String id) {
-        return Math.max(0, sensors.indexOf(id));
+        return Math.max(0, data.sensors().indexOf(id));
     }
 
     private static DoubleStream values(SignalGroup signal, StripData data) {

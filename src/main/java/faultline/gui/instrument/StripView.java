@@ -31,7 +31,7 @@ final class StripView extends AccessibleComponent {
     /** Null before the first frame. */
     private transient SessionFrame frame;
 
-    private transient SignalGroup signal = new SignalGroup("", "", List.of());
+    private transient SignalGroup signal = SignalGroup.NONE;
     private transient TimeSpan span = TimeSpan.DEFAULT;
     private transient ValueRange range = ValueRange.FROM_ZERO;
     private transient List<TimelineItem> items = List.of();

@@ -15,7 +15,6 @@ import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import faultline.robot.Velocity;
 import faultline.scenario.Scenario;
-import faultline.sensor.SensorSpec;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.util.List;
@@ -115,7 +114,7 @@ public final class RunPanel extends JPanel {
 
     private static List<String> diagnosedSensors(SimulationSetup setup) {
         return setup.controller() instanceof ControllerSpec.WallFollowing follower && follower.diagnosis()
-                ? setup.robot().sensors().stream().map(SensorSpec::id).toList()
+                ? setup.robot().sensorIds()
                 : List.of();
     }
 

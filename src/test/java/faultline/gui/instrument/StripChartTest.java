@@ -19,6 +19,7 @@ import faultline.gui.theme.Theme;
 import faultline.paint.chart.Axis;
 import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.TextStyle;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.awt.Color;
 import java.awt.Font;
@@ -36,7 +37,9 @@ import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JMenuItem;
 import javax.swing.JToggleButton;
+import javax.swing.MenuElement;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -89,10 +92,50 @@ class StripChartTest {
         assertEquals("Sensor left", callOnEdt(() -> choice.getItemAt(5).toString()));
     }
 
+    /** Returns a frame of a robot without one of the sensors. */
+    private static SessionFrame frameWithout(String sensor) {
+        RobotSpec robot = SampleRuns.ROOM_SETUP.robot();
+        return SampleRuns.frame(
+                SampleRuns.ROOM_SETUP.withRobot(robot.withSensors(robot.sensors().stream()
+                        .filter(spec -> !spec.id().equals(sensor))
+                        .toList())),
+                50);
+    }
+
+    private List<String> shownLines() {
+        return callOnEdt(() -> chart.content().orElseThrow().signal().lines().stream()
+                .map(ChartLine::name)
+                .toList());
+    }
+
+    @Test
+    void theChosenSensorAndTheAddedLinesStayWhenAnotherSensorIsRemoved() {
+        choose(3 + 6);
+        runOnEdt(() -> {
+            JMenuItem added = (JMenuItem) Stream.of(chart.createAdditionsMenu().getSubElements())
+                    .map(MenuElement::getComponent)
+                    .filter(item -> ((JMenuItem) item).getText().contains("rear, reported"))
+                    .findFirst()
+                    .orElseThrow();
+            added.doClick(0);
+            chart.setFrame(frameWithout("front-left"));
+        });
+        JComboBox<?> choice = ComponentFinder.find(chart, JComboBox.class, "Signals");
+        assertEquals("Sensor right", callOnEdt(() -> choice.getSelectedItem().toString()));
+        assertEquals(List.of("Sensor rear, reported", "reported", "true"), shownLines());
+    }
+
+    @Test
+    void theDistanceIsShownWhenTheChosenSensorIsRemoved() {
+        choose(3 + 1);
+        runOnEdt(() -> chart.setFrame(frameWithout("front-left")));
+        assertEquals(List.of("target", "distance used"), shownLines());
+    }
+
     @ParameterizedTest
     @EnumSource(Theme.class)
     void linesThatCanBeShownTogetherDiffer(Theme theme) {
-        List<SignalGroup> all = SignalGroup.allOf(FRAME.snapshot().sensors());
+        List<SignalGroup> all = SignalGroup.allOf(FRAME.snapshot().robot().sensorIds());
         for (SignalGroup shown : all) {
             List<ChartLine> lines =
                     shown.with(SignalGroup.additions(shown, all)).lines();
@@ -338,7 +381,8 @@ class StripChartTest {
             StripChart fresh = new StripChart();
             fresh.setFrame(FRAME);
             var picture = SampleRuns.render(fresh, WIDTH, HEIGHT);
-            SignalGroup signal = SignalGroup.allOf(FRAME.snapshot().sensors()).get(0);
+            SignalGroup signal =
+                    SignalGroup.allOf(FRAME.snapshot().robot().sensorIds()).get(0);
             Theme.LIGHT.install();
             return signal.lines().stream()
                     .mapToLong(curve -> SampleRuns.count(picture, curve.colour().apply(theme)))
@@ -384,7 +428,8 @@ class StripChartTest {
     }
 
     private static StripContent content(SessionFrame frame, TimeSpan span, ValueRange range) {
-        SignalGroup distance = SignalGroup.allOf(FRAME.snapshot().sensors()).get(0);
+        SignalGroup distance =
+                SignalGroup.allOf(FRAME.snapshot().robot().sensorIds()).get(0);
         return new StripContent(frame, distance, span, range, List.of(), null);
     }
 

@@ -21,7 +21,9 @@ import faultline.gui.timeline.TimelineItem;
 import faultline.paint.chart.Axis;
 import faultline.paint.surface.Contrast;
 import faultline.paint.surface.Palette;
+import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import java.awt.Color;
 import java.awt.event.InputEvent;
@@ -29,6 +31,7 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.math.BigDecimal;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -44,7 +47,7 @@ class StripContentTest {
 
     private static final SessionFrame FRAME = SampleRuns.frame(2000);
     private static final List<SignalGroup> GROUPS =
-            SignalGroup.allOf(FRAME.snapshot().sensors());
+            SignalGroup.allOf(FRAME.snapshot().robot().sensorIds());
     private static final TimeSpan SPAN = new TimeSpan(10, 10);
 
     private final StripChart chart = callOnEdt(StripChart::new);
@@ -247,6 +250,31 @@ class StripContentTest {
         for (int tick = 0; tick <= 2000; tick++) {
             String time = BigDecimal.valueOf(tick, 2).stripTrailingZeros().toPlainString();
             assertEquals(time, rows.get(tick + 1).split(",", -1)[0]);
+        }
+    }
+
+    @Test
+    void aSensorIsComparedWithTheSensorOfThatNameInTheReferenceRun() {
+        RobotSpec robot = SampleRuns.ROOM_SETUP.robot();
+        List<SensorSpec> reversed = new ArrayList<>(robot.sensors());
+        Collections.reverse(reversed);
+        reversed.removeIf(sensor -> sensor.id().equals("front"));
+        Journal journal = new Journal(SampleRuns.ROOM_SETUP.withRobot(robot.withSensors(reversed)), List.of(), 0);
+        ReferenceRun other = ReferenceRun.replay(journal, tick -> true);
+        TimeSpan start = new TimeSpan(0, 1);
+        for (SignalGroup group : GROUPS.subList(3, GROUPS.size())) {
+            List<String> rows = new StripContent(FRAME, group, start, ValueRange.FITTED, List.of(), other)
+                    .toCsv()
+                    .lines()
+                    .toList();
+            if (group.name().equals("Sensor front")) {
+                assertEquals("t (s),\"reported (m)\",\"true (m)\"", rows.get(0));
+            } else {
+                String[] cells = rows.get(1).split(",", -1);
+                assertEquals(5, cells.length, group.name());
+                assertEquals(cells[1], cells[3], group.name());
+                assertEquals(cells[2], cells[4], group.name());
+            }
         }
     }
 
