@@ -59,6 +59,16 @@ public record SensorSpec(
     }
 
     /**
+     * {@return this sensor with another id}
+     *
+     * @param newId the id, not empty
+     * @throws IllegalArgumentException if the id is empty
+     */
+    public SensorSpec withId(String newId) {
+        return new SensorSpec(newId, mountPosition, bearing, range, cone, on, noise);
+    }
+
+    /**
      * {@return this sensor switched on or off}
      *
      * @param newOn whether the sensor is on

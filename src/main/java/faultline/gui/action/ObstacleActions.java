@@ -49,6 +49,7 @@ public final class ObstacleActions {
 
     private final CanvasTools tools;
     private final UndoController editor;
+    private final SensorActions sensorActions;
     private final Notes notes;
     private final DoubleFunction<OptionalDouble> askSpeed;
     private final WindowPreferences preferences;
@@ -60,17 +61,19 @@ public final class ObstacleActions {
     private String pasteNote = "";
 
     /**
-     * Creates the actions. {@code askSpeed} asks for a speed, metres per second, given the present one, and returns
-     * empty if cancelled.
+     * Creates the actions; those on the selection apply to a sensor if no obstacle is selected. {@code askSpeed} asks
+     * for a speed, metres per second, given the present one, and returns empty if cancelled.
      */
     public ObstacleActions(
             CanvasTools tools,
             UndoController editor,
+            SensorActions sensorActions,
             Notes notes,
             DoubleFunction<OptionalDouble> askSpeed,
             WindowPreferences preferences) {
         this.tools = tools;
         this.editor = editor;
+        this.sensorActions = sensorActions;
         this.notes = notes;
         this.askSpeed = askSpeed;
         this.preferences = preferences;
@@ -94,7 +97,7 @@ public final class ObstacleActions {
         actions.add(UiAction.of("cut", this::cut).withAccelerator(menuShortcut(KeyEvent.VK_X)));
         actions.add(UiAction.of("copy", this::copySelection).withAccelerator(menuShortcut(KeyEvent.VK_C)));
         actions.add(UiAction.of("paste", this::paste).withAccelerator(menuShortcut(KeyEvent.VK_V)));
-        actions.add(UiAction.of("duplicate", () -> addCopies(selected())).withAccelerator(menuShortcut(KeyEvent.VK_D)));
+        actions.add(UiAction.of("duplicate", this::duplicate).withAccelerator(menuShortcut(KeyEvent.VK_D)));
         actions.add(UiAction.of("delete", this::delete).withAccelerator(unmodified(KeyEvent.VK_DELETE)));
         actions.add(UiAction.of("selectAll", tools::selectAll).withAccelerator(menuShortcut(KeyEvent.VK_A)));
         actions.add(UiAction.of("selectNext", () -> tools.selectNext(1)).withAccelerator(unmodified(KeyEvent.VK_N)));
@@ -150,10 +153,10 @@ public final class ObstacleActions {
         }
     }
 
-    /** Returns the selected obstacles; if there are none, shows a note that asks the user to select some. */
-    private List<Obstacle> selected() {
+    /** Returns the selected obstacles; if there are none, shows the note with a key, which asks to select something. */
+    private List<Obstacle> selected(String noteKey) {
         if (tools.selected().isEmpty()) {
-            notes.show(Messages.get("note.selectObstacle"));
+            notes.show(Messages.get(noteKey));
         }
         return tools.selected();
     }
@@ -188,19 +191,32 @@ public final class ObstacleActions {
 
     private void cut() {
         if (copySelection()) {
-            delete();
+            deleteObstacles(tools.selected());
         }
     }
 
+    private void duplicate() {
+        selectedSensor().ifPresentOrElse(sensorActions::duplicate, () -> addCopies(selected("note.selectItem")));
+    }
+
     private void delete() {
-        editor.send(selected().stream()
+        selectedSensor().ifPresentOrElse(sensorActions::remove, () -> deleteObstacles(selected("note.selectItem")));
+    }
+
+    /** Returns the selected sensor; empty if obstacles are selected, to which a command then applies. */
+    private Optional<String> selectedSensor() {
+        return tools.selected().isEmpty() ? tools.selectedSensor() : Optional.empty();
+    }
+
+    private void deleteObstacles(List<Obstacle> obstacles) {
+        editor.send(obstacles.stream()
                 .<Command>map(obstacle -> new Command.RemoveObstacle(obstacle.id()))
                 .toList());
     }
 
     /** Copies the selection to the clipboard; returns whether it is there. */
     private boolean copySelection() {
-        List<Obstacle> selected = selected();
+        List<Obstacle> selected = selected("note.selectObstacle");
         if (selected.isEmpty()) {
             return false;
         }

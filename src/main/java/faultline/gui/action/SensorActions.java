@@ -2,14 +2,16 @@ package faultline.gui.action;
 
 import faultline.control.ControllerSpec;
 import faultline.control.WallSide;
+import faultline.gui.canvas.tool.CanvasTools;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.SensorPresets;
 import faultline.gui.edit.UndoController;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.awt.event.KeyEvent;
 
-/** The actions that switch sensors: one by its key, or several at once. */
+/** The actions that switch sensors, one by its key or several at once, and that add, copy and remove them. */
 public final class SensorActions {
 
     private static final int SENSOR_KEYS = 8;
@@ -17,13 +19,18 @@ public final class SensorActions {
 
     private final Workspace workspace;
     private final UndoController editor;
+    private final SensorEditor sensorEditor;
+    private final CanvasTools tools;
 
-    public SensorActions(Workspace workspace, UndoController editor) {
+    public SensorActions(Workspace workspace, UndoController editor, SensorEditor sensorEditor, CanvasTools tools) {
         this.workspace = workspace;
         this.editor = editor;
+        this.sensorEditor = sensorEditor;
+        this.tools = tools;
     }
 
     public void addTo(ActionRegistry actions) {
+        actions.add(UiAction.of("addSensor", this::add));
         actions.add(UiAction.of("sensorsTwo", () -> applyPreset(2)));
         actions.add(UiAction.of("sensorsThree", () -> applyPreset(3)));
         actions.add(UiAction.of("sensorsAll", () -> applyPreset(ALL_SENSORS)));
@@ -32,6 +39,25 @@ public final class SensorActions {
             actions.add(UiAction.of("sensor" + (i + 1), () -> toggle(index))
                     .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_1 + i)));
         }
+    }
+
+    private void add() {
+        sensorEditor.add().ifPresent(tools::selectSensorWhenPresent);
+    }
+
+    /** Adds a sensor that faces a direction, radians from straight ahead, and selects it. */
+    public void add(double direction) {
+        sensorEditor.add(direction).ifPresent(tools::selectSensorWhenPresent);
+    }
+
+    /** Adds a copy of a sensor, and selects it. */
+    public void duplicate(String id) {
+        sensorEditor.duplicate(id).ifPresent(tools::selectSensorWhenPresent);
+    }
+
+    /** Removes a sensor. */
+    public void remove(String id) {
+        sensorEditor.remove(id);
     }
 
     private void applyPreset(int count) {

@@ -52,8 +52,14 @@ final class SetupEditor {
         base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), obstacle));
     }
 
-    /** Applies an executed command. Commands that the run had not executed at that time are dropped. */
+    /**
+     * Applies an executed command. Commands that the run had not executed at that time are dropped, and so is a command
+     * about a sensor that has been removed while the run was busy with the command.
+     */
     void add(CommandResult result) {
+        if (!hasSensorOf(result.command())) {
+            return;
+        }
         moveTo(result.tick() - 1, position);
         if (position < entries.size()) {
             entries.subList(position, entries.size()).clear();
@@ -115,11 +121,19 @@ final class SetupEditor {
         return result;
     }
 
-    /** Returns an editor of another setup with the executed commands that do not belong to the timeline. */
+    private boolean hasSensorOf(Command command) {
+        return SensorReference.in(command).filter(id -> robot.indexOf(id) < 0).isEmpty();
+    }
+
+    /**
+     * Returns an editor of another setup with the executed commands that do not belong to the timeline, except for
+     * those about sensors that the other setup lacks.
+     */
     SetupEditor rebased(SimulationSetup newBase) {
         SetupEditor result = new SetupEditor(newBase);
         for (int i = 0; i < entries.size(); i++) {
-            if (result.apply(entries.get(i).command())) {
+            Command command = entries.get(i).command();
+            if (result.hasSensorOf(command) && result.apply(command)) {
                 result.entries.add(entries.get(i));
                 result.position += i < position ? 1 : 0;
             }

@@ -4,6 +4,7 @@ import faultline.geometry.Pose;
 import faultline.gui.document.RunController;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 
 /** Changes the scenario itself, with undo. The run is simulated again if a change affects it. */
@@ -22,7 +23,15 @@ public final class ScenarioEditor {
      * the same name in quick succession form one edit.
      */
     public void edit(String key, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
-        undo.addSetupEdit(() -> Messages.get(key), key, () -> run.change(inverse), () -> run.change(change));
+        edit(() -> Messages.get(key), key, change, inverse);
+    }
+
+    /**
+     * Changes the scenario, given the name of the edit in the current language, its target, the change, and the change
+     * that reverts only this change. Changes with equal targets in quick succession form one edit.
+     */
+    void edit(Supplier<String> name, Object target, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
+        undo.addSetupEdit(name, target, () -> run.change(inverse), () -> run.change(change));
         run.change(change);
     }
 

@@ -94,9 +94,12 @@ public final class SensorDetailsPanel extends JPanel {
         setIds(List.of());
     }
 
+    /** Sets the ids of the sensors. The selected one remains selected if it still exists. */
     private void setIds(List<String> newIds) {
         ids = newIds;
-        sensorChoice.setModel(new DefaultComboBoxModel<>(newIds.toArray(String[]::new)));
+        DefaultComboBoxModel<String> model = new DefaultComboBoxModel<>(newIds.toArray(String[]::new));
+        selectedSensor().filter(newIds::contains).ifPresent(model::setSelectedItem);
+        sensorChoice.setModel(model);
         mountFields.setSensor(selectedSensor().orElse(null));
     }
 

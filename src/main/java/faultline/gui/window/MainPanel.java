@@ -142,6 +142,8 @@ final class MainPanel extends JPanel {
     /** Shows a frame; the canvas is repainted only if the frame is new. */
     void setFrame(SessionFrame frame, SessionStatus now) {
         assert EventQueue.isDispatchThread();
+        // The canvas may select a sensor that is new in this frame, so the control panel must have it before.
+        controlPanel.setSnapshot(frame.snapshot());
         if (!timeline.bar().isAdjusting() && shownFrame != frame) {
             shownFrame = frame;
             canvas.setFrame(frame.frame());
@@ -151,7 +153,6 @@ final class MainPanel extends JPanel {
         if (instruments.isVisible()) {
             instruments.setFrame(frame);
         }
-        controlPanel.setSnapshot(frame.snapshot());
         if (obstacles.isShowing()) {
             obstacles.setObstacles(frame.snapshot().obstacles());
         }

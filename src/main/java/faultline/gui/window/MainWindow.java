@@ -34,6 +34,7 @@ import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.gallery.Gallery;
@@ -83,6 +84,8 @@ public final class MainWindow extends JFrame {
     private final SimulationCanvas canvas = new SimulationCanvas(undoController);
     private final transient ExportController exportController =
             new ExportController(this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote, notes);
+    private final transient SensorActions sensorActions = new SensorActions(
+            workspace, undoController, new SensorEditor(workspace, scenarioEditor, this::showNote), canvas.tools());
     private final transient RunActions runActions;
     private final transient WindowPreferences preferences;
     private final transient ThemeAction themeAction;
@@ -173,10 +176,15 @@ public final class MainWindow extends JFrame {
                 .addTo(actionRegistry);
         editActions.addTo(actionRegistry);
         editActions.bindTo(getRootPane());
+        sensorActions.addTo(actionRegistry);
         new ObstacleActions(
-                        canvas.tools(), undoController, notes, now -> SpeedDialog.showDialog(this, now), preferences)
+                        canvas.tools(),
+                        undoController,
+                        sensorActions,
+                        notes,
+                        now -> SpeedDialog.showDialog(this, now),
+                        preferences)
                 .addTo(actionRegistry);
-        new SensorActions(workspace, undoController).addTo(actionRegistry);
         exportController.actions().forEach(actionRegistry::add);
         ViewActions.addTo(actionRegistry, canvas);
         ViewActions.addPathColours(actionRegistry, canvas, preferences);
@@ -219,7 +227,7 @@ public final class MainWindow extends JFrame {
 
     private void installViewListeners() {
         mainPanel.instruments().chart().setMenuExtension(popup -> Menus.addChartItems(popup, actionRegistry));
-        Menus.installContextMenu(canvas, actionRegistry, undoController, this::addFault);
+        Menus.installContextMenu(canvas, actionRegistry, new SensorMenu(undoController, sensorActions, this::addFault));
         canvas.tools().listeners().addStartListener(pose -> workspace
                 .scenario()
                 .ifPresent(open -> scenarioEditor.moveStart(open.setup().start(), pose)));

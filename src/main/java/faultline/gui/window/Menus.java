@@ -7,9 +7,7 @@ import faultline.gui.action.ScrolledMenuLayout;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.canvas.tool.MenuTarget;
-import faultline.gui.edit.UndoController;
 import faultline.gui.theme.UiText;
-import java.util.function.Consumer;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
@@ -35,7 +33,8 @@ final class Menus {
         bar.add(menus.createFileMenu());
         bar.add(menus.createMenu(
                 "edit",
-                "undo redo - cut copy paste duplicate delete - selectAll selectNext selectPrevious - preferences"));
+                "undo redo - cut copy paste duplicate delete addSensor"
+                        + " - selectAll selectNext selectPrevious - preferences"));
         bar.add(menus.createViewMenu());
         bar.add(menus.createSimulationMenu());
         String palette = String.join(" ", ObstacleActions.PALETTE_KEYS);
@@ -81,19 +80,15 @@ final class Menus {
         return createMenu("presets", "sensorsTwo sensorsThree sensorsAll");
     }
 
-    /**
-     * Lets the canvas show a context menu for the item under the cursor; {@code newFault} receives the id of a sensor
-     * for which it asks for a fault.
-     */
-    static void installContextMenu(
-            SimulationCanvas canvas, ActionRegistry actions, UndoController editor, Consumer<String> newFault) {
+    /** Lets the canvas show a context menu for the item under the cursor. */
+    static void installContextMenu(SimulationCanvas canvas, ActionRegistry actions, SensorMenu sensorMenu) {
         canvas.tools().listeners().addMenuListener(at -> {
             MenuTarget target = canvas.tools().targetAt(at);
             JPopupMenu popup = new JPopupMenu();
             if (target == MenuTarget.SENSOR) {
-                canvas.tools()
-                        .selectSensorAt(at)
-                        .ifPresent(sensor -> SensorMenu.addTo(popup, sensor, editor, newFault));
+                canvas.tools().selectSensorAt(at).ifPresent(sensor -> sensorMenu.addTo(popup, sensor));
+            } else if (target == MenuTarget.ROBOT) {
+                canvas.tools().directionOf(at).ifPresent(direction -> sensorMenu.addNewSensor(popup, direction));
             }
             addCanvasItems(popup, actions, target);
             ContextMenu.show(popup, canvas, at.x, at.y);

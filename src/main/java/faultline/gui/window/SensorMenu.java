@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.action.SensorActions;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.UiText;
 import faultline.world.Command;
@@ -8,31 +9,42 @@ import java.util.function.Consumer;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 
-/** The items of a context menu that concern one sensor: it is switched, gets a fault or is repaired. */
+/** The items of context menus that concern sensors: they are switched, get faults, and are added and removed. */
 final class SensorMenu {
 
-    private final JPopupMenu popup;
-    private final String id;
+    private final UndoController editor;
+    private final SensorActions actions;
+    private final Consumer<String> newFault;
 
-    private SensorMenu(JPopupMenu popup, String id) {
-        this.popup = popup;
-        this.id = id;
+    /** Creates the items; {@code newFault} receives the id of a sensor for which it asks for a fault. */
+    SensorMenu(UndoController editor, SensorActions actions, Consumer<String> newFault) {
+        this.editor = editor;
+        this.actions = actions;
+        this.newFault = newFault;
     }
 
-    /** Adds the items to a menu; {@code newFault} receives the id of a sensor for which it asks for a fault. */
-    static void addTo(JPopupMenu popup, SensorSnapshot sensor, UndoController editor, Consumer<String> newFault) {
+    /** Adds the items about one sensor to a menu. */
+    void addTo(JPopupMenu popup, SensorSnapshot sensor) {
         String id = sensor.spec().id();
         boolean on = sensor.spec().on();
-        SensorMenu menu = new SensorMenu(popup, id);
-        menu.add(on ? "sensorMenu.off" : "sensorMenu.on", () -> editor.send(new Command.SwitchSensor(id, !on)));
-        menu.add("sensorMenu.fault", () -> newFault.accept(id));
-        menu.add("sensorMenu.repair", () -> editor.send(new Command.ClearFaults(id)))
+        add(popup, on ? "off" : "on", id, () -> editor.send(new Command.SwitchSensor(id, !on)));
+        add(popup, "fault", id, () -> newFault.accept(id));
+        add(popup, "repair", id, () -> editor.send(new Command.ClearFaults(id)))
                 .setEnabled(!sensor.faults().isEmpty());
+        popup.addSeparator();
+        add(popup, "duplicate", id, () -> actions.duplicate(id));
+        add(popup, "delete", id, () -> actions.remove(id));
         popup.addSeparator();
     }
 
-    private JMenuItem add(String key, Runnable action) {
-        JMenuItem item = popup.add(UiText.menuText(new JMenuItem(), key, id));
+    /** Adds the item that adds a sensor in a direction, radians from straight ahead, to a menu. */
+    void addNewSensor(JPopupMenu popup, double direction) {
+        add(popup, "add", "", () -> actions.add(direction));
+        popup.addSeparator();
+    }
+
+    private static JMenuItem add(JPopupMenu popup, String key, String id, Runnable action) {
+        JMenuItem item = popup.add(UiText.menuText(new JMenuItem(), "sensorMenu." + key, id));
         item.addActionListener(event -> action.run());
         return item;
     }

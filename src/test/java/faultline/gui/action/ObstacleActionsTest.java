@@ -8,6 +8,8 @@ import faultline.engine.SampleFrames;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Theme;
@@ -40,7 +42,9 @@ class ObstacleActionsTest {
         runOnEdt(() -> {
             addActions();
             for (String action : List.of("cut", "copy", "duplicate", "delete")) {
-                assertNotesAfter(action, "Select an obstacle first");
+                assertNotesAfter(
+                        action,
+                        action.startsWith("d") ? "Select an obstacle or a sensor first" : "Select an obstacle first");
                 notes.clear();
             }
         });
@@ -69,11 +73,15 @@ class ObstacleActionsTest {
 
     private ObstacleActions addActions() {
         Theme.LIGHT.install();
-        UndoController edits = new UndoController(new RunController(new Workspace())::send, () -> {});
+        Workspace workspace = new Workspace();
+        RunController run = new RunController(workspace);
+        UndoController edits = new UndoController(run::send, () -> {});
         canvas = new SimulationCanvas(edits);
+        SensorEditor sensors = new SensorEditor(workspace, new ScenarioEditor(run, edits), notes::add);
         ObstacleActions obstacles = new ObstacleActions(
                 canvas.tools(),
                 edits,
+                new SensorActions(workspace, edits, sensors, canvas.tools()),
                 new Notes(notes::add, notes::remove),
                 now -> OptionalDouble.empty(),
                 WindowPreferences.nonPersistent());

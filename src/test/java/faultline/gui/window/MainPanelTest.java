@@ -32,6 +32,7 @@ import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.panel.ControlPanel;
@@ -109,6 +110,7 @@ class MainPanelTest {
     private ActionRegistry actions = new ActionRegistry();
     private SimulationCanvas canvas;
     private MainPanel mainPanel;
+    private SensorMenu sensorMenu;
     private JMenuBar menus;
 
     @BeforeEach
@@ -125,8 +127,7 @@ class MainPanelTest {
             FileController files = new FileController(canvas, workspace, () -> false);
             files.addTo(actions, () -> {});
             new EditActions(edits).addTo(actions);
-            obstacleActions(edits).addTo(actions);
-            new SensorActions(workspace, edits).addTo(actions);
+            addSensorActions(workspace, run, edits);
             new ExportController(
                             canvas,
                             workspace,
@@ -153,10 +154,19 @@ class MainPanelTest {
         });
     }
 
-    private ObstacleActions obstacleActions(UndoController edits) {
+    private void addSensorActions(Workspace workspace, RunController run, UndoController edits) {
+        SensorEditor editor = new SensorEditor(workspace, new ScenarioEditor(run, edits), note -> {});
+        SensorActions sensors = new SensorActions(workspace, edits, editor, canvas.tools());
+        sensors.addTo(actions);
+        obstacleActions(edits, sensors).addTo(actions);
+        sensorMenu = new SensorMenu(edits, sensors, id -> {});
+    }
+
+    private ObstacleActions obstacleActions(UndoController edits, SensorActions sensors) {
         return new ObstacleActions(
                 canvas.tools(),
                 edits,
+                sensors,
                 new Notes(sentence -> {}, sentence -> {}),
                 now -> OptionalDouble.empty(),
                 WindowPreferences.nonPersistent());
@@ -398,7 +408,9 @@ class MainPanelTest {
     private JPopupMenu contextMenu(MenuTarget target) {
         JPopupMenu menu = new JPopupMenu();
         if (target == MenuTarget.SENSOR) {
-            SensorMenu.addTo(menu, SampleFrames.fullFrame().snapshot().sensors().get(0), null, id -> {});
+            sensorMenu.addTo(menu, SampleFrames.fullFrame().snapshot().sensors().get(0));
+        } else if (target == MenuTarget.ROBOT) {
+            sensorMenu.addNewSensor(menu, 0);
         }
         Menus.addCanvasItems(menu, actions, target);
         return menu;

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
+import faultline.geometry.Pose;
 import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
@@ -14,11 +15,14 @@ import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.LaneView;
 import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
 import faultline.world.SensorSnapshot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import javax.swing.JComboBox;
 import javax.swing.JMenuItem;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -26,7 +30,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 
-/** The context menu of a cone switches its sensor, adds a fault to it and repairs it. */
+/** The context menu of a cone switches its sensor, adds a fault to it, repairs, copies and deletes it. */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
@@ -93,6 +97,56 @@ class SensorMenuRobotTest {
         driver.robot().waitFor("its first item is selected", first::isArmed);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.waitForFrame("it is off", frame -> !left(frame).spec().on());
+    }
+
+    private static List<String> ids(Frame frame) {
+        return frame.snapshot().robot().sensorIds();
+    }
+
+    @Test
+    void aSensorIsDuplicatedAndDeletedAndBothAreUndone() {
+        choose("Duplicate left");
+        driver.waitForFrame("the copy", frame -> ids(frame).contains("left-2"));
+        driver.robot().waitFor("it is selected", () -> selectedSensor().equals(Optional.of("left-2")));
+        assertEquals("left-2", callOnEdt(() -> sensorChoice().getSelectedItem()));
+        runOnEdt(() -> driver.canvas().requestFocusInWindow());
+        driver.robot().pressKeys(KeyEvent.VK_DELETE);
+        driver.waitForFrame("no copy", frame -> !ids(frame).contains("left-2"));
+        choose("Delete left");
+        driver.waitForFrame("seven sensors", frame -> ids(frame).size() == 7);
+        driver.choose("undo");
+        driver.waitForFrame("left again", frame -> ids(frame).indexOf("left") == 2);
+        driver.choose("undo");
+        driver.waitForFrame("the copy again", frame -> ids(frame).indexOf("left-2") == 8);
+        driver.choose("undo");
+        driver.waitForFrame("eight sensors", frame -> ids(frame).size() == 8);
+        driver.waitForTitle("office.xml");
+    }
+
+    @Test
+    void aSensorIsAddedInTheDirectionOfTheClickOnTheRobot() {
+        Pose robot = driver.frame().snapshot().pose();
+        Vector2 at = callOnEdt(() -> driver.canvas().camera().toScreen(robot.toParent(new Vector2(-0.03, -0.03))));
+        driver.robot().click(driver.canvas(), at.x(), at.y(), InputEvent.BUTTON3_DOWN_MASK);
+        driver.robot().waitFor("the menu shows", () -> WindowDriver.popupItems()
+                .findAny()
+                .isPresent());
+        driver.click(item("Add sensor"));
+        driver.waitForFrame("nine sensors", frame -> ids(frame).size() == 9);
+        SensorSpec added = driver.frame().snapshot().sensors().get(8).spec();
+        assertEquals("sensor", added.id());
+        assertEquals(-135, Math.toDegrees(added.bearing()), 20);
+        driver.robot().waitFor("it is selected", () -> selectedSensor().equals(Optional.of("sensor")));
+        driver.choose("duplicate");
+        driver.waitForFrame("a copy of it", frame -> ids(frame).contains("sensor-2"));
+    }
+
+    private Optional<String> selectedSensor() {
+        return driver.canvas().tools().selectedSensor();
+    }
+
+    private JComboBox<?> sensorChoice() {
+        return ComponentFinder.find(driver.window(), JComboBox.class, "Sensor");
     }
 
     @Test

@@ -23,6 +23,8 @@ public final class CanvasModel {
     private final Set<Layer> layers = Layer.defaults();
     private Frame frame;
     private Set<String> pendingSelection = Set.of();
+    /** The sensor that is selected as soon as a frame has it, empty for none. */
+    private String pendingSensor = "";
 
     /** Sets the frame; selected objects that it lacks are deselected, and awaited ones selected. */
     public void setFrame(Frame newest) {
@@ -32,7 +34,10 @@ public final class CanvasModel {
         } else if (!hasAll(selection.get())) {
             select(selection.get(), pendingSelection);
         }
-        if (selectedSensor().isEmpty()) {
+        if (sensor(pendingSensor).isPresent()) {
+            sensor.set(Optional.of(pendingSensor));
+            pendingSensor = "";
+        } else if (selectedSensor().isEmpty()) {
             sensor.set(Optional.empty());
         }
     }
@@ -93,6 +98,11 @@ public final class CanvasModel {
     /** Selects obstacles as soon as a frame has them all. */
     public void selectWhenPresent(Collection<String> ids) {
         pendingSelection = Set.copyOf(ids);
+    }
+
+    /** Selects a sensor as soon as a frame has it. */
+    public void selectSensorWhenPresent(String id) {
+        pendingSensor = id;
     }
 
     /** Adds an obstacle to the selection, or removes it. */

@@ -20,6 +20,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
@@ -230,6 +231,25 @@ public final class CanvasTools {
                 .id()));
     }
 
+    /** Selects a sensor that is about to be added, and no obstacle, as soon as a frame has it. */
+    public void selectSensorWhenPresent(String id) {
+        select(Set.of());
+        context.model().selectSensorWhenPresent(id);
+    }
+
+    /** Returns the id of the selected sensor; empty if there is none. */
+    public Optional<String> selectedSensor() {
+        return context.model().sensor().get();
+    }
+
+    /** Returns the direction of a position on the canvas from the robot's centre, radians from straight ahead. */
+    public OptionalDouble directionOf(Point at) {
+        Vector2 point = context.viewport().camera().get().toWorld(new Vector2(at.x, at.y));
+        return context.model().frame().stream()
+                .mapToDouble(frame -> frame.snapshot().pose().toLocal(point).angle())
+                .findFirst();
+    }
+
     /** Prepares for another scenario: nothing is dragged, drawn or selected. */
     public void startScenario() {
         mouse.startScenario();
@@ -240,6 +260,7 @@ public final class CanvasTools {
     public void clearSelection() {
         assert EventQueue.isDispatchThread();
         context.model().select(Set.of());
+        context.model().selectSensorWhenPresent("");
         context.model().sensor().set(Optional.empty());
     }
 

@@ -1,0 +1,86 @@
+package faultline.gui.edit;
+
+import faultline.gui.document.Workspace;
+import faultline.gui.text.Messages;
+import faultline.robot.RobotSpec;
+import faultline.scenario.xml.ScenarioLimits;
+import faultline.sensor.SensorSpec;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+
+/**
+ * Adds, copies and removes sensors of the scenario's robot, with undo. The run is simulated again with the changed
+ * robot. Event dispatch thread only.
+ */
+public final class SensorEditor {
+
+    private final Workspace workspace;
+    private final ScenarioEditor editor;
+    private final Consumer<String> notes;
+
+    /**
+     * Creates an editor; {@code notes} receives sentences in the current language about what else has changed, or why
+     * nothing has.
+     */
+    public SensorEditor(Workspace workspace, ScenarioEditor editor, Consumer<String> notes) {
+        this.workspace = workspace;
+        this.editor = editor;
+        this.notes = notes;
+    }
+
+    /**
+     * Adds a sensor that faces the widest gap between the other sensors. Returns its id; empty if the robot can have no
+     * further sensor.
+     */
+    public Optional<String> add() {
+        return extensibleRobot().map(robot -> append(robot, new NewSensors(robot).inWidestGap()));
+    }
+
+    /**
+     * Adds a sensor that faces a direction, radians from straight ahead. Returns its id; empty if the robot can have no
+     * further sensor.
+     */
+    public Optional<String> add(double direction) {
+        return extensibleRobot().map(robot -> append(robot, new NewSensors(robot).facing(direction)));
+    }
+
+    /** Adds a copy of a sensor. Returns its id; empty if there is no such sensor or no further one is possible. */
+    public Optional<String> duplicate(String id) {
+        return extensibleRobot().flatMap(robot -> robot.sensor(id)
+                .map(original -> append(robot, new NewSensors(robot).copyOf(original))));
+    }
+
+    /** Returns the robot; empty if it can have no further sensor, which is reported. */
+    private Optional<RobotSpec> extensibleRobot() {
+        Optional<RobotSpec> robot =
+                workspace.scenario().map(scenario -> scenario.setup().robot());
+        if (robot.filter(now -> now.sensors().size() >= ScenarioLimits.MAX_SENSORS)
+                .isPresent()) {
+            notes.accept(Messages.get("note.sensorLimit", Integer.toString(ScenarioLimits.MAX_SENSORS)));
+            return Optional.empty();
+        }
+        return robot;
+    }
+
+    /** Adds a sensor after the others, so that their places and numbers remain. Returns its id. */
+    private String append(RobotSpec robot, SensorSpec added) {
+        PlacedSensor placed = new PlacedSensor(added, robot.sensors().size(), new TreeMap<>());
+        editor.edit(() -> Messages.get("edit.add", added.id()), added, placed::addedTo, placed::removedFrom);
+        return added.id();
+    }
+
+    /** Removes a sensor and the commands of the timeline about it, whose number is reported. */
+    public void remove(String id) {
+        workspace
+                .scenario()
+                .flatMap(scenario -> PlacedSensor.find(scenario, id))
+                .ifPresent(removed -> {
+                    editor.edit(() -> Messages.get("edit.remove", id), removed, removed::removedFrom, removed::addedTo);
+                    int commands = removed.commands().size();
+                    if (commands > 0) {
+                        notes.accept(Messages.get("note.sensorCommands", id, Integer.toString(commands)));
+                    }
+                });
+    }
+}

@@ -1,0 +1,277 @@
+package faultline.gui.edit;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Vector2;
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
+import faultline.gui.document.TaskKind;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
+import faultline.robot.RobotSpec;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
+import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests changes of the robot's sensors at tick 40 of a run, which is simulated again. */
+@ExtendWith(EdtChecker.class)
+class SensorEditorTest {
+
+    private static final int TICKS = 40;
+    private static final Command FAULT = new Command.InjectFault("left", new Fault.Stuck(0.13));
+
+    @TempDir
+    private Path folder;
+
+    private final List<String> notes = new ArrayList<>();
+    private Workspace workspace;
+    private RunController run;
+    private DocumentStore documentStore;
+    private UndoController edits;
+    private SensorEditor sensors;
+    private SimulationSetup original;
+
+    @BeforeEach
+    void runAWhile() {
+        runOnEdt(() -> {
+            workspace = new Workspace();
+            run = new RunController(workspace);
+            documentStore = new DocumentStore(workspace);
+            edits = StoppedClock.undoController(run::send);
+            sensors = new SensorEditor(workspace, new ScenarioEditor(run, edits), notes::add);
+            workspace.addListener(new Forwarder());
+            documentStore.open(Path.of("scenarios/office.xml"));
+        });
+        SessionFrames.awaitScenario(workspace);
+        original = setup();
+        for (int i = 0; i < TICKS; i++) {
+            runOnEdt(run::step);
+        }
+        SessionFrames.awaitTick(workspace, TICKS);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    private SimulationSetup setup() {
+        return callOnEdt(() -> workspace.scenario().orElseThrow().setup());
+    }
+
+    private void waitForRun() {
+        Await.until("the run", () -> workspace.task().isEmpty());
+    }
+
+    private Optional<String> add() {
+        Optional<String> id = callOnEdt(sensors::add);
+        waitForRun();
+        return id;
+    }
+
+    private Optional<String> duplicate(String id) {
+        Optional<String> copy = callOnEdt(() -> sensors.duplicate(id));
+        waitForRun();
+        return copy;
+    }
+
+    private void remove(String id) {
+        runOnEdt(() -> sensors.remove(id));
+        waitForRun();
+    }
+
+    private void undo() {
+        runOnEdt(edits::undo);
+        waitForRun();
+    }
+
+    private void send(Command command) {
+        Optional<String> before = callOnEdt(edits::undoName);
+        runOnEdt(() -> edits.send(command));
+        Await.until("the edit", () -> !edits.undoName().equals(before));
+    }
+
+    private void assertRunIsThatOf(SimulationSetup setup) {
+        assertEquals(TICKS, SessionFrames.tick(workspace));
+        assertEquals(setup.robot().sensorIds(), idsInTheRun());
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            for (int i = 0; i < TICKS; i++) {
+                simulation.tick();
+            }
+            assertEquals(simulation.trajectoryHash(), SessionFrames.trajectoryHash(workspace));
+        }
+    }
+
+    private List<String> idsInTheRun() {
+        return callOnEdt(() -> SessionFrames.frame(workspace).snapshot().sensors().stream()
+                .map(sensor -> sensor.spec().id())
+                .toList());
+    }
+
+    private static List<String> withLast(List<String> ids, String last) {
+        return Stream.concat(ids.stream(), Stream.of(last)).toList();
+    }
+
+    @Test
+    void aNewSensorIsReadFromTheStartOfTheRunAndUndoTakesItAway() {
+        assertEquals(Optional.of("sensor"), add());
+        assertEquals(
+                withLast(original.robot().sensorIds(), "sensor"),
+                setup().robot().sensorIds());
+        assertRunIsThatOf(setup());
+        assertEquals(Optional.of("Add sensor"), callOnEdt(edits::undoName));
+        undo();
+        assertEquals(original, setup());
+        assertRunIsThatOf(original);
+        runOnEdt(edits::redo);
+        waitForRun();
+        assertEquals(9, idsInTheRun().size());
+        assertEquals(Optional.of("sensor-2"), add());
+    }
+
+    @Test
+    void aCopyComesLastSoThatTheOthersKeepTheirNumbers() {
+        assertEquals(Optional.of("front-2"), duplicate("front"));
+        assertEquals(withLast(original.robot().sensorIds(), "front-2"), idsInTheRun());
+        SensorSpec front = original.robot().sensor("front").orElseThrow();
+        SensorSpec copy = setup().robot().sensor("front-2").orElseThrow();
+        assertEquals(front, copy.withId("front").withBearing(front.bearing()));
+        assertEquals(Optional.empty(), duplicate("none"));
+        undo();
+        assertEquals(original, setup());
+    }
+
+    @Test
+    void theCommandsAboutARemovedSensorComeBackWithItAtTheirPlaces() {
+        List<TimedCommand> timeline = List.of(
+                new TimedCommand(0.1, new Command.SwitchSensor("right", false)),
+                new TimedCommand(0.2, FAULT),
+                new TimedCommand(0.2, new Command.SwitchSensor("right", true)),
+                new TimedCommand(0.3, new Command.ClearFaults("left")),
+                new TimedCommand(0.3, new Command.SwitchSensor("rear", false)));
+        runOnEdt(() -> run.change(old -> old.withSetup(old.setup().withTimeline(timeline))));
+        waitForRun();
+        SimulationSetup before = setup();
+        remove("left");
+        assertEquals(List.of("Entries of the time line deleted with left: 2"), notes);
+        assertEquals(List.of(timeline.get(0), timeline.get(2), timeline.get(4)), setup().timeline());
+        assertEquals(7, setup().robot().sensors().size());
+        assertRunIsThatOf(setup());
+        undo();
+        assertEquals(before, setup());
+        assertRunIsThatOf(before);
+    }
+
+    @Test
+    void whatWasDoneToASensorDuringTheRunIsRemovedWithItToo() {
+        send(FAULT);
+        SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
+        send(new Command.ConfigureSensor(farther));
+        SimulationSetup before = setup();
+        remove("left");
+        assertEquals(1, notes.size());
+        assertFalse(
+                setup().timeline().stream().anyMatch(timed -> timed.command().equals(FAULT)));
+        assertRunIsThatOf(setup());
+        undo();
+        assertEquals(before, setup());
+        assertEquals(farther, setup().robot().sensor("left").orElseThrow());
+    }
+
+    @Test
+    void aCommandThatIsExecutedAfterItsSensorWasRemovedIsIgnored() {
+        SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
+        runOnEdt(() -> {
+            edits.send(List.of(FAULT, new Command.ConfigureSensor(farther)));
+            sensors.remove("left");
+        });
+        waitForRun();
+        Await.until("the results of the commands", () -> edits.undoName().equals(Optional.of("2 changes")));
+        assertEquals(7, setup().robot().sensors().size());
+        assertRunIsThatOf(setup());
+        send(new Command.SwitchSensor("right", false));
+        assertEquals(
+                new Command.SwitchSensor("right", false),
+                setup().timeline().get(setup().timeline().size() - 1).command());
+    }
+
+    @Test
+    void aRobotWithoutSensorsIsSavedAndOpenedAgain() throws ScenarioException {
+        original.robot().sensorIds().forEach(this::remove);
+        assertEquals(List.of(), idsInTheRun());
+        assertRunIsThatOf(setup());
+        Path file = folder.resolve("blind.xml");
+        runOnEdt(() -> documentStore.save(file, () -> {}));
+        Await.until("the save", () -> !workspace.isChanged());
+        assertEquals(setup(), Scenario.load(file).setup());
+        assertEquals(Optional.of("sensor"), add());
+        assertEquals(0, setup().robot().sensors().get(0).bearing(), "straight ahead");
+    }
+
+    @Test
+    void oneRemovedSensorStaysRemovedInTheFile() throws ScenarioException {
+        remove("rear");
+        Path file = folder.resolve("seven.xml");
+        runOnEdt(() -> documentStore.save(file, () -> {}));
+        Await.until("the save", () -> !workspace.isChanged());
+        assertEquals(setup(), Scenario.load(file).setup());
+    }
+
+    @Test
+    void aRobotHasNoMoreSensorsThanAFileMayHave() {
+        SensorSpec front = original.robot().sensor("front").orElseThrow();
+        RobotSpec full = original.robot()
+                .withSensors(IntStream.range(0, ScenarioLimits.MAX_SENSORS)
+                        .mapToObj(i -> front.withId("s" + i).withMountPosition(new Vector2(0.1, 0)))
+                        .toList());
+        runOnEdt(() -> run.change(old -> old.withSetup(old.setup().withRobot(full))));
+        waitForRun();
+        assertEquals(Optional.empty(), add());
+        assertEquals(Optional.empty(), duplicate("s0"));
+        String note = "A robot can have at most " + ScenarioLimits.MAX_SENSORS + " sensors";
+        assertEquals(List.of(note, note), notes);
+        assertEquals(full, setup().robot());
+        remove("s7");
+        assertTrue(add().isPresent());
+        assertNotEquals(full, setup().robot());
+    }
+
+    /** Forwards events to the undo controller, as the window does. */
+    private final class Forwarder implements WorkspaceListener {
+        @Override
+        public void runRepositioned(long tick) {
+            edits.runRepositioned(tick);
+        }
+
+        @Override
+        public void taskFailed(TaskKind task, Path file, Throwable failure) {
+            throw new AssertionError(failure);
+        }
+    }
+}
