@@ -77,6 +77,7 @@ final class ControlPanelFigure implements Figure {
         ControlPanel panel = new ControlPanel(
                 editor,
                 new ScenarioEditor(new RunController(new Workspace()), editor),
+                new ControlPanel.SensorButtons(() -> {}, id -> {}),
                 UiAction.toggle("path", true, on -> {}));
         panel.setSnapshot(world);
         panel.addNotify();

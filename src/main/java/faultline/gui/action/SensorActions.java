@@ -41,7 +41,8 @@ public final class SensorActions {
         }
     }
 
-    private void add() {
+    /** Adds a sensor that faces the widest gap between the others, and selects it. */
+    public void add() {
         sensorEditor.add().ifPresent(tools::selectSensorWhenPresent);
     }
 

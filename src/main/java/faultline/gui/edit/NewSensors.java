@@ -11,7 +11,9 @@ import java.util.stream.IntStream;
 /** Chooses ids, places and directions of new sensors of a robot. */
 final class NewSensors {
 
-    private static final String ID = "sensor";
+    /** The first part of ids, which the number of the sensor follows. */
+    private static final String ID_STEM = "sensor-";
+
     private static final double FULL_CIRCLE = 2 * Math.PI;
     /** Bearings of new sensors are multiples of this, degrees. */
     private static final double BEARING_STEP = 0.5;
@@ -37,7 +39,7 @@ final class NewSensors {
         Optional<SensorSpec> nearest = robot.sensors().stream()
                 .min(Comparator.comparingDouble(sensor -> angleBetween(sensor.bearing(), bearing)));
         return new SensorSpec(
-                IdGenerator.uniqueId(ID, robot.sensorIds()),
+                IdGenerator.uniqueId(ID_STEM + (robot.sensors().size() + 1), robot.sensorIds()),
                 edgePoint(bearing),
                 bearing,
                 nearest.map(SensorSpec::range).orElse(SensorSpec.DEFAULT_RANGE),

@@ -68,16 +68,20 @@ public final class ControlPanel extends JPanel {
     /** The controls that the first snapshot enables. */
     private transient List<Component> disabledControls = List.of();
 
+    /** What adds a sensor, and what removes the one with an id. */
+    public record SensorButtons(Runnable add, Consumer<String> remove) {}
+
     /**
      * Creates a panel that shows the default robot, disabled, so that the fields do not move when a robot like it
      * comes. The second editor receives changes that need a new simulation.
      */
-    public ControlPanel(UndoController editor, ScenarioEditor scenarioEditor, Action path) {
+    public ControlPanel(
+            UndoController editor, ScenarioEditor scenarioEditor, SensorButtons sensorButtons, Action path) {
         super(new BorderLayout());
         this.editor = editor;
         robot = new RobotPanel(editor, path);
         sensors = new SensorsPanel(editor);
-        sensorDetails = new SensorDetailsPanel(editor);
+        sensorDetails = new SensorDetailsPanel(editor, sensorButtons);
         controller = new ControllerPanel(editor, scenarioEditor);
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);

@@ -10,7 +10,7 @@ import javax.swing.JPanel;
 /** Constraints for the cells of a form. */
 public final class FormConstraints {
 
-    private static final int GAP = 6;
+    static final int GAP = 6;
 
     private FormConstraints() {}
 

@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.edit.UndoController;
+import faultline.gui.theme.Glyph;
 import faultline.gui.theme.UiText;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
@@ -9,6 +10,7 @@ import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
+import java.awt.GridLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -23,6 +25,7 @@ import javax.swing.JPanel;
 public final class SensorDetailsPanel extends JPanel {
 
     private static final int SECTION_GAP = 8;
+    private static final int BUTTON_GAP = 2;
 
     private final transient UndoController editor;
     private final transient SensorMountFields mountFields;
@@ -30,16 +33,19 @@ public final class SensorDetailsPanel extends JPanel {
     private final JComboBox<String> sensorChoice = new JComboBox<>();
     private final transient FaultFields<FaultKind, Fault> fault = FaultFields.forSensors();
     private final JButton inject = UiText.button("faults.inject");
+    private final JButton addSensor = new JButton(Glyph.ADD.icon());
+    private final JButton removeSensor = new JButton(Glyph.REMOVE.icon());
     private final FaultList faultList;
     private List<String> ids = List.of();
 
     /** Creates a panel without sensors. */
-    SensorDetailsPanel(UndoController editor) {
+    SensorDetailsPanel(UndoController editor, ControlPanel.SensorButtons buttons) {
         super(new BorderLayout(0, SECTION_GAP));
         this.editor = editor;
         this.mountFields = new SensorMountFields(editor);
         this.faultList = new FaultList(editor);
         configureControls();
+        configureButtons(buttons);
         add(createForm(), BorderLayout.NORTH);
         add(faultList, BorderLayout.CENTER);
     }
@@ -54,10 +60,19 @@ public final class SensorDetailsPanel extends JPanel {
         UiText.nameAndTip(sensorChoice, "faults.sensor");
     }
 
+    private void configureButtons(ControlPanel.SensorButtons buttons) {
+        UiText.nameAndTip(addSensor, "faults.addSensor");
+        addSensor.addActionListener(event -> buttons.add().run());
+        UiText.nameAndTip(removeSensor, "faults.removeSensor");
+        removeSensor.addActionListener(event -> selectedSensor().ifPresent(buttons.remove()));
+    }
+
     private JComponent createForm() {
         JPanel form = new JPanel(new WrappingGridLayout());
-        form.add(FormConstraints.label("faults.sensor", sensorChoice), FormConstraints.cell(0, 0));
-        form.add(sensorChoice, FormConstraints.fillRow(1, 0));
+        form.add(FormConstraints.label("faults.sensor", sensorChoice), FormConstraints.leadingCell(0, 0));
+        GridBagConstraints choiceCell = FormConstraints.fillRow(1, 0);
+        choiceCell.anchor = GridBagConstraints.CENTER;
+        form.add(createChoiceRow(), choiceCell);
         mountFields.addTo(form, 1);
         fault.addTo(form, 3, SECTION_GAP);
         GridBagConstraints right = FormConstraints.fillCell(3, 4);
@@ -65,6 +80,17 @@ public final class SensorDetailsPanel extends JPanel {
         right.anchor = GridBagConstraints.BASELINE_TRAILING;
         form.add(inject, right);
         return form;
+    }
+
+    /** Returns the choice of a sensor with the buttons that add one and remove the chosen one. */
+    private JComponent createChoiceRow() {
+        JPanel buttons = new JPanel(new GridLayout(1, 2, BUTTON_GAP, 0));
+        buttons.add(addSensor);
+        buttons.add(removeSensor);
+        JPanel row = new JPanel(new BorderLayout(FormConstraints.GAP, 0));
+        row.add(sensorChoice, BorderLayout.CENTER);
+        row.add(buttons, BorderLayout.LINE_END);
+        return row;
     }
 
     /** Injects the fault, or nothing if the field does not contain a valid value. */
@@ -112,6 +138,7 @@ public final class SensorDetailsPanel extends JPanel {
             setIds(now);
         }
         inject.setEnabled(!now.isEmpty());
+        removeSensor.setEnabled(!now.isEmpty());
         mountFields.update();
         sensors.stream()
                 .filter(sensor -> sensor.spec().id().equals(sensorChoice.getSelectedItem()))

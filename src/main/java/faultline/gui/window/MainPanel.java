@@ -5,6 +5,7 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.SensorActions;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.ScenarioEditor;
@@ -70,8 +71,10 @@ final class MainPanel extends JPanel {
     /** Null before the first frame. */
     private transient SessionFrame shownFrame;
 
-    /** What carries out the user's edits of the run, of the scenario's settings and of its time line. */
-    record Editors(UndoController run, ScenarioEditor scenario, TimelineEditor timeline) {}
+    /**
+     * What carries out the user's edits of the run, of the scenario's settings, of its sensors and of its time line.
+     */
+    record Editors(UndoController run, ScenarioEditor scenario, SensorActions sensors, TimelineEditor timeline) {}
 
     /**
      * Creates a panel without a scenario; {@code speed} holds positions of {@link SpeedScale}, and {@code jump}
@@ -85,7 +88,11 @@ final class MainPanel extends JPanel {
             LongConsumer jump) {
         super(new BorderLayout());
         this.canvas = canvas;
-        controlPanel = new ControlPanel(editors.run(), editors.scenario(), actions.get("path"));
+        controlPanel = new ControlPanel(
+                editors.run(),
+                editors.scenario(),
+                new ControlPanel.SensorButtons(editors.sensors()::add, editors.sensors()::remove),
+                actions.get("path"));
         obstacles = new ObstaclePanel(editors.run(), canvas.tools());
         controlPanel.addTab("panel.obstacles", obstacles);
         instruments = new InstrumentDock(jump);

@@ -107,13 +107,7 @@ public final class MainWindow extends JFrame {
         runActions = new RunActions(runController, speed);
         parts = new WindowParts(preferences);
         addActions();
-        mainPanel = new MainPanel(
-                canvas,
-                new MainPanel.Editors(
-                        undoController, scenarioEditor, new TimelineEditor(workspace, runController, undoController)),
-                actionRegistry,
-                speed,
-                runController.navigator()::seek);
+        mainPanel = new MainPanel(canvas, createEditors(), actionRegistry, speed, runController.navigator()::seek);
         comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun);
         exportController.setChart(mainPanel.instruments().chart()::content);
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
@@ -160,6 +154,11 @@ public final class MainWindow extends JFrame {
         EditNotifier editNotifier = new EditNotifier(workspace, actionRegistry, this::showNote);
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.setUndoListener(editNotifier::editUndone);
+    }
+
+    private MainPanel.Editors createEditors() {
+        TimelineEditor timeline = new TimelineEditor(workspace, runController, undoController);
+        return new MainPanel.Editors(undoController, scenarioEditor, sensorActions, timeline);
     }
 
     private void addActions() {

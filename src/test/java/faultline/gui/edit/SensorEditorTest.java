@@ -140,19 +140,19 @@ class SensorEditorTest {
 
     @Test
     void aNewSensorIsReadFromTheStartOfTheRunAndUndoTakesItAway() {
-        assertEquals(Optional.of("sensor"), add());
+        assertEquals(Optional.of("sensor-9"), add());
         assertEquals(
-                withLast(original.robot().sensorIds(), "sensor"),
+                withLast(original.robot().sensorIds(), "sensor-9"),
                 setup().robot().sensorIds());
         assertRunIsThatOf(setup());
-        assertEquals(Optional.of("Add sensor"), callOnEdt(edits::undoName));
+        assertEquals(Optional.of("Add sensor-9"), callOnEdt(edits::undoName));
         undo();
         assertEquals(original, setup());
         assertRunIsThatOf(original);
         runOnEdt(edits::redo);
         waitForRun();
         assertEquals(9, idsInTheRun().size());
-        assertEquals(Optional.of("sensor-2"), add());
+        assertEquals(Optional.of("sensor-10"), add());
     }
 
     @Test
@@ -230,7 +230,7 @@ class SensorEditorTest {
         runOnEdt(() -> documentStore.save(file, () -> {}));
         Await.until("the save", () -> !workspace.isChanged());
         assertEquals(setup(), Scenario.load(file).setup());
-        assertEquals(Optional.of("sensor"), add());
+        assertEquals(Optional.of("sensor-1"), add());
         assertEquals(0, setup().robot().sensors().get(0).bearing(), "straight ahead");
     }
 

@@ -66,6 +66,10 @@ class ControlPanelTest {
     private final Snapshot world = SampleFrames.fullFrame().snapshot();
     private ControlPanel panel;
 
+    private final List<String> sensorRequests = new ArrayList<>();
+    private final ControlPanel.SensorButtons sensorButtons =
+            new ControlPanel.SensorButtons(() -> sensorRequests.add("added"), sensorRequests::add);
+
     @BeforeEach
     void show() {
         panel = callOnEdt(() -> {
@@ -76,9 +80,22 @@ class ControlPanelTest {
         });
     }
 
+    @Test
+    void theButtonsAddASensorAndRemoveTheChosenOne() {
+        runOnEdt(() -> {
+            ComponentFinder.find(panel, JComboBox.class, "Sensor").setSelectedItem("rear");
+            ComponentFinder.find(panel, JButton.class, "Add a sensor").doClick(0);
+            ComponentFinder.find(panel, JButton.class, "Delete this sensor").doClick(0);
+        });
+        assertEquals(List.of("added", "rear"), sensorRequests);
+    }
+
     private ControlPanel createPanel() {
         return new ControlPanel(
-                new UndoController(this::execute, () -> {}), null, UiAction.toggle("path", true, on -> {}));
+                new UndoController(this::execute, () -> {}),
+                null,
+                sensorButtons,
+                UiAction.toggle("path", true, on -> {}));
     }
 
     /** Records commands, and how to refuse them. */
@@ -157,7 +174,7 @@ class ControlPanelTest {
     @Test
     void aRobotWithoutSensorsKeepsNoneOfTheScenarioBefore() {
         SensorDetailsPanel details =
-                callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {})));
+                callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {}), sensorButtons));
         runOnEdt(() -> {
             details.setSensors(world.sensors());
             details.startScenario();
@@ -192,7 +209,10 @@ class ControlPanelTest {
     void withoutAScenarioNoFieldShowsItsLowerLimit() {
         runOnEdt(() -> {
             ControlPanel empty = new ControlPanel(
-                    new UndoController(this::execute, () -> {}), null, UiAction.toggle("path", true, on -> {}));
+                    new UndoController(this::execute, () -> {}),
+                    null,
+                    sensorButtons,
+                    UiAction.toggle("path", true, on -> {}));
             assertEquals(
                     "0",
                     ComponentFinder.findAll(empty, JTextField.class)
@@ -208,7 +228,10 @@ class ControlPanelTest {
     void theFieldsOfTheDefaultRobotStandDisabledWhereTheyWillBe() {
         runOnEdt(() -> {
             ControlPanel early = new ControlPanel(
-                    new UndoController(this::execute, () -> {}), null, UiAction.toggle("path", true, on -> {}));
+                    new UndoController(this::execute, () -> {}),
+                    null,
+                    sensorButtons,
+                    UiAction.toggle("path", true, on -> {}));
             early.setSize(early.defaultWidth(), 640);
             layOut(early);
             List<NumberSpinner> fields = NumberSpinner.findIn(early).toList();

@@ -110,6 +110,7 @@ class MainPanelTest {
     private ActionRegistry actions = new ActionRegistry();
     private SimulationCanvas canvas;
     private MainPanel mainPanel;
+    private SensorActions sensors;
     private SensorMenu sensorMenu;
     private JMenuBar menus;
 
@@ -156,13 +157,13 @@ class MainPanelTest {
 
     private void addSensorActions(Workspace workspace, RunController run, UndoController edits) {
         SensorEditor editor = new SensorEditor(workspace, new ScenarioEditor(run, edits), note -> {});
-        SensorActions sensors = new SensorActions(workspace, edits, editor, canvas.tools());
+        sensors = new SensorActions(workspace, edits, editor, canvas.tools());
         sensors.addTo(actions);
-        obstacleActions(edits, sensors).addTo(actions);
+        obstacleActions(edits).addTo(actions);
         sensorMenu = new SensorMenu(edits, sensors, id -> {});
     }
 
-    private ObstacleActions obstacleActions(UndoController edits, SensorActions sensors) {
+    private ObstacleActions obstacleActions(UndoController edits) {
         return new ObstacleActions(
                 canvas.tools(),
                 edits,
@@ -176,7 +177,8 @@ class MainPanelTest {
             RunController run, UndoController edits, DefaultBoundedRangeModel speed, Workspace workspace) {
         ScenarioEditor scenario = new ScenarioEditor(run, edits);
         TimelineEditor timeline = new TimelineEditor(workspace, run, edits);
-        return new MainPanel(canvas, new MainPanel.Editors(edits, scenario, timeline), actions, speed, tick -> {});
+        return new MainPanel(
+                canvas, new MainPanel.Editors(edits, scenario, sensors, timeline), actions, speed, tick -> {});
     }
 
     private static Stream<Arguments> windowSizes() {

@@ -134,11 +134,11 @@ class SensorMenuRobotTest {
         driver.click(item("Add sensor"));
         driver.waitForFrame("nine sensors", frame -> ids(frame).size() == 9);
         SensorSpec added = driver.frame().snapshot().sensors().get(8).spec();
-        assertEquals("sensor", added.id());
+        assertEquals("sensor-9", added.id());
         assertEquals(-135, Math.toDegrees(added.bearing()), 20);
-        driver.robot().waitFor("it is selected", () -> selectedSensor().equals(Optional.of("sensor")));
+        driver.robot().waitFor("it is selected", () -> selectedSensor().equals(Optional.of("sensor-9")));
         driver.choose("duplicate");
-        driver.waitForFrame("a copy of it", frame -> ids(frame).contains("sensor-2"));
+        driver.waitForFrame("a copy of it", frame -> ids(frame).contains("sensor-10"));
     }
 
     private Optional<String> selectedSensor() {

@@ -83,7 +83,7 @@ public final class CanvasModel {
                         == ids.size();
     }
 
-    /** Selects obstacles and no others; unknown ids are ignored. */
+    /** Selects obstacles, and nothing else if there are any of them; unknown ids are ignored. */
     public void select(Collection<String> wanted) {
         select(wanted, Set.of());
     }
@@ -93,6 +93,9 @@ public final class CanvasModel {
         Set<String> there = new LinkedHashSet<>(wanted);
         there.retainAll(obstacleIds());
         selection.set(Collections.unmodifiableSet(there));
+        if (!there.isEmpty()) {
+            sensor.set(Optional.empty());
+        }
     }
 
     /** Selects obstacles as soon as a frame has them all. */

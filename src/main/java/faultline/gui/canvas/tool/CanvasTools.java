@@ -206,10 +206,11 @@ public final class CanvasTools {
         return ConeHitTest.sensorAt(camera, model.sensors(), screen).isPresent() ? MenuTarget.SENSOR : MenuTarget.FLOOR;
     }
 
-    /** Selects the sensor whose cone is at a position on the canvas, and returns it. */
+    /** Selects the sensor whose cone is at a position on the canvas, and no obstacle; returns the sensor. */
     public Optional<SensorSnapshot> selectSensorAt(Point at) {
         Optional<SensorSnapshot> sensor = ConeHitTest.sensorAt(
                 context.viewport().camera().get(), context.model().sensors(), new Vector2(at.x, at.y));
+        context.model().select(Set.of());
         context.model().sensor().set(sensor.map(found -> found.spec().id()));
         return sensor;
     }

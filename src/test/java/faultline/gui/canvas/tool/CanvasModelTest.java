@@ -9,6 +9,7 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -36,6 +37,27 @@ class CanvasModelTest {
         model.select(List.of("lamp", "desk"));
         model.setFrame(with("pole", "lamp"));
         assertEquals(Set.of("lamp"), selected());
+    }
+
+    @Test
+    void obstaclesAreSelectedInsteadOfASensor() {
+        model.setFrame(with("desk"));
+        model.sensor().set(Optional.of("left"));
+        model.select(List.of());
+        assertEquals(Optional.of("left"), model.sensor().get());
+        model.select(List.of("desk"));
+        assertEquals(Optional.empty(), model.sensor().get());
+    }
+
+    @Test
+    void aNewSensorIsSelectedOnceAFrameHasIt() {
+        model.selectSensorWhenPresent("left");
+        assertEquals(Optional.empty(), model.sensor().get());
+        model.setFrame(SampleFrames.fullFrame());
+        assertEquals(Optional.of("left"), model.sensor().get());
+        model.sensor().set(Optional.of("right"));
+        model.setFrame(SampleFrames.fullFrame());
+        assertEquals(Optional.of("right"), model.sensor().get(), "only once");
     }
 
     @Test
