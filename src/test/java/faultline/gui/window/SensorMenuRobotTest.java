@@ -138,7 +138,7 @@ class SensorMenuRobotTest {
         assertEquals(-135, Math.toDegrees(added.bearing()), 20);
         driver.robot().waitFor("it is selected", () -> selectedSensor().equals(Optional.of("sensor-9")));
         driver.choose("duplicate");
-        driver.waitForFrame("a copy of it", frame -> ids(frame).contains("sensor-10"));
+        driver.waitForFrame("a copy of it", frame -> ids(frame).contains("sensor-2"));
     }
 
     private Optional<String> selectedSensor() {
