@@ -2,9 +2,12 @@ package faultline.gui.edit;
 
 import faultline.world.Command;
 import faultline.world.CommandResult;
+import faultline.world.Refusal;
 import java.awt.EventQueue;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
@@ -23,6 +26,12 @@ public final class UndoController {
 
     /** The kind of the targets of setup edits. */
     private static final String SETUP = "setup";
+
+    private static final Set<Refusal.Reason> MISSING = EnumSet.of(
+            Refusal.Reason.UNKNOWN_OBSTACLE,
+            Refusal.Reason.UNKNOWN_SENSOR,
+            Refusal.Reason.UNKNOWN_FAULT,
+            Refusal.Reason.UNKNOWN_MOTOR_FAULT);
 
     private final BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel;
     private final Runnable onStateChange;
@@ -175,11 +184,18 @@ public final class UndoController {
                 undoListener.accept(history.firstTick(edit));
             }
             history.addChange(results.get(0).tick(), edit, done);
-        } else {
+        } else if (!results.stream().allMatch(UndoController::isAboutNothing)) {
             // The world refused the command, so the edit does not change.
             history.mark(edit, !done);
             onStateChange.run();
         }
+    }
+
+    /**
+     * Returns whether a command was refused because what it is about does not exist, so that there is nothing to do.
+     */
+    private static boolean isAboutNothing(CommandResult result) {
+        return result.refusal().map(Refusal::reason).filter(MISSING::contains).isPresent();
     }
 
     /**

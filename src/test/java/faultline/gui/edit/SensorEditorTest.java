@@ -222,6 +222,21 @@ class SensorEditorTest {
     }
 
     @Test
+    void aDeletionIsUndoneAfterAnEditOfTheSensorThatTheRunHasNotReachedAgain() {
+        send(FAULT);
+        runOnEdt(() -> run.navigator().seek(10));
+        waitForRun();
+        SimulationSetup before = setup();
+        remove("left");
+        runOnEdt(() -> edits.runAdvanced(TICKS + 1));
+        assertNotEquals(Optional.of("Delete left"), callOnEdt(edits::undoName), "the fault is above it again");
+        runOnEdt(edits::undo);
+        Await.until("the refusal", () -> edits.undoName().equals(Optional.of("Delete left")));
+        undo();
+        assertEquals(before, setup());
+    }
+
+    @Test
     void aRobotWithoutSensorsIsSavedAndOpenedAgain() throws ScenarioException {
         original.robot().sensorIds().forEach(this::remove);
         assertEquals(List.of(), idsInTheRun());
