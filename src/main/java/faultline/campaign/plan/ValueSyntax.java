@@ -9,10 +9,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.RandomAccess;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * The four forms of values in a plan: {@code 0.1 0.2 0.4} lists them, {@code 0.1..0.4/4} spaces them evenly,
@@ -41,6 +43,26 @@ public final class ValueSyntax {
      */
     public static OptionalInt count(String text) {
         return parse(text, "", false).stream().mapToInt(List::size).findFirst();
+    }
+
+    /**
+     * {@return the greatest number that a text stands for, or the upper bound of a range to draw from; empty if the
+     * text has none of the four forms, or no number}
+     *
+     * @param text the text
+     */
+    public static OptionalDouble greatest(String text) {
+        if (count(text).isEmpty()) {
+            return OptionalDouble.empty();
+        }
+        String trimmed = text.strip();
+        Matcher choice = CHOICE.matcher(trimmed);
+        Matcher interval = INTERVAL.matcher(trimmed);
+        String numbers = choice.matches() ? choice.group(1) : interval.matches() ? interval.group(2) : trimmed;
+        return Stream.of(numbers.split("\\s+"))
+                .flatMap(word -> DecimalText.parse(word).stream())
+                .mapToDouble(BigDecimal::doubleValue)
+                .max();
     }
 
     /**

@@ -52,6 +52,7 @@ final class BatchForm extends JPanel {
     private final List<JCheckBox> sensors;
     private final FaultChoices faults;
     private final JLabel count = new JLabel(" ");
+    private final JLabel remark = new JLabel(" ");
     private final BorderLayout columnLayout = new BorderLayout();
     private final JPanel columns = new JPanel(columnLayout);
     private final JPanel first;
@@ -137,6 +138,7 @@ final class BatchForm extends JPanel {
         healthy.addActionListener(event -> updateCount());
         fields.add(healthy, FormConstraints.fillRow(0, row++));
         fields.add(count, FormConstraints.fillRow(0, row++));
+        fields.add(remark, FormConstraints.fillRow(0, row++));
         return fields;
     }
 
@@ -166,11 +168,13 @@ final class BatchForm extends JPanel {
     private void updateCount() {
         // Fields call this while they are created.
         if (faults != null) {
-            OptionalLong runs = plan().runCount();
+            BatchPlan plan = plan();
+            OptionalLong runs = plan.runCount();
             count.setText(
                     runs.isPresent()
                             ? Messages.get("batch.count", Long.toString(runs.getAsLong()))
                             : Messages.get("batch.invalid"));
+            remark.setText(plan.hasLateFaults() ? Messages.get("batch.lateFaults") : " ");
         }
     }
 

@@ -68,6 +68,13 @@ record BatchPlan(
         return OptionalLong.of(cells * seeds * (diagnosis == DiagnosisChoice.BOTH ? 2 : 1));
     }
 
+    /** Returns whether a fault may begin at the end of its run or later, so that it has no effect. */
+    boolean hasLateFaults() {
+        return !faults.isEmpty()
+                && !sensors.isEmpty()
+                && ValueSyntax.greatest(onset).orElse(0) >= duration;
+    }
+
     /** Returns the text of the plan, given the name of the scenario's file beside it. */
     String text(String scenarioFile) {
         StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");

@@ -53,6 +53,23 @@ class ValueSyntaxTest {
     }
 
     @ParameterizedTest
+    @CsvSource({
+        "18..90, 90",
+        "' 5 10 7.5 ', 10",
+        "1..3/2, 3",
+        "any of 4 left 2, 4",
+        "-3, -3",
+        "1e400, Infinity",
+        "left, NaN",
+        "'', NaN",
+        "9..1, NaN",
+        "1..2/, NaN"
+    })
+    void theGreatestNumberIsThatOfAnyRun(String text, double expected) {
+        assertEquals(expected, ValueSyntax.greatest(text).orElse(Double.NaN));
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"", "any of "})
     void aListHasAtMostAHundredThousandValues(String form) {
         assertTrue(ValueSyntax.count(form + "5 ".repeat(100_000)).isPresent());

@@ -3,6 +3,7 @@ package faultline.gui.batch;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
@@ -71,6 +72,21 @@ class BatchFormTest {
         assertEquals(Optional.empty(), callOnEdt(form::findProblem));
         long expected = 10L * (plan.sensors().size() + 1);
         assertTrue(labels().contains("|" + expected + " runs"), labels());
+    }
+
+    @Test
+    void aRemarkSaysThatFaultsMayStartAfterTheEnd() {
+        String remark = "|Faults may start after the end";
+        String duration = Long.toString((long) scenario.setup().duration());
+        assertFalse(labels().contains(remark), labels());
+        type("Start of the fault", "5.." + duration);
+        assertTrue(labels().contains(remark), labels());
+        type("Start of the fault", "5 10");
+        assertFalse(labels().contains(remark), labels());
+        type("Start of the fault", "5 1e9");
+        assertTrue(labels().contains(remark), labels());
+        click("None");
+        assertFalse(labels().contains(remark), "there are no faults");
     }
 
     /** A controller that is chosen for the window has no effect on a batch. */
