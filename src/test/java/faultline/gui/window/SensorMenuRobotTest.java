@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
+import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
@@ -14,6 +15,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.LaneView;
+import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.SensorSnapshot;
@@ -139,6 +141,30 @@ class SensorMenuRobotTest {
         driver.robot().waitFor("it is selected", () -> selectedSensor().equals(Optional.of("sensor-9")));
         driver.choose("duplicate");
         driver.waitForFrame("a copy of it", frame -> ids(frame).contains("sensor-2"));
+    }
+
+    @Test
+    void theRightButtonTurnsTheSelectedSensorAndOpensNoMenu() {
+        runOnEdt(() -> driver.canvas().tools().selectSensor("left"));
+        Sector cone = left(driver.frame()).sector();
+        double distance = 0.7 * cone.range();
+        Vector2 wanted = Vector2.direction(cone.axis().angle() + Degrees.toRadians(40));
+        Vector2 from = toScreen(cone.apex().plus(cone.axis().times(distance)));
+        Vector2 to = toScreen(cone.apex().plus(wanted.times(distance)));
+        driver.robot().drag(driver.canvas(), from.x(), from.y(), to.x(), to.y(), InputEvent.BUTTON3_DOWN_MASK);
+        driver.waitForFrame(
+                "it is turned",
+                frame -> Math.abs(Math.toDegrees(left(frame).spec().bearing()) - 130) < 5);
+        assertEquals(0, callOnEdt(() -> WindowDriver.popupItems().count()));
+        driver.choose("undo");
+        driver.waitForFrame("it is as before", frame -> left(frame)
+                .spec()
+                .equals(RobotSpec.DEFAULT.sensor("left").orElseThrow()));
+        driver.waitForTitle("office.xml");
+    }
+
+    private Vector2 toScreen(Vector2 point) {
+        return callOnEdt(() -> driver.canvas().camera().toScreen(point));
     }
 
     private Optional<String> selectedSensor() {

@@ -2,6 +2,7 @@ package faultline.gui.canvas.tool;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
+import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.EditLimits;
 import faultline.gui.edit.Rounding;
@@ -198,6 +199,39 @@ public sealed interface DragOperation {
                     List.of(new Command.ConfigureSensor(tuned)),
                     List.of(),
                     Messages.get("value.cone", String.format(Locale.ROOT, "%.1f", degrees)));
+        }
+
+        @Override
+        public List<Command> restoreCommands() {
+            return List.of(new Command.ConfigureSensor(spec));
+        }
+    }
+
+    /**
+     * Turns a sensor about its mounting point; the robot may be driving.
+     *
+     * @param spec the sensor at the start
+     * @param grip the angle from the axis of the cone to the point under the mouse, radians
+     * @param current the present state of the sensor
+     */
+    record TurnSensor(SensorSpec spec, double grip, Supplier<SensorSnapshot> current) implements DragOperation {
+
+        static TurnSensor at(Vector2 mouse, SensorSnapshot start, Supplier<SensorSnapshot> current) {
+            Sector cone = start.sector();
+            return new TurnSensor(
+                    start.spec(), mouse.minus(cone.apex()).angle() - cone.axis().angle(), current);
+        }
+
+        @Override
+        public DragPreview preview(Vector2 mouse, SnapSettings snap) {
+            SensorSnapshot now = current.get();
+            double robotHeading = now.sector().axis().angle() - now.spec().bearing();
+            double free = mouse.minus(now.sector().apex()).angle() - grip - robotHeading;
+            double bearing = snap.angle(Math.IEEEremainder(free, 2 * Math.PI));
+            return new DragPreview(
+                    List.of(new Command.ConfigureSensor(spec.withBearing(bearing))),
+                    List.of(),
+                    Messages.get("value.bearing", AngleText.degrees(bearing, 1)));
         }
 
         @Override

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -52,6 +53,11 @@ public final class GesturePicker {
         Optional<Snapshot> robot = robotAtStart(at);
         if (robot.isPresent()) {
             return new StartPoseGesture(robot.get(), turns, at, viewport, listeners);
+        }
+        Optional<SensorSnapshot> cone = turns ? selectedConeAt(at) : Optional.empty();
+        if (cone.isPresent()) {
+            return dragGesture(
+                    DragOperation.TurnSensor.at(camera().toWorld(at), cone.get(), presentState(cone.get())), at);
         }
         if (left && shift) {
             return new RubberBandGesture(model, viewport, at);
@@ -118,17 +124,21 @@ public final class GesturePicker {
                 .findFirst();
     }
 
+    /** Returns the selected sensor if a position on the canvas is in its cone. */
+    private Optional<SensorSnapshot> selectedConeAt(Vector2 at) {
+        return ConeHitTest.sensorAt(camera(), model.selectedSensor().stream().toList(), at);
+    }
+
+    private Supplier<SensorSnapshot> presentState(SensorSnapshot sensor) {
+        return () -> model.sensor(sensor.spec().id()).orElse(sensor);
+    }
+
     private Optional<DragOperation> coneDrag(SensorSnapshot sensor, Vector2 at) {
-        String id = sensor.spec().id();
         if (ConeHitTest.isOnArc(camera(), sensor.sector(), at)) {
-            return Optional.of(new DragOperation.ChangeRange(
-                    sensor.spec(), () -> model.sensor(id).orElse(sensor)));
+            return Optional.of(new DragOperation.ChangeRange(sensor.spec(), presentState(sensor)));
         }
         boolean edge = ConeHitTest.isOnEdge(camera(), sensor.sector(), at);
-        return edge
-                ? Optional.of(new DragOperation.ChangeCone(
-                        sensor.spec(), () -> model.sensor(id).orElse(sensor)))
-                : Optional.empty();
+        return edge ? Optional.of(new DragOperation.ChangeCone(sensor.spec(), presentState(sensor))) : Optional.empty();
     }
 
     private Gesture toggleSelection(Obstacle obstacle, Vector2 at) {

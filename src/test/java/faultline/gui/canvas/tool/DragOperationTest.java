@@ -16,6 +16,7 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.SensorSnapshot;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 
 class DragOperationTest {
@@ -124,6 +125,51 @@ class DragOperationTest {
                 .preview(apex.plus(new Vector2(0.5, 0.5)), SnapSettings.NONE);
         assertEquals(List.of(new Command.ConfigureSensor(spec.withCone(Degrees.toRadians(90)))), edge.commands());
         assertEquals("cone 90.0\u00b0", edge.valueText());
+    }
+
+    @Test
+    void aConeTurnsWithTheMouseAboutTheMountingPointWhileTheRobotTurnsToo() {
+        SensorSpec spec = RobotSpec.DEFAULT.sensor("rear").orElseThrow();
+        SensorSnapshot start = SampleFrames.sensor(spec, new Pose(1, 1, 3), SampleFrames.NOTHING);
+        Vector2 apex = start.sector().apex();
+        Vector2 axis = start.sector().axis();
+        AtomicReference<SensorSnapshot> now = new AtomicReference<>(start);
+        DragOperation turn = DragOperation.TurnSensor.at(apex.plus(axis.times(0.5)), start, now::get);
+        assertEquals(
+                -150,
+                bearing(
+                        turn,
+                        apex.plus(Vector2.direction(axis.angle() + Degrees.toRadians(30))
+                                .times(0.2))),
+                1e-9);
+        // The robot has turned by 60 degrees and the sensor has been turned by 30; the mouse stays.
+        SensorSpec turned = spec.withBearing(Degrees.toRadians(-150));
+        now.set(SampleFrames.sensor(turned, new Pose(1, 1, 3 + Math.PI / 3), SampleFrames.NOTHING));
+        Vector2 mouse = now.get().sector().apex().plus(Vector2.direction(axis.angle() + Degrees.toRadians(30)));
+        assertEquals(150, bearing(turn, mouse), 1e-9);
+        assertEquals(
+                "bearing 150.0\u00b0", turn.preview(mouse, SnapSettings.NONE).valueText());
+        assertEquals(List.of(new Command.ConfigureSensor(spec)), turn.restoreCommands());
+    }
+
+    @Test
+    void aConeThatIsHeldBesideItsAxisDoesNotJumpAndSnapsToAngles() {
+        SensorSpec spec = RobotSpec.DEFAULT.sensor("front").orElseThrow();
+        SensorSnapshot sensor = SampleFrames.sensor(spec, new Pose(1, 1, 0), SampleFrames.NOTHING);
+        Vector2 apex = sensor.sector().apex();
+        Vector2 grip = apex.plus(Vector2.direction(0.1));
+        DragOperation turn = DragOperation.TurnSensor.at(grip, sensor, () -> sensor);
+        assertEquals(0, bearing(turn, grip), 1e-9);
+        SnapSettings snap = new SnapSettings(0, Degrees.toRadians(15));
+        Command command = turn.preview(apex.plus(Vector2.direction(0.1 + Degrees.toRadians(40))), snap)
+                .commands()
+                .get(0);
+        assertEquals(new Command.ConfigureSensor(spec.withBearing(Degrees.toRadians(45))), command);
+    }
+
+    private static double bearing(DragOperation turn, Vector2 mouse) {
+        Command command = turn.preview(mouse, SnapSettings.NONE).commands().get(0);
+        return Math.toDegrees(((Command.ConfigureSensor) command).sensor().bearing());
     }
 
     @Test
