@@ -31,6 +31,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -50,6 +51,7 @@ class SensorEditorTest {
     private Path folder;
 
     private final List<String> notes = new ArrayList<>();
+    private final AtomicBoolean journalSaved = new AtomicBoolean();
     private Workspace workspace;
     private RunController run;
     private DocumentStore documentStore;
@@ -237,6 +239,26 @@ class SensorEditorTest {
     }
 
     @Test
+    void theJournalOfAChangedRunRepeatsIt() throws ScenarioException {
+        send(FAULT);
+        add();
+        remove("right");
+        send(new Command.SwitchSensor("sensor-9", false));
+        for (int i = 0; i < 60; i++) {
+            runOnEdt(run::step);
+        }
+        SessionFrames.awaitTick(workspace, TICKS + 60);
+        Path file = folder.resolve("journal.xml");
+        runOnEdt(() -> documentStore.saveJournal(file));
+        Await.until("the journal", journalSaved::get);
+        Scenario journal = Scenario.load(file);
+        assertEquals(setup().robot().sensorIds(), journal.setup().robot().sensorIds());
+        assertEquals(
+                String.format("%016x", SessionFrames.trajectoryHash(workspace)),
+                journal.run().trajectoryHash());
+    }
+
+    @Test
     void aRobotWithoutSensorsIsSavedAndOpenedAgain() throws ScenarioException {
         original.robot().sensorIds().forEach(this::remove);
         assertEquals(List.of(), idsInTheRun());
@@ -282,6 +304,11 @@ class SensorEditorTest {
         @Override
         public void runRepositioned(long tick) {
             edits.runRepositioned(tick);
+        }
+
+        @Override
+        public void journalSaved(Path file) {
+            journalSaved.set(true);
         }
 
         @Override
