@@ -38,6 +38,17 @@ final class CommandLine {
             "--window",
             "--startup-time");
 
+    private static final String OUT_OF_MEMORY = "faultline: there is not enough memory";
+    /**
+     * How often the report is tried. An allocation that fails collects garbage first, so one try takes milliseconds.
+     */
+    private static final int MAX_REPORTS = 1000;
+    /**
+     * The class of errors that {@link #run} catches, resolved when the program starts: without memory, the virtual
+     * machine cannot resolve the types of the clauses that catch an exception, and skips them all.
+     */
+    private static final Class<?> MEMORY_ERROR = OutOfMemoryError.class;
+
     private final CommandOutput output;
 
     CommandLine(CommandOutput output) {
@@ -46,6 +57,14 @@ final class CommandLine {
 
     /** Runs a command, given the arguments of the process, and returns its {@link ExitCode}. */
     int run(String... args) {
+        try {
+            return runWithOutput(args);
+        } catch (OutOfMemoryError e) {
+            return reportOutOfMemory();
+        }
+    }
+
+    private int runWithOutput(String... args) {
         int code = runReportingErrors(List.of(args));
         if (!output.isWritten()) {
             output.printError("faultline: standard output cannot be written");
@@ -70,11 +89,23 @@ final class CommandLine {
             return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage());
         } catch (RunFailedException e) {
             return reportError(ExitCode.RUN_FAILED, "faultline: the run broke: " + e.getMessage());
-        } catch (OutOfMemoryError e) {
-            return reportError(ExitCode.RUN_FAILED, "faultline: there is not enough memory");
         } catch (RuntimeException | Error e) {
-            return reportError(ExitCode.RUN_FAILED, "faultline: internal error: " + rootCause(e));
+            return MEMORY_ERROR.isInstance(rootCause(e))
+                    ? reportOutOfMemory()
+                    : reportError(ExitCode.RUN_FAILED, "faultline: internal error: " + rootCause(e));
         }
+    }
+
+    /** Reports that memory is exhausted, as soon as the other threads have freed enough of it for the report. */
+    private int reportOutOfMemory() {
+        for (int attempt = 1; attempt < MAX_REPORTS; attempt++) {
+            try {
+                return reportError(ExitCode.RUN_FAILED, OUT_OF_MEMORY);
+            } catch (OutOfMemoryError e) {
+                // Another thread may free memory before the next try.
+            }
+        }
+        return reportError(ExitCode.RUN_FAILED, OUT_OF_MEMORY);
     }
 
     /** Returns what a failure of the JDK goes back to: it says more than the exceptions that are made of it. */

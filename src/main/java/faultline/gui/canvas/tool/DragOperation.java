@@ -216,6 +216,7 @@ public sealed interface DragOperation {
      */
     record TurnSensor(SensorSpec spec, double grip, Supplier<SensorSnapshot> current) implements DragOperation {
 
+        /** Returns the operation for a sensor in its state at the start, whose cone is under the mouse. */
         static TurnSensor at(Vector2 mouse, SensorSnapshot start, Supplier<SensorSnapshot> current) {
             Sector cone = start.sector();
             return new TurnSensor(
