@@ -1,5 +1,6 @@
 package faultline.gui.edit;
 
+import faultline.geometry.Angles;
 import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
@@ -56,11 +57,11 @@ final class NewSensors {
     }
 
     private static double roundBearing(double radians) {
-        return Rounding.roundAngle(Math.IEEEremainder(radians, FULL_CIRCLE), BEARING_STEP);
+        return Rounding.roundAngle(Angles.normalize(radians), BEARING_STEP);
     }
 
     private static double angleBetween(double bearing, double other) {
-        return Math.abs(Math.IEEEremainder(bearing - other, FULL_CIRCLE));
+        return Math.abs(Angles.difference(bearing, other));
     }
 
     /** Returns a sensor that faces the middle of the {@linkplain #widestGap widest gap}. */

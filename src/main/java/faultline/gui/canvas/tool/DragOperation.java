@@ -1,5 +1,6 @@
 package faultline.gui.canvas.tool;
 
+import faultline.geometry.Angles;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
@@ -228,7 +229,7 @@ public sealed interface DragOperation {
             SensorSnapshot now = current.get();
             double robotHeading = now.sector().axis().angle() - now.spec().bearing();
             double free = mouse.minus(now.sector().apex()).angle() - grip - robotHeading;
-            double bearing = snap.angle(Math.IEEEremainder(free, 2 * Math.PI));
+            double bearing = snap.angle(Angles.normalize(free));
             return new DragPreview(
                     List.of(new Command.ConfigureSensor(spec.withBearing(bearing))),
                     List.of(),
