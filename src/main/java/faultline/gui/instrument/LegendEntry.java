@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.engine.session.ReferenceRun;
 import faultline.geometry.Vector2;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
@@ -19,14 +20,17 @@ record LegendEntry(String name, Function<Theme, LineStyle> style) {
 
     private static final double REFERENCE_WIDTH = 1.4;
 
-    /** Returns the names of all lines from the front, and of a reference run if there is one. */
-    static List<LegendEntry> of(SignalGroup signal, boolean reference) {
+    /**
+     * Returns the names of all lines from the front, and of a reference run, null for none, if its robot has one of the
+     * lines.
+     */
+    static List<LegendEntry> of(SignalGroup signal, ReferenceRun reference) {
         List<LegendEntry> entries = new ArrayList<>();
         for (int i = signal.lines().size() - 1; i >= 0; i--) {
             ChartLine line = signal.lines().get(i);
             entries.add(new LegendEntry(TextStyle.literal(line.name()), line::style));
         }
-        if (reference) {
+        if (reference != null && signal.hasLineIn(reference.setup().robot().sensorIds())) {
             entries.add(new LegendEntry(Messages.get("signal.reference"), LegendEntry::referenceStyle));
         }
         return entries;

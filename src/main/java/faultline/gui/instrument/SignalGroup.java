@@ -44,6 +44,11 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
                 .toList();
     }
 
+    /** Returns whether a robot with the given sensors has a value for any line. */
+    boolean hasLineIn(List<String> sensors) {
+        return lines.stream().anyMatch(line -> line.channelIn(sensors).isPresent());
+    }
+
     /** Returns this group with further lines behind its own. */
     SignalGroup with(List<ChartLine> additions) {
         List<ChartLine> all = new ArrayList<>(additions);

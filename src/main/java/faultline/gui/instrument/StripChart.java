@@ -208,7 +208,7 @@ public final class StripChart extends JPanel {
 
     /** Shows the lines of a reference run beside those of the run, null for none. */
     void setReference(ReferenceRun run) {
-        legend.setReferenceShown(run != null);
+        legend.setReference(run);
         view.setReference(run);
     }
 

@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.engine.session.ReferenceRun;
 import faultline.geometry.Vector2;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.RefreshSteps;
@@ -21,7 +22,7 @@ final class StripLegend extends JComponent {
     private static final int FONT_SIZE = 11;
 
     private transient SignalGroup signal = SignalGroup.NONE;
-    private boolean reference;
+    private transient ReferenceRun reference;
 
     StripLegend() {
         RefreshSteps.add(this, legend -> legend.setFont(TextSize.scaledFont(Font.PLAIN, FONT_SIZE)));
@@ -32,9 +33,9 @@ final class StripLegend extends JComponent {
         refresh();
     }
 
-    /** Sets whether the lines of a reference run are shown beside those of the run. */
-    void setReferenceShown(boolean shown) {
-        reference = shown;
+    /** Sets the reference run whose lines are shown beside those of the run, null for none. */
+    void setReference(ReferenceRun run) {
+        reference = run;
         refresh();
     }
 

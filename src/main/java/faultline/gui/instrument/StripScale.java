@@ -69,7 +69,7 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, LegendPlace leg
      */
     private static LegendPlace legend(StripContent content, int width, int height) {
         TextStyle style = TextStyle.plain(FONT_SIZE, Color.BLACK);
-        List<LegendEntry> entries = LegendEntry.of(content.signal(), content.reference() != null);
+        List<LegendEntry> entries = LegendEntry.of(content.signal(), content.reference());
         int plotWidth = width - LEFT_MARGIN - RIGHT_MARGIN;
         LegendRows<LegendEntry> above = LegendEntry.rows(entries, style::estimateWidth, plotWidth);
         int plotHeight = height - TOP_MARGIN - BOTTOM_MARGIN;

@@ -263,10 +263,12 @@ class StripContentTest {
         ReferenceRun other = ReferenceRun.replay(journal, tick -> true);
         TimeSpan start = new TimeSpan(0, 1);
         for (SignalGroup group : GROUPS.subList(3, GROUPS.size())) {
-            List<String> rows = new StripContent(FRAME, group, start, ValueRange.FITTED, List.of(), other)
-                    .toCsv()
-                    .lines()
-                    .toList();
+            StripContent content = new StripContent(FRAME, group, start, ValueRange.FITTED, List.of(), other);
+            List<String> rows = content.toCsv().lines().toList();
+            assertEquals(
+                    !group.name().equals("Sensor front"),
+                    content.toSvg(Theme.LIGHT).contains(">ghost<"),
+                    "legend of " + group.name());
             if (group.name().equals("Sensor front")) {
                 assertEquals("t (s),\"reported (m)\",\"true (m)\"", rows.get(0));
             } else {
