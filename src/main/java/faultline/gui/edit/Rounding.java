@@ -33,6 +33,11 @@ public final class Rounding {
         return Degrees.toRadians(Math.rint(degrees * STEPS_PER_DEGREE) / STEPS_PER_DEGREE);
     }
 
+    /** Returns an angle, radians, rounded to millionths of a degree. */
+    public static double roundAngle(double radians) {
+        return roundAngle(radians, 1 / STEPS_PER_DEGREE);
+    }
+
     /** Returns the nearest point on a grid of hundredths of a millimetre. */
     public static Vector2 round(Vector2 value) {
         return new Vector2(round(value.x()), round(value.y()));
@@ -59,9 +64,7 @@ public final class Rounding {
         return new Pose(
                 position.x(),
                 position.y(),
-                isSame(before.heading(), after.heading())
-                        ? before.heading()
-                        : roundAngle(after.heading(), 1 / STEPS_PER_DEGREE));
+                isSame(before.heading(), after.heading()) ? before.heading() : roundAngle(after.heading()));
     }
 
     /** Returns a point after a move as {@link #round(Vector2, Vector2)}, but rounded to nanometres. */

@@ -1,5 +1,6 @@
 package faultline.gui.edit;
 
+import faultline.geometry.Angles;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -39,6 +40,6 @@ public final class SensorPresets {
     }
 
     private static double angleBetween(SensorSpec sensor, double bearing) {
-        return Math.abs(Math.IEEEremainder(sensor.bearing() - bearing, 2 * Math.PI));
+        return Math.abs(Angles.difference(bearing, sensor.bearing()));
     }
 }

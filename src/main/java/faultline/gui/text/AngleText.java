@@ -1,5 +1,6 @@
 package faultline.gui.text;
 
+import faultline.geometry.Angles;
 import java.util.Locale;
 
 /** Formats angles in degrees. */
@@ -25,7 +26,7 @@ public final class AngleText {
 
     private static double rounded(double radians, int decimals) {
         double scale = Math.pow(10, decimals);
-        double degrees = Math.toDegrees(Math.IEEEremainder(radians, 2 * Math.PI));
+        double degrees = Math.toDegrees(Angles.normalize(radians));
         double rounded = Math.round(scale * degrees) / scale;
         return rounded <= -180 ? rounded + 360 : rounded;
     }

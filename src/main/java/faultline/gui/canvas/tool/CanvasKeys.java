@@ -1,5 +1,6 @@
 package faultline.gui.canvas.tool;
 
+import faultline.geometry.Angles;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -19,8 +20,8 @@ import javax.swing.JComponent;
 
 /**
  * Handles the keys of the focused canvas: arrows nudge the selected obstacles, or move the point of the active tool, or
- * else the view; Q and E rotate obstacles, Insert sets a point of a tool, Enter completes it. Escape cancels, and so
- * does the key of undo during a gesture.
+ * else the view; Q and E rotate obstacles or turn the selected sensor, Insert sets a point of a tool, Enter completes
+ * it. Escape cancels, and so does the key of undo during a gesture.
  */
 public final class CanvasKeys {
 
@@ -75,10 +76,20 @@ public final class CanvasKeys {
     private void turn(double turn) {
         List<Obstacle> expected =
                 model.selected().stream().map(editor.pendingEdits()::expected).toList();
-        if (!expected.isEmpty()) {
+        if (expected.isEmpty()) {
+            turnSensor(turn);
+        } else {
             Vector2 middle = ObstacleOutlines.centre(expected);
             moveSelected(obstacle -> ObstacleOutlines.rotatedPose(obstacle, middle, turn));
         }
+    }
+
+    private void turnSensor(double turn) {
+        model.sensor()
+                .get()
+                .flatMap(id -> editor.pendingEdits().robot().sensor(id))
+                .map(sensor -> sensor.withBearing(Rounding.roundAngle(Angles.normalize(sensor.bearing() + turn))))
+                .ifPresent(turned -> editor.send(new Command.ConfigureSensor(turned)));
     }
 
     private void moveSelected(Function<Obstacle, Pose> change) {

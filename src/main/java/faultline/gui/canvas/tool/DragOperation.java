@@ -190,8 +190,8 @@ public sealed interface DragOperation {
         @Override
         public DragPreview preview(Vector2 mouse, SnapSettings snap) {
             Vector2 from = mouse.minus(current.get().sector().apex());
-            double half = Math.abs(Math.IEEEremainder(
-                    from.angle() - current.get().sector().axis().angle(), 2 * Math.PI));
+            double half =
+                    Math.abs(Angles.difference(current.get().sector().axis().angle(), from.angle()));
             double free = Math.rint(Math.toDegrees(2 * half) * STEPS_PER_DEGREE) / STEPS_PER_DEGREE;
             double degrees =
                     Math.max(MIN_DEGREES, Math.min(MAX_DEGREES, snap.angleStep() > 0 ? Math.rint(free / 5) * 5 : free));

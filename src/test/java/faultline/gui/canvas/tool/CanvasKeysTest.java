@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
+import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.canvas.SimulationCanvas;
@@ -17,6 +18,8 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.KeyBindings;
 import faultline.paint.surface.Camera;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Obstacle;
@@ -165,6 +168,35 @@ class CanvasKeysTest {
         assertEquals("pole", back.obstacle());
         assertNotEquals(pole.pose().position(), there.pose().position());
         assertEquals(0, back.pose().position().distanceTo(pole.pose().position()), 1e-12);
+    }
+
+    @Test
+    void theSelectedSensorTurnsUnlessObstaclesAreSelected() {
+        SensorSpec back = sensor("back", 178);
+        Frame frame = SampleFrames.frameOf(
+                ROBOT,
+                SampleFrames.pathThrough(ROBOT.position()),
+                List.of(SampleFrames.sensor(back, ROBOT, SampleFrames.NOTHING)),
+                WITH_BOX.snapshot().obstacles().get(0));
+        runOnEdt(() -> {
+            canvas.setFrame(frame);
+            editor.pendingEdits().setRobot(frame.snapshot().robot());
+        });
+        keys("ESCAPE", "Q");
+        assertEquals(List.of(), callOnEdt(() -> List.copyOf(sent)), "nothing is selected");
+        runOnEdt(() -> canvas.tools().selectSensor("back"));
+        keys("Q", "Q", "E");
+        List<Command> turns = Stream.of(-177, -172, -177)
+                .<Command>map(degrees -> new Command.ConfigureSensor(sensor("back", degrees)))
+                .toList();
+        assertEquals(turns, callOnEdt(() -> List.copyOf(sent)));
+        runOnEdt(() -> canvas.tools().select(List.of("box")));
+        key("Q");
+        assertTrue(callOnEdt(() -> sent.get(3)) instanceof Command.MoveObstacle);
+    }
+
+    private static SensorSpec sensor(String id, double bearing) {
+        return RobotSpec.DEFAULT.sensors().get(0).withId(id).withBearing(Degrees.toRadians(bearing));
     }
 
     @Test
