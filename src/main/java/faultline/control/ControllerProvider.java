@@ -8,7 +8,11 @@ import java.util.Map;
  */
 public interface ControllerProvider {
 
-    /** {@return the name by which the command line and scenario files choose the controller, such as {@code bug2}} */
+    /**
+     * {@return the name by which the command line and scenario files choose the controller, such as {@code bug2}} It
+     * must not be blank, nor the name of another controller: {@code wall-follower}, {@code none}, {@code drive},
+     * {@code extern} and {@code recorded} are built in.
+     */
     String name();
 
     /**

@@ -10,18 +10,23 @@ import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.CodeSource;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.StreamSupport;
 
 /** The controllers in Java that are on the class path, or in jars that the thread's context class loader adds to it. */
 public final class ControllerProviders {
+
+    /** The names of the built-in controllers, which a provider must not have. */
+    public static final Set<String> BUILT_IN_NAMES = Set.of("wall-follower", "none", "drive", "extern", "recorded");
 
     private ControllerProviders() {}
 
@@ -109,7 +114,7 @@ public final class ControllerProviders {
             List<ControllerProvider> providers = StreamSupport.stream(
                             ServiceLoader.load(ControllerProvider.class).spliterator(), false)
                     .toList();
-            providers.forEach(ControllerProviders::requireName);
+            requireNames(providers);
             return providers;
         } catch (ServiceConfigurationError | LinkageError e) {
             throw new RunFailedException(RunProblem.NOT_LOADED.with(reason(e)), e);
@@ -123,7 +128,22 @@ public final class ControllerProviders {
                 : error.getMessage() + ": " + error.getCause();
     }
 
-    private static void requireName(ControllerProvider provider) {
+    private static void requireNames(List<ControllerProvider> providers) {
+        Map<String, ControllerProvider> byName = new HashMap<>();
+        for (ControllerProvider provider : providers) {
+            String name = name(provider);
+            ControllerProvider other = byName.put(name, provider);
+            if (BUILT_IN_NAMES.contains(name)) {
+                throw new RunFailedException(RunProblem.BUILT_IN_NAME.with(className(provider), name), null);
+            }
+            if (other != null) {
+                throw new RunFailedException(
+                        RunProblem.SAME_NAME.with(className(other), className(provider), name), null);
+            }
+        }
+    }
+
+    private static String name(ControllerProvider provider) {
         String name;
         try {
             name = provider.name();
@@ -133,10 +153,14 @@ public final class ControllerProviders {
         if (name == null || name.isBlank()) {
             throw nameless(provider, name == null ? "name returned null" : "name returned a blank", null);
         }
+        return name;
     }
 
     private static RunFailedException nameless(ControllerProvider provider, String problem, Throwable cause) {
-        return new RunFailedException(
-                RunProblem.NAMELESS.with(provider.getClass().getName(), problem), cause);
+        return new RunFailedException(RunProblem.NAMELESS.with(className(provider), problem), cause);
+    }
+
+    private static String className(ControllerProvider provider) {
+        return provider.getClass().getName();
     }
 }

@@ -27,7 +27,11 @@ public enum RunProblem implements Message.Template {
     /** A class of a controller in Java cannot be loaded. */
     NOT_LOADED("a controller in Java cannot be loaded: {0}"),
     /** A controller in Java has no name. */
-    NAMELESS("the controller in Java {0} has no name: {1}");
+    NAMELESS("the controller in Java {0} has no name: {1}"),
+    /** A controller in Java has the name of a built-in one. */
+    BUILT_IN_NAME("the controller in Java {0} has the name of a built-in one: {1}"),
+    /** Two controllers in Java have the same name. */
+    SAME_NAME("the controllers in Java {0} and {1} have the same name: {2}");
 
     private final String english;
 

@@ -16,6 +16,7 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
@@ -35,9 +36,10 @@ class ControllerProvidersTest {
         Thread.currentThread().setContextClassLoader(before);
     }
 
-    private void addProvider(Class<?> provider) throws Exception {
+    private void addProvider(Class<?>... providers) throws Exception {
         Path services = Files.createDirectories(folder.resolve("META-INF/services"));
-        Files.writeString(services.resolve(ControllerProvider.class.getName()), provider.getName());
+        List<String> names = Arrays.stream(providers).map(Class::getName).toList();
+        Files.write(services.resolve(ControllerProvider.class.getName()), names);
         Thread.currentThread()
                 .setContextClassLoader(
                         new URLClassLoader(new URL[] {folder.toUri().toURL()}, before));
@@ -79,6 +81,32 @@ class ControllerProvidersTest {
         @Override
         public Controller create(Map<String, String> settings) {
             return settings.isEmpty() ? null : observation -> null;
+        }
+    }
+
+    /** Another provider with the same name. */
+    public static final class OtherEmpty implements ControllerProvider {
+        @Override
+        public String name() {
+            return "empty";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError("nobody can ask for it");
+        }
+    }
+
+    /** A provider with the name of a built-in controller. */
+    public static final class Usurper implements ControllerProvider {
+        @Override
+        public String name() {
+            return "wall-follower";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError("nobody can ask for it");
         }
     }
 
@@ -137,6 +165,25 @@ class ControllerProvidersTest {
         assertEquals(
                 "the controller in Java " + Failing.class.getName()
                         + " has no name: java.lang.IllegalStateException: not today",
+                refusal.getMessage());
+    }
+
+    @Test
+    void theNameOfABuiltInControllerIsRefused() throws Exception {
+        addProvider(Usurper.class);
+        RunFailedException refusal = assertThrows(RunFailedException.class, ControllerProviders::names);
+        assertEquals(
+                "the controller in Java " + Usurper.class.getName() + " has the name of a built-in one: wall-follower",
+                refusal.getMessage());
+    }
+
+    @Test
+    void twoControllersWithTheSameNameAreRefused() throws Exception {
+        addProvider(Empty.class, OtherEmpty.class);
+        RunFailedException refusal = assertThrows(RunFailedException.class, () -> ControllerProviders.find("empty"));
+        assertEquals(
+                "the controllers in Java " + Empty.class.getName() + " and " + OtherEmpty.class.getName()
+                        + " have the same name: empty",
                 refusal.getMessage());
     }
 

@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.engine.ControllerProviders;
 import faultline.scenario.xml.ScenarioException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -115,6 +117,14 @@ class ProblemsTest {
                 1,
                 SampleScenario.problems(SampleScenario.withReplacement("radius=\"0.02\"", "radus=\"0.02\""))
                         .size());
+    }
+
+    @Test
+    void noControllerInJavaCanHaveTheNameOfATypeThatTheFormatDefines() {
+        String problem = SampleScenario.problems(SampleScenario.withReplacement("\"wall-follower\"", "\"?\""))
+                .get(0);
+        String types = problem.replaceAll(".*expected | or a controller.*", "");
+        assertEquals(ControllerProviders.BUILT_IN_NAMES, Set.of(types.split(", ")));
     }
 
     @Test

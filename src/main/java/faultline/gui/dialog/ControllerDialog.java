@@ -208,12 +208,12 @@ final class ControllerDialog {
         }
         await(file);
         help.setText(Messages.get("chooseController.loading", MessageText.excerpt(name)));
-        List<Path> others = jars.stream().filter(jar -> !jar.equals(file)).toList();
-        load(() -> ControllerNames.of(others, file), found -> showJar(found, others, file));
+        List<Path> others = jars;
+        load(() -> ControllerNames.of(others, file), found -> showJar(found, file));
     }
 
-    private void showJar(ControllerNames found, List<Path> others, Path file) {
-        jars = found.first() == null ? others : ControllerNames.with(others, file);
+    private void showJar(ControllerNames found, Path file) {
+        jars = found.jars();
         boolean wanted = file.equals(awaited);
         if (wanted) {
             await(null);
@@ -231,6 +231,11 @@ final class ControllerDialog {
     /** Returns the text below the field: an example, or what is wrong with the chosen file. */
     String help() {
         return help.getText();
+    }
+
+    /** Returns the jars with controllers that the user has added. */
+    List<Path> jars() {
+        return jars;
     }
 
     /** Returns the entries of the list. */

@@ -235,6 +235,18 @@ class ControllerJarTest {
     }
 
     @Test
+    void aJarReplacesAnotherVersionOfItself() throws IOException {
+        useJar(jar("turner-1.jar", RightTurner.class.getName()));
+        SlowTurner.dialogResponds = new CountDownLatch(0);
+        useJar(jar("slow.jar", SlowTurner.class.getName()));
+        Path next = jar("turner-2.jar", RightTurner.class.getName());
+        useJar(next);
+        assertEquals("right-turner", callOnEdt(dialog::text));
+        assertTrue(callOnEdt(dialog::names).contains("slow-turner"));
+        assertEquals(List.of(folder.resolve("slow.jar"), next), callOnEdt(dialog::jars));
+    }
+
+    @Test
     void aJarThatIsChosenAgainGivesItsController() throws IOException {
         Path jar = jar("turner.jar", RightTurner.class.getName());
         Path script = folder.resolve("robot.py");
