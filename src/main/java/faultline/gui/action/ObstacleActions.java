@@ -274,7 +274,7 @@ public final class ObstacleActions {
         if (originals.isEmpty()) {
             return;
         }
-        List<Obstacle> copies = ObstacleCopies.copyOf(originals, tools.ids(), tools.offsetOfCopies(originals));
+        List<Obstacle> copies = ObstacleCopies.copyOf(originals, tools.takenIds(), tools.offsetOfCopies(originals));
         tools.selectWhenPresent(copies.stream().map(Obstacle::id).toList());
         editor.send(copies.stream().<Command>map(Command.PlaceObstacle::new).toList());
     }

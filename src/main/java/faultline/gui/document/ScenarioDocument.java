@@ -61,8 +61,9 @@ final class ScenarioDocument {
      */
     void change(UnaryOperator<Scenario> change) {
         Scenario base = initial.withSetup(initial.setup().withTimeline(editor.timeline()));
-        initial = withRecord(change.apply(base));
-        editor = editor.rebased(initial.setup());
+        Scenario changed = change.apply(base);
+        editor = editor.rebased(changed.setup());
+        initial = withRecord(changed.withSetup(changed.setup().withTimeline(editor.initialTimeline())));
         edited = null;
     }
 
@@ -116,9 +117,10 @@ final class ScenarioDocument {
         saved = newSaved;
     }
 
-    /** Takes the file of another document, and what it holds. */
-    void takeFileOf(ScenarioDocument other) {
+    /** Takes over the file of a document that was edited to this one, what it holds, and the hidden commands. */
+    void continueFrom(ScenarioDocument other) {
         savedTo(other.file, other.saved);
+        editor = new SetupEditor(initial.setup(), other.editor.hidden());
     }
 
     /** Returns the file, or the name of the scenario if it has none. */

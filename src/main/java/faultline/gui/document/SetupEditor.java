@@ -3,53 +3,86 @@ package faultline.gui.document;
 import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Clearance;
 import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
-import faultline.world.Obstacle;
-import faultline.world.WorldSpec;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.function.Function;
 
 /**
  * Applies executed commands to a setup. Changes of obstacles, of the platform, of the controller and of the sensors'
  * settings hold from the start; switching a sensor, injecting a fault and repairing it are added to the timeline at
  * their time. When the run is moved to an earlier tick, the later commands are kept until another one is executed
  * there.
+ *
+ * <p>A change of an obstacle that the timeline places holds from then on. The timeline's commands about an obstacle
+ * that has been removed are hidden until it is placed again.
  */
 final class SetupEditor {
 
+    private static final CommandCases<Boolean> IS_TIMED =
+            CommandCases.ofSetup(timed -> true, other(), other(), other(), other(), other(), other());
+
+    /** The setup before the commands, with the hidden commands in its timeline. */
     private final SimulationSetup base;
+
+    /** The obstacles before the commands. */
+    private final EditedObstacles baseObstacles;
+
     private final List<Journal.Entry> entries = new ArrayList<>();
     /** The number of entries that the run has executed. */
     private int position;
-    /**
-     * The obstacles by id, null if removed, so that an obstacle that is placed again takes its old position in the
-     * order.
-     */
-    private final Map<String, Obstacle> obstacles;
 
+    private EditedObstacles obstacles;
     private RobotSpec robot;
     private ControllerSpec controller;
 
-    SetupEditor(SimulationSetup base) {
-        this.base = base;
-        this.obstacles = new LinkedHashMap<>(2 * base.world().obstacles().size());
+    SetupEditor(SimulationSetup setup) {
+        this(setup, Collections.emptySortedMap());
+    }
+
+    /**
+     * Creates an editor of a setup from whose timeline some commands are hidden, because their obstacles have been
+     * removed, by their indices in the timeline with them. Those that the timeline contains are no longer hidden.
+     */
+    SetupEditor(SimulationSetup setup, SortedMap<Integer, TimedCommand> hidden) {
+        List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
+        Set<TimedCommand> visible = hidden.isEmpty() ? Set.of() : new HashSet<>(timeline);
+        Set<Integer> hiddenIndices = new HashSet<>();
+        hidden.forEach((place, command) -> {
+            if (!visible.contains(command)) {
+                int index = Math.min(place, timeline.size());
+                timeline.add(index, command);
+                hiddenIndices.add(index);
+            }
+        });
+        this.base = hiddenIndices.isEmpty() ? setup : setup.withTimeline(timeline);
+        this.baseObstacles = new EditedObstacles(base, hiddenIndices);
         reset();
+    }
+
+    private SetupEditor(SetupEditor other) {
+        this.base = other.base;
+        this.baseObstacles = other.baseObstacles;
+        this.obstacles = other.obstacles.copy();
+        this.robot = other.robot;
+        this.controller = other.controller;
     }
 
     private void reset() {
         robot = base.robot();
         controller = base.controller();
-        obstacles.clear();
-        base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), obstacle));
+        obstacles = baseObstacles.copy();
     }
 
     /**
@@ -64,11 +97,12 @@ final class SetupEditor {
         if (position < entries.size()) {
             entries.subList(position, entries.size()).clear();
             reset();
-            entries.forEach(entry -> apply(entry.command()));
+            entries.forEach(this::apply);
         }
-        entries.add(new Journal.Entry(result.tick(), result.command()));
+        Journal.Entry entry = new Journal.Entry(result.tick(), result.command());
+        entries.add(entry);
         position = entries.size();
-        apply(result.command());
+        apply(entry);
     }
 
     /** Follows the run to another tick, where the commands for the next one have been executed. */
@@ -85,11 +119,9 @@ final class SetupEditor {
 
     /** Returns the edited setup. Changes that leave no room for the robot at its start pose are omitted. */
     SimulationSetup setup() {
-        SetupEditor result = new SetupEditor(base);
-        result.obstacles.putAll(obstacles);
-        result.robot = robot;
+        SetupEditor result = new SetupEditor(this);
         result.clearStartPose();
-        return base.withWorld(result.world())
+        return base.withWorld(result.obstacles.world())
                 .withRobot(result.robot)
                 .withController(controller)
                 .withTimeline(timeline());
@@ -97,13 +129,12 @@ final class SetupEditor {
 
     /**
      * Returns the timeline with the commands that belong to a time. Two commands of one tick that cancel each other are
-     * omitted.
+     * omitted, and so are the hidden commands.
      */
-    List<SimulationSetup.TimedCommand> timeline() {
-        SetupEditor scratch = new SetupEditor(base);
+    List<TimedCommand> timeline() {
         List<Journal.Entry> timed = new ArrayList<>();
         for (Journal.Entry entry : entries) {
-            if (scratch.apply(entry.command())) {
+            if (!entry.command().match(IS_TIMED)) {
                 continue;
             }
             Optional<Journal.Entry> cancelled = timed.stream()
@@ -115,10 +146,19 @@ final class SetupEditor {
                 timed.add(entry);
             }
         }
-        List<SimulationSetup.TimedCommand> result = new ArrayList<>(base.timeline());
-        timed.forEach(
-                entry -> result.add(new SimulationSetup.TimedCommand(base.timeOf(entry.tick()), entry.command())));
+        List<TimedCommand> result = new ArrayList<>(obstacles.timeline());
+        timed.forEach(entry -> result.add(new TimedCommand(base.timeOf(entry.tick()), entry.command())));
         return result;
+    }
+
+    /** Returns the timeline before the executed commands, without what was hidden then. */
+    List<TimedCommand> initialTimeline() {
+        return baseObstacles.timeline();
+    }
+
+    /** Returns the hidden commands by their indices in the timeline with them. */
+    SortedMap<Integer, TimedCommand> hidden() {
+        return obstacles.hidden();
     }
 
     private boolean hasSensorOf(Command command) {
@@ -127,23 +167,34 @@ final class SetupEditor {
 
     /**
      * Returns an editor of another setup with the executed commands that do not belong to the timeline, except for
-     * those about sensors that the other setup lacks.
+     * those about sensors and obstacles that the other setup lacks.
      */
-    SetupEditor rebased(SimulationSetup newBase) {
-        SetupEditor result = new SetupEditor(newBase);
+    SetupEditor rebased(SimulationSetup newSetup) {
+        SetupEditor result = new SetupEditor(newSetup, hidden());
         for (int i = 0; i < entries.size(); i++) {
-            Command command = entries.get(i).command();
-            if (result.hasSensorOf(command) && result.apply(command)) {
-                result.entries.add(entries.get(i));
+            Journal.Entry entry = entries.get(i);
+            if (result.hasSensorOf(entry.command()) && result.hasObstacleOf(entry) && result.apply(entry)) {
+                result.entries.add(entry);
                 result.position += i < position ? 1 : 0;
             }
         }
         return result;
     }
 
+    private boolean hasObstacleOf(Journal.Entry entry) {
+        return entry.command() instanceof Command.PlaceObstacle
+                || ObstacleOrigins.subject(entry.command())
+                        .filter(id -> !obstacles.contains(entry.tick(), id))
+                        .isEmpty();
+    }
+
     /** Returns the executed commands, including those that are later than the tick of a moved run. */
     List<Journal.Entry> entries() {
         return List.copyOf(entries);
+    }
+
+    private static <C> Function<C, Boolean> other() {
+        return command -> false;
     }
 
     private static boolean cancels(Command command, Command earlier) {
@@ -165,16 +216,11 @@ final class SetupEditor {
     }
 
     private Optional<String> findObstruction() {
-        return Clearance.findObstruction(world(), robot, base.start());
+        return Clearance.findObstruction(obstacles.world(), robot, base.start());
     }
 
     private boolean revertChange(String id) {
-        Obstacle before = base.world().obstacles().stream()
-                .filter(obstacle -> obstacle.id().equals(id))
-                .findFirst()
-                .orElse(null);
-        if (obstacles.containsKey(id) && !Objects.equals(before, obstacles.get(id))) {
-            obstacles.put(id, before);
+        if (obstacles.revertAtStart(id)) {
             return true;
         }
         RobotSpec smaller =
@@ -184,42 +230,36 @@ final class SetupEditor {
         return changed;
     }
 
-    private WorldSpec world() {
-        return base.world()
-                .withObstacles(
-                        obstacles.values().stream().filter(Objects::nonNull).toList());
-    }
-
     /** Applies a command, and returns whether it changes the setup rather than belong to a time of the run. */
-    private boolean apply(Command command) {
-        return command.match(CommandCases.ofSetup(
-                timed -> false,
-                configureSensor -> {
-                    SensorSpec before =
-                            robot.sensor(configureSensor.sensor().id()).orElseThrow();
-                    robot = robot.withSensor(configureSensor.sensor().withOn(before.on()));
-                    return true;
-                },
-                moveObstacle -> {
-                    obstacles.computeIfPresent(
-                            moveObstacle.obstacle(), (id, obstacle) -> obstacle.withPose(moveObstacle.pose()));
-                    return true;
-                },
-                placeObstacle -> {
-                    obstacles.put(placeObstacle.obstacle().id(), placeObstacle.obstacle());
-                    return true;
-                },
-                removeObstacle -> {
-                    obstacles.replace(removeObstacle.obstacle(), null);
-                    return true;
-                },
-                setPlatform -> {
-                    robot = setPlatform.appliedTo(robot);
-                    return true;
-                },
-                configureController -> {
-                    controller = configureController.controller();
-                    return true;
-                }));
+    private boolean apply(Journal.Entry entry) {
+        return entry.command()
+                .match(CommandCases.ofSetup(
+                        timed -> false,
+                        configureSensor -> {
+                            SensorSpec before =
+                                    robot.sensor(configureSensor.sensor().id()).orElseThrow();
+                            robot = robot.withSensor(configureSensor.sensor().withOn(before.on()));
+                            return true;
+                        },
+                        moveObstacle -> {
+                            obstacles.move(entry.tick(), moveObstacle.obstacle(), moveObstacle.pose());
+                            return true;
+                        },
+                        placeObstacle -> {
+                            obstacles.place(entry.tick(), placeObstacle.obstacle());
+                            return true;
+                        },
+                        removeObstacle -> {
+                            obstacles.remove(entry.tick(), removeObstacle.obstacle());
+                            return true;
+                        },
+                        setPlatform -> {
+                            robot = setPlatform.appliedTo(robot);
+                            return true;
+                        },
+                        configureController -> {
+                            controller = configureController.controller();
+                            return true;
+                        }));
     }
 }

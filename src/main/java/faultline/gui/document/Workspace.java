@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
@@ -128,7 +129,7 @@ public final class Workspace implements AutoCloseable {
         }
         if (ended.kind() == TaskKind.RESTART) {
             // The scenario may have been saved to another file in the meantime.
-            document().ifPresent(made.document()::takeFileOf);
+            document().ifPresent(made.document()::continueFrom);
         }
         closeSession();
         open = made;
@@ -165,6 +166,11 @@ public final class Workspace implements AutoCloseable {
     /** Returns the scenario with all edits; empty before the first session. */
     public Optional<Scenario> scenario() {
         return document().map(ScenarioDocument::edited);
+    }
+
+    /** Returns the ids of the scenario's obstacles, at the start and on its timeline. */
+    public Set<String> obstacleIds() {
+        return scenario().map(now -> ObstacleOrigins.idsIn(now.setup())).orElse(Set.of());
     }
 
     /** Returns the scenario that the file holds, as far as is known; empty if there is none. */

@@ -227,6 +227,7 @@ public final class MainWindow extends JFrame {
     private void installViewListeners() {
         mainPanel.instruments().chart().setMenuExtension(popup -> Menus.addChartItems(popup, actionRegistry));
         Menus.installContextMenu(canvas, actionRegistry, new SensorMenu(undoController, sensorActions, this::addFault));
+        canvas.tools().setReservedIds(workspace::obstacleIds);
         canvas.tools().listeners().addStartListener(pose -> workspace
                 .scenario()
                 .ifPresent(open -> scenarioEditor.moveStart(open.setup().start(), pose)));

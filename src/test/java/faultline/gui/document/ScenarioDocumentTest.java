@@ -2,15 +2,40 @@ package faultline.gui.document;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.Journal;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.metrics.Expectation;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.world.Command;
+import faultline.world.CommandResult;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.Refusal;
+import faultline.world.WaypointPath;
+import faultline.world.WorldSpec;
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /** A scenario that is edited, compared with its file. */
 class ScenarioDocumentTest {
+
+    private static final List<String> IDS = List.of("a", "b", "c");
 
     @Test
     void aRecordOfARunWhoseOnlyEditIsUndoneIsARecordAgain() throws ScenarioException {
@@ -23,5 +48,138 @@ class ScenarioDocumentTest {
         document.change(open -> open.withSetup(office.setup()));
         assertEquals(saved, document.edited());
         assertFalse(document.isChanged());
+    }
+
+    private static CommandResult executed(long tick, Command command) {
+        return new CommandResult.Executed(tick, command, List.of());
+    }
+
+    /** In this scenario the timeline moves a crate, and places and removes a parcel. */
+    @Test
+    void hiddenCommandsReturnAfterARestart() throws ScenarioException, IOException {
+        Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
+        Obstacle crate = visitors.setup().world().obstacles().get(3);
+        ScenarioDocument document = new ScenarioDocument(Path.of("saved.xml"), visitors, visitors);
+        document.commandsExecuted(List.of(
+                executed(500, new Command.RemoveObstacle("crate")),
+                executed(2500, new Command.RemoveObstacle("parcel"))));
+        assertEquals(List.of(), document.edited().setup().timeline());
+        document.edited().toBytes();
+        ScenarioDocument restarted = new ScenarioDocument(null, null, document.edited());
+        restarted.continueFrom(document);
+        assertEquals(document.edited(), restarted.edited());
+        restarted.commandsExecuted(List.of(executed(300, new Command.PlaceObstacle(crate))));
+        assertEquals(
+                visitors.setup().timeline().subList(0, 1),
+                restarted.edited().setup().timeline());
+        assertEquals(visitors.setup().world(), restarted.edited().setup().world());
+        Obstacle parcel =
+                ((Command.PlaceObstacle) visitors.setup().timeline().get(1).command()).obstacle();
+        restarted.commandsExecuted(List.of(executed(3000, new Command.PlaceObstacle(parcel))));
+        assertEquals(visitors, restarted.edited());
+        assertFalse(restarted.isChanged());
+    }
+
+    @Test
+    void commandsAboutAnObstacleThatIsNoLongerPlacedAreHidden() throws ScenarioException, IOException {
+        Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
+        List<TimedCommand> before = visitors.setup().timeline();
+        ScenarioDocument document = new ScenarioDocument(null, visitors, visitors);
+        document.change(open -> withTimeline(open, List.of(before.get(0), before.get(2))));
+        document.edited().toBytes();
+        assertEquals(before.subList(0, 1), document.edited().setup().timeline());
+        document.change(open -> withTimeline(open, before));
+        assertEquals(visitors, document.edited());
+    }
+
+    private static Scenario withTimeline(Scenario scenario, List<TimedCommand> timeline) {
+        return scenario.withSetup(scenario.setup().withTimeline(timeline));
+    }
+
+    /** Writing a scenario fails if it does not read back as the same one. */
+    @Test
+    void whateverIsEditedCanBeSaved() throws IOException {
+        for (int seed = 0; seed < 200; seed++) {
+            Random random = new Random(seed);
+            Scenario start = randomScenario(random);
+            ScenarioDocument document = new ScenarioDocument(null, start, start);
+            long tick = 0;
+            for (int i = 0; i < 12; i++) {
+                tick += random.nextInt(120);
+                int kind = random.nextInt(8);
+                if (kind == 0) {
+                    document.change(open -> open.withSetup(open.setup().withSeed(random.nextInt())));
+                } else if (kind == 1) {
+                    ScenarioDocument restarted = new ScenarioDocument(null, null, document.edited());
+                    restarted.continueFrom(document);
+                    document = restarted;
+                    tick = 0;
+                } else {
+                    document.commandsExecuted(List.of(execute(randomCommand(random), document, tick)));
+                }
+                document.edited().toBytes();
+                JournalScenario.create(document.initial(), document.journal(tick))
+                        .toBytes();
+            }
+        }
+    }
+
+    /** Executes a command at a tick of the run of a document. Each of the commands before finds its obstacle. */
+    private static CommandResult execute(Command command, ScenarioDocument document, long tick) {
+        try (Simulation run = new Simulation(document.initial().setup(), ControllerMode.DIRECT)) {
+            for (Journal.Entry entry : document.journal(tick).entries()) {
+                tickUntil(run, entry.tick() - 1);
+                Optional<Refusal.Reason> reason =
+                        run.execute(entry.command()).refusal().map(Refusal::reason);
+                assertNotEquals(Optional.of(Refusal.Reason.UNKNOWN_OBSTACLE), reason, entry.toString());
+            }
+            tickUntil(run, tick);
+            return run.execute(command);
+        }
+    }
+
+    private static void tickUntil(Simulation run, long tick) {
+        while (run.ticks() < tick) {
+            run.tick();
+        }
+    }
+
+    private static Scenario randomScenario(Random random) {
+        List<Obstacle> atStart = new ArrayList<>();
+        List<TimedCommand> timeline = new ArrayList<>();
+        for (String id : IDS) {
+            Obstacle obstacle = randomObstacle(id, random);
+            if (random.nextBoolean()
+                    && !(obstacle.isMoving() && atStart.stream().anyMatch(Obstacle::isMoving))) {
+                atStart.add(obstacle);
+            }
+        }
+        IDS.forEach(id -> timeline.add(
+                new TimedCommand(random.nextInt(100), new Command.PlaceObstacle(randomObstacle(id, random)))));
+        for (int i = 0; i < 6; i++) {
+            timeline.add(new TimedCommand(random.nextInt(100), randomCommand(random)));
+        }
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(6, 4, true, 1, atStart), new Pose(1, 1, 0));
+        SimulationSetup busy =
+                setup.withTick(0.1).withController(new ControllerSpec.None()).withTimeline(timeline);
+        return new Scenario("random", "", false, busy, Expectation.NONE);
+    }
+
+    private static Command randomCommand(Random random) {
+        String id = IDS.get(random.nextInt(IDS.size()));
+        Obstacle obstacle = randomObstacle(id, random);
+        return switch (random.nextInt(3)) {
+            case 0 -> new Command.MoveObstacle(id, obstacle.pose());
+            case 1 -> new Command.RemoveObstacle(id);
+            default -> new Command.PlaceObstacle(obstacle);
+        };
+    }
+
+    private static Obstacle randomObstacle(String id, Random random) {
+        Pose pose = new Pose(2 + random.nextInt(4), 1 + random.nextInt(3), 0);
+        Obstacle still = new Obstacle(id, new ObstacleShape.CircleShape(0.1), pose);
+        return random.nextInt(3) > 0
+                ? still
+                : still.withMotion(new WaypointPath(0.1, true, List.of(new Vector2(3, 2), new Vector2(4, 2))));
     }
 }

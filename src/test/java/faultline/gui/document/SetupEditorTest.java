@@ -2,12 +2,16 @@ package faultline.gui.document;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
+import faultline.engine.Journal;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
@@ -16,7 +20,9 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -169,6 +175,83 @@ class SetupEditorTest {
                 List.of(BOX.withPose(new Pose(3, 3, 1)), POLE),
                 editor.setup().world().obstacles());
         assertEquals(BASE.robot(), editor.setup().robot());
+    }
+
+    private static final TimedCommand MOVE_BOX =
+            new TimedCommand(10, new Command.MoveObstacle("box", new Pose(5, 3, 0)));
+    private static final TimedCommand PUT_POLE = new TimedCommand(20, new Command.PlaceObstacle(POLE));
+    private static final TimedCommand MOVE_POLE =
+            new TimedCommand(30, new Command.MoveObstacle("pole", new Pose(3, 3, 0)));
+    private static final TimedCommand REMOVE_POLE = new TimedCommand(40, new Command.RemoveObstacle("pole"));
+    private static final TimedCommand PUT_POLE_AGAIN = new TimedCommand(50, PUT_POLE.command());
+    /** The obstacles of this scenario are moved, placed and removed by its timeline. */
+    private static final SimulationSetup BUSY =
+            BASE.withTimeline(List.of(MOVE_BOX, PUT_POLE, MOVE_POLE, REMOVE_POLE, PUT_POLE_AGAIN));
+
+    @Test
+    void theTimelineDoesNotMoveAnObstacleThatHasBeenRemoved() {
+        for (long tick : new long[] {500, 1500}) {
+            SetupEditor editor = new SetupEditor(BUSY);
+            add(editor, tick, new Command.RemoveObstacle("box"));
+            assertEquals(List.of(), editor.setup().world().obstacles());
+            assertEquals(
+                    List.of(PUT_POLE, MOVE_POLE, REMOVE_POLE, PUT_POLE_AGAIN),
+                    editor.setup().timeline());
+            Pose then = tick < 1000 ? BOX.pose() : new Pose(5, 3, 0);
+            add(editor, 1600, new Command.PlaceObstacle(BOX.withPose(then)));
+            assertEquals(BUSY, editor.setup());
+        }
+    }
+
+    @Test
+    void aChangeOfAnObstacleThatTheTimelinePlacesHoldsFromThenOn() {
+        SetupEditor editor = new SetupEditor(BUSY);
+        add(editor, 2500, new Command.MoveObstacle("pole", new Pose(1, 3, 0)));
+        TimedCommand changed = new TimedCommand(20, new Command.PlaceObstacle(POLE.withPose(new Pose(1, 3, 0))));
+        assertEquals(
+                BUSY.withTimeline(List.of(MOVE_BOX, changed, MOVE_POLE, REMOVE_POLE, PUT_POLE_AGAIN)), editor.setup());
+        add(editor, 6000, new Command.RemoveObstacle("pole"));
+        assertEquals(BUSY.withTimeline(List.of(MOVE_BOX, changed, MOVE_POLE, REMOVE_POLE)), editor.setup());
+    }
+
+    @Test
+    void theTimelineDoesNotPlaceAnObstacleThatHasBeenRemoved() {
+        SetupEditor editor = new SetupEditor(BUSY);
+        add(editor, 3500, new Command.RemoveObstacle("pole"));
+        assertEquals(BUSY.withTimeline(List.of(MOVE_BOX, PUT_POLE_AGAIN)), editor.setup());
+        add(editor, 3600, new Command.PlaceObstacle(POLE.withPose(new Pose(3, 3, 0))));
+        assertEquals(BUSY, editor.setup());
+    }
+
+    @Test
+    void hiddenCommandsReturnAfterAnotherChangeOfTheTimeline() {
+        TimedCommand fault = new TimedCommand(1, new Command.InjectFault("front", new Fault.Dead()));
+        SetupEditor editor = new SetupEditor(BUSY);
+        add(editor, 1500, new Command.RemoveObstacle("box"));
+        add(editor, 2500, new Command.RemoveObstacle("pole"));
+        List<TimedCommand> visible = new ArrayList<>(editor.setup().timeline());
+        visible.add(0, fault);
+        SetupEditor rebased = editor.rebased(BUSY.withTimeline(visible));
+        assertEquals(
+                List.of(new Command.RemoveObstacle("box")),
+                rebased.entries().stream().map(Journal.Entry::command).toList(),
+                "the pole is no longer placed");
+        assertEquals(BUSY.withWorld(BUSY.world().withObstacles(List.of())).withTimeline(visible), rebased.setup());
+        add(rebased, 2600, new Command.PlaceObstacle(POLE));
+        add(rebased, 2700, new Command.PlaceObstacle(BOX.withPose(new Pose(5, 3, 0))));
+        List<TimedCommand> all = new ArrayList<>(rebased.setup().timeline());
+        assertTrue(all.remove(fault));
+        assertEquals(BUSY, rebased.setup().withTimeline(all));
+    }
+
+    @Test
+    void aRemovedMovingObstacleReturnsToItsFirstPlace() {
+        Obstacle mover = POLE.withMotion(new WaypointPath(0.1, true, List.of(new Vector2(4, 3))));
+        SimulationSetup base = BASE.withWorld(BASE.world().withObstacles(List.of(mover)));
+        SetupEditor editor = new SetupEditor(base);
+        add(editor, 500, new Command.RemoveObstacle("pole"));
+        add(editor, 600, new Command.PlaceObstacle(mover.withPose(new Pose(2.5, 3, 0))));
+        assertEquals(base, editor.setup());
     }
 
     private static SimulationSetup after(Command... commands) {

@@ -1,16 +1,19 @@
 package faultline.gui.canvas.tool;
 
 import faultline.engine.Frame;
+import faultline.gui.edit.IdGenerator;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.ReferenceOverlay;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
 /** The frame and the layers that are shown, and the selected obstacles and sensor. */
@@ -21,6 +24,7 @@ public final class CanvasModel {
     private final ObservableValue<Optional<ReferenceOverlay>> referenceOverlay =
             new ObservableValue<>(Optional.empty());
     private final Set<Layer> layers = Layer.defaults();
+    private Supplier<Set<String>> reservedIds = Set::of;
     private Frame frame;
     private Set<String> pendingSelection = Set.of();
     /** The sensor that is selected as soon as a frame has it, empty for none. */
@@ -127,6 +131,23 @@ public final class CanvasModel {
 
     public Set<String> obstacleIds() {
         return obstacles().stream().map(Obstacle::id).collect(Collectors.toSet());
+    }
+
+    /** Sets the function that returns further ids that new obstacles must not have. */
+    public void setReservedIds(Supplier<Set<String>> newReservedIds) {
+        reservedIds = newReservedIds;
+    }
+
+    /** Returns an id for a new obstacle: a wanted one, or a similar one if it is taken. */
+    String newId(String wanted) {
+        return IdGenerator.uniqueId(wanted, takenIds());
+    }
+
+    /** Returns the ids that a new obstacle must not have. */
+    public Set<String> takenIds() {
+        Set<String> taken = new HashSet<>(reservedIds.get());
+        taken.addAll(obstacleIds());
+        return taken;
     }
 
     /** Returns the selected obstacles, in drawing order. */

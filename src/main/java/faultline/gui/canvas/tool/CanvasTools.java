@@ -1,7 +1,6 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.edit.IdGenerator;
 import faultline.gui.edit.ObstacleCopies;
 import faultline.gui.edit.PointShapes;
 import faultline.gui.edit.Rounding;
@@ -23,6 +22,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JComponent;
 
 /** The tools, the snap settings, the selection and the listeners of a canvas. Event dispatch thread only. */
@@ -49,13 +49,20 @@ public final class CanvasTools {
     /** Activates a tool that draws a wall from point to point. */
     public void drawWall() {
         activate(new PointsTool(
-                context, 2, false, points -> context.placeObstacle(PointShapes.wall(newId("wall"), points))));
+                context,
+                2,
+                false,
+                points -> context.placeObstacle(PointShapes.wall(context.model().newId("wall"), points))));
     }
 
     /** Activates a tool that draws a polygon from corner to corner, or freehand. */
     public void drawPolygon() {
         activate(new PointsTool(
-                context, 3, true, points -> context.placeObstacle(PointShapes.polygon(newId("polygon"), points))));
+                context,
+                3,
+                true,
+                points -> context.placeObstacle(
+                        PointShapes.polygon(context.model().newId("polygon"), points))));
     }
 
     /**
@@ -86,10 +93,6 @@ public final class CanvasTools {
                     context.editor().send(new Command.PlaceObstacle(obstacle.withMotion(motion)));
                 });
         return true;
-    }
-
-    private String newId(String stem) {
-        return IdGenerator.uniqueId(stem, context.model().obstacleIds());
     }
 
     /** Ends the active tool, so that the left button selects and moves. */
@@ -123,9 +126,17 @@ public final class CanvasTools {
         return context.model().frame().isPresent();
     }
 
-    /** Returns the ids of all obstacles of the frame that is shown. */
-    public Set<String> ids() {
-        return context.model().obstacleIds();
+    /**
+     * Sets the function that returns the ids of obstacles that the scenario has at other times, which new obstacles
+     * must not have.
+     */
+    public void setReservedIds(Supplier<Set<String>> reservedIds) {
+        context.model().setReservedIds(reservedIds);
+    }
+
+    /** Returns the ids that a new obstacle must not have. */
+    public Set<String> takenIds() {
+        return context.model().takenIds();
     }
 
     /** Returns the selected obstacles of the frame that is shown, in drawing order. */

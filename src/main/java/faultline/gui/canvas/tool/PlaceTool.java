@@ -1,7 +1,6 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.edit.IdGenerator;
 import faultline.gui.edit.ShapeHandles;
 import faultline.gui.edit.ShapePreset;
 import faultline.gui.text.Messages;
@@ -28,8 +27,7 @@ public final class PlaceTool implements Tool {
     }
 
     private String newId() {
-        return IdGenerator.uniqueId(
-                shape.name().toLowerCase(Locale.ROOT), context.model().obstacleIds());
+        return context.model().newId(shape.name().toLowerCase(Locale.ROOT));
     }
 
     @Override

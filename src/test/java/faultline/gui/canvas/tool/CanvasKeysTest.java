@@ -105,6 +105,19 @@ class CanvasKeysTest {
     }
 
     @Test
+    void aNewObstacleHasNoIdThatTheScenarioUsesAtAnotherTime() {
+        runOnEdt(() -> {
+            canvas.tools().setReservedIds(() -> Set.of("circle", "circle-2"));
+            canvas.tools().placeShape(ShapePreset.CIRCLE);
+        });
+        key("ENTER");
+        Command.PlaceObstacle placed = (Command.PlaceObstacle) callOnEdt(() -> sent.get(0));
+        assertEquals("circle-3", placed.obstacle().id());
+        assertEquals(Set.of("box", "circle", "circle-2"), callOnEdt(() -> canvas.tools()
+                .takenIds()));
+    }
+
+    @Test
     void aWallIsDrawnPointByPointWithKeysAlone() {
         runOnEdt(() -> canvas.tools().drawWall());
         keys("INSERT", "shift RIGHT", "shift RIGHT", "RIGHT", "INSERT", "shift UP", "shift UP", "INSERT");

@@ -1,0 +1,167 @@
+package faultline.gui.document;
+
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
+import faultline.gui.document.ObstacleOrigins.Origin;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.WorldSpec;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/**
+ * The obstacles of a setup under edits. A change holds from the start, or from the command of the timeline on that
+ * places the obstacle. The timeline's commands about an obstacle that has been removed are hidden until it is placed
+ * again.
+ */
+final class EditedObstacles {
+
+    private final SimulationSetup base;
+    private final ObstacleOrigins origins;
+    /**
+     * The obstacles by their origins, including the removed ones, so that an obstacle that is placed again takes its
+     * old position in the order.
+     */
+    private final Map<Origin, Obstacle> obstacles = new LinkedHashMap<>();
+
+    private final Set<Origin> removed = new HashSet<>();
+
+    /** Takes the obstacles of a setup without edits, of whose timeline some commands, given by index, are hidden. */
+    EditedObstacles(SimulationSetup base, Set<Integer> hidden) {
+        this.base = base;
+        this.origins = new ObstacleOrigins(base);
+        base.world().obstacles().forEach(obstacle -> obstacles.put(Origin.atStart(obstacle.id()), obstacle));
+        for (int i = 0; i < base.timeline().size(); i++) {
+            if (base.timeline().get(i).command() instanceof Command.PlaceObstacle command) {
+                obstacles.put(origins.of(i).orElseThrow(), command.obstacle());
+            }
+        }
+        hidden.forEach(index -> origins.of(index)
+                .filter(origin -> !origin.isAtStart() || !obstacles.containsKey(origin))
+                .ifPresent(removed::add));
+    }
+
+    private EditedObstacles(EditedObstacles other) {
+        this.base = other.base;
+        this.origins = other.origins;
+        this.obstacles.putAll(other.obstacles);
+        this.removed.addAll(other.removed);
+    }
+
+    EditedObstacles copy() {
+        return new EditedObstacles(this);
+    }
+
+    /** Moves an obstacle at a tick; one that does not exist is ignored. */
+    void move(long tick, String id, Pose pose) {
+        Origin origin = origins.at(tick, id);
+        if (!removed.contains(origin)) {
+            obstacles.computeIfPresent(origin, (same, obstacle) -> obstacle.withPose(pose));
+        }
+    }
+
+    /**
+     * Adds an obstacle at a tick, or replaces the one of this id. A removed obstacle that moves, or that the timeline
+     * had moved, returns to the pose that it had at first.
+     */
+    void place(long tick, Obstacle obstacle) {
+        Origin origin = origins.at(tick, obstacle.id());
+        Obstacle before = removed.remove(origin) ? obstacles.get(origin) : null;
+        boolean restored = before != null
+                && before.equals(obstacle.withPose(before.pose()))
+                && (before.isMoving() || origins.isMoved(origin, tick));
+        obstacles.put(origin, restored ? before : obstacle);
+    }
+
+    /** Removes an obstacle at a tick; one that does not exist is ignored. */
+    void remove(long tick, String id) {
+        Origin origin = origins.at(tick, id);
+        if (obstacles.containsKey(origin)) {
+            removed.add(origin);
+        }
+    }
+
+    /** Returns whether an obstacle is there at a tick, unless the timeline has removed it. */
+    boolean contains(long tick, String id) {
+        Origin origin = origins.at(tick, id);
+        return obstacles.containsKey(origin) && !removed.contains(origin);
+    }
+
+    /** Reverts the change of an obstacle at the start; returns false if it has not changed or has been removed. */
+    boolean revertAtStart(String id) {
+        Optional<Obstacle> before = base.world().obstacles().stream()
+                .filter(obstacle -> obstacle.id().equals(id))
+                .findFirst();
+        Origin origin = Origin.atStart(id);
+        if (removed.contains(origin) || before.equals(Optional.ofNullable(obstacles.get(origin)))) {
+            return false;
+        }
+        before.ifPresentOrElse(obstacle -> obstacles.put(origin, obstacle), () -> removed.add(origin));
+        return true;
+    }
+
+    /**
+     * Returns the world with the obstacles at the start. It allows more moving obstacles than before if an edit has
+     * added one after the timeline had removed another.
+     */
+    WorldSpec world() {
+        List<Obstacle> atStart = obstacles.entrySet().stream()
+                .filter(entry -> entry.getKey().isAtStart() && !removed.contains(entry.getKey()))
+                .map(Map.Entry::getValue)
+                .toList();
+        int moving = (int) atStart.stream().filter(Obstacle::isMoving).count();
+        WorldSpec world = base.world();
+        return new WorldSpec(
+                world.width(), world.height(), world.enclosed(), Math.max(world.maxMoving(), moving), atStart);
+    }
+
+    /** Returns the timeline without the hidden commands. */
+    List<TimedCommand> timeline() {
+        SortedMap<Integer, TimedCommand> hidden = hidden();
+        return IntStream.range(0, base.timeline().size())
+                .filter(i -> !hidden.containsKey(i))
+                .mapToObj(this::edited)
+                .toList();
+    }
+
+    private TimedCommand edited(int index) {
+        TimedCommand timed = base.timeline().get(index);
+        return timed.command() instanceof Command.PlaceObstacle
+                ? new TimedCommand(
+                        timed.time(),
+                        new Command.PlaceObstacle(
+                                obstacles.get(origins.of(index).orElseThrow())))
+                : timed;
+    }
+
+    /** Returns the hidden commands by their indices in the timeline. */
+    SortedMap<Integer, TimedCommand> hidden() {
+        if (base.timeline().isEmpty()) {
+            return Collections.emptySortedMap();
+        }
+        Set<String> ids = obstacles.keySet().stream()
+                .filter(origin -> !removed.contains(origin))
+                .map(Origin::id)
+                .collect(Collectors.toSet());
+        SortedMap<Integer, TimedCommand> hidden = new TreeMap<>();
+        for (int i = 0; i < base.timeline().size(); i++) {
+            // A command that comes too early for its obstacle has no effect, but is not allowed without the obstacle.
+            if (origins.of(i)
+                    .filter(origin -> removed.contains(origin) || !ids.contains(origin.id()))
+                    .isPresent()) {
+                hidden.put(i, base.timeline().get(i));
+            }
+        }
+        return hidden;
+    }
+}
