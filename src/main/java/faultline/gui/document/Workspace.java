@@ -5,6 +5,7 @@ import faultline.engine.session.Session;
 import faultline.engine.session.SessionView;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
+import faultline.world.Command;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -171,6 +172,20 @@ public final class Workspace implements AutoCloseable {
     /** Returns the ids of the scenario's obstacles, at the start and on its timeline. */
     public Set<String> obstacleIds() {
         return scenario().map(now -> ObstacleOrigins.idsIn(now.setup())).orElse(Set.of());
+    }
+
+    /** Returns whether the scenario has the sensor or the obstacle that a command is about. */
+    public boolean hasSubjectOf(Command command) {
+        return scenario().filter(now -> hasSubject(now.setup(), command)).isPresent();
+    }
+
+    private static boolean hasSubject(SimulationSetup setup, Command command) {
+        boolean places = command instanceof Command.PlaceObstacle;
+        Optional<String> obstacle = places ? Optional.empty() : ObstacleOrigins.subject(command);
+        return obstacle.map(ObstacleOrigins.idsIn(setup)::contains).orElse(true)
+                && SensorReference.in(command)
+                        .map(id -> setup.robot().indexOf(id) >= 0)
+                        .orElse(true);
     }
 
     /** Returns the scenario that the file holds, as far as is known; empty if there is none. */

@@ -126,12 +126,18 @@ final class LaneActions {
         delete();
     }
 
-    /** Adds the copied item at a time, in the selected lane if it can be there. */
+    /**
+     * Adds the copied item at a time, in the selected lane if it can be there, unless the scenario lacks its subject.
+     */
     void paste(double start) {
-        editor.clipboard()
+        pasteItem(start).ifPresent(this::addAndSelect);
+    }
+
+    private Optional<TimelineItem> pasteItem(double start) {
+        return editor.clipboard()
                 .map(item -> startingAt(item, editor.roundToTick(start)))
                 .map(item -> item.inLane(view.selectedLane()))
-                .ifPresent(this::addAndSelect);
+                .filter(editor::hasSubjectOf);
     }
 
     /** Adds a copy of the selected item directly after it. */
@@ -196,7 +202,7 @@ final class LaneActions {
         menu.addSeparator();
         add(menu, "timeline.menu.cut", item, this::cut);
         add(menu, "timeline.menu.copy", item, this::copy);
-        add(menu, "timeline.menu.paste", editor.clipboard().isPresent(), () -> paste(time));
+        add(menu, "timeline.menu.paste", pasteItem(time).isPresent(), () -> paste(time));
         add(menu, "timeline.menu.duplicate", item, this::duplicate);
         add(menu, "timeline.menu.delete", item, this::delete);
         return menu;

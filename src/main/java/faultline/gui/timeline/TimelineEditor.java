@@ -99,6 +99,11 @@ public final class TimelineEditor {
         return Optional.ofNullable(clipboard);
     }
 
+    /** Returns whether the scenario has the sensor or the obstacle that an item is about. */
+    boolean hasSubjectOf(TimelineItem item) {
+        return workspace.hasSubjectOf(item.command());
+    }
+
     /**
      * A change of the timeline, and the selections after an undo and a redo, null for none. Changes of one target may
      * be merged.

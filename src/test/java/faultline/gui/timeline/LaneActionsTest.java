@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.Keystrokes;
@@ -17,6 +18,8 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.KeyBindings;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
@@ -84,6 +87,50 @@ class LaneActionsTest {
             actions.paste(13.29);
         });
         assertEquals(List.of(START, END, 13.29, 18.62), times());
+    }
+
+    /** The clipboard keeps an item when another scenario is opened. */
+    @Test
+    void anItemIsNotPastedIntoAScenarioWithoutItsSensor() {
+        runOnEdt(() -> {
+            actions.copy();
+            lanes.run()
+                    .change(old -> old.withSetup(old.setup()
+                            .withRobot(old.setup().robot().withSensors(List.of()))
+                            .withTimeline(List.of())));
+            view.select(1, LaneLayout.NONE);
+            actions.paste(13.29);
+        });
+        assertEquals(List.of(), times());
+        assertFalse(callOnEdt(() -> menuItem("Paste here").isEnabled()));
+    }
+
+    @Test
+    void aMoveIsNotPastedIntoAScenarioWithoutItsObstacle() {
+        Obstacle box = new Obstacle("box", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0));
+        TimelineItem put = TimelineItem.from(new Command.PlaceObstacle(box), 5);
+        runOnEdt(() -> {
+            editor.add(put, null);
+            editor.add(TimelineItem.from(new Command.MoveObstacle("box", new Pose(2, 1, 0)), 6), null);
+            editor.copy(2);
+            actions.paste(13.29);
+        });
+        assertEquals(List.of(START, END, 5.0, 6.0, 13.29), times());
+        runOnEdt(() -> editor.remove(1));
+        assertEquals(List.of(START, END), times(), "a move of nothing is not in the scenario");
+        runOnEdt(() -> actions.paste(15));
+        assertEquals(List.of(START, END), times());
+        runOnEdt(undo::undo);
+        assertEquals(List.of(START, END, 5.0, 6.0, 13.29), times());
+    }
+
+    private JMenuItem menuItem(String text) {
+        return Stream.of(actions.createMenu(0).getComponents())
+                .filter(JMenuItem.class::isInstance)
+                .map(JMenuItem.class::cast)
+                .filter(item -> item.getText().equals(text))
+                .findFirst()
+                .orElseThrow();
     }
 
     @Test
