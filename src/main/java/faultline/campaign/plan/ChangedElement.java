@@ -7,13 +7,15 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
+import java.util.TreeMap;
 
 /** An element of a scenario that can be changed, and that finds its children by their names and ids. */
 final class ChangedElement {
 
-    /** The children of one name in their order, and the first of each id among them. */
-    private record Siblings(List<ChangedElement> all, Map<String, ChangedElement> byId) {
+    /** The children of one name in their order, and by their ids and numbers. */
+    private record Siblings(List<ChangedElement> all, Map<String, NavigableMap<Integer, ChangedElement>> byId) {
         Siblings() {
             this(new ArrayList<>(), new HashMap<>());
         }
@@ -21,7 +23,25 @@ final class ChangedElement {
         void add(ChangedElement child) {
             all.add(child);
             child.number = all.size();
-            byId.putIfAbsent(child.id(), child);
+            addId(child);
+        }
+
+        void addId(ChangedElement child) {
+            byId.computeIfAbsent(child.id(), unseen -> new TreeMap<>()).put(child.number, child);
+        }
+
+        void removeId(ChangedElement child) {
+            NavigableMap<Integer, ChangedElement> same = byId.get(child.id());
+            same.remove(child.number);
+            if (same.isEmpty()) {
+                byId.remove(child.id());
+            }
+        }
+
+        /** Returns the first child of an id; null if there is none. */
+        ChangedElement first(String id) {
+            NavigableMap<Integer, ChangedElement> same = byId.get(id);
+            return same == null ? null : same.firstEntry().getValue();
         }
     }
 
@@ -70,10 +90,14 @@ final class ChangedElement {
         if (attributes == null) {
             attributes = new LinkedHashMap<>(original.attributes());
         }
-        attributes.put(attribute, text);
         location = change;
         if (parent != null && attribute.equals(idAttribute(name()))) {
-            parent.byName = null;
+            Siblings siblings = parent.byName.get(name());
+            siblings.removeId(this);
+            attributes.put(attribute, text);
+            siblings.addId(this);
+        } else {
+            attributes.put(attribute, text);
         }
     }
 
@@ -105,7 +129,7 @@ final class ChangedElement {
         if (named.isEmpty()) {
             return Optional.empty();
         }
-        ChangedElement withId = byName.get(step.element()).byId.get(step.key());
+        ChangedElement withId = byName.get(step.element()).first(step.key());
         if (withId != null || !(step.key().isEmpty() || step.isNumbered())) {
             return Optional.ofNullable(withId);
         }
@@ -116,15 +140,11 @@ final class ChangedElement {
     private void open() {
         if (children == null) {
             children = new ArrayList<>();
+            byName = new HashMap<>();
             for (XmlElement element : original.children()) {
                 ChangedElement child = new ChangedElement(element);
                 child.parent = this;
                 children.add(child);
-            }
-        }
-        if (byName == null) {
-            byName = new HashMap<>();
-            for (ChangedElement child : children) {
                 byName.computeIfAbsent(child.name(), unseen -> new Siblings()).add(child);
             }
         }

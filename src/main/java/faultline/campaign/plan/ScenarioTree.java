@@ -13,8 +13,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A copy of a scenario's tree of elements that can be changed. Except for the first change of an element's children,
- * and the first after one of their ids has changed, a change takes time that does not depend on the size of the tree.
+ * A copy of a scenario's tree of elements that can be changed. Except for the first change of an element's children, a
+ * change takes time that hardly depends on the size of the tree.
  */
 final class ScenarioTree {
 

@@ -86,6 +86,7 @@ class ScenarioTreeTest {
                 element("scenario", Map.of(), element("world", Map.of(), circles), element("robot", Map.of())));
         for (int i = 0; i < circles.length; i++) {
             set(tree, "world/circle[c" + i + "]/@x", "2");
+            set(tree, "world/circle[c" + i + "]/@id", "d" + i);
             set(tree, "robot/sensor[s" + i + "]/@x", "2");
         }
         XmlElement changed = tree.toElement();
