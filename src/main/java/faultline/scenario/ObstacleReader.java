@@ -85,19 +85,12 @@ final class ObstacleReader {
     }
 
     private void checkLoopTime(XmlElement node, WaypointPath motion) {
-        double length = 0;
-        for (int i = 0; i < motion.waypoints().size(); i++) {
-            length += motion.waypoints()
-                    .get(i)
-                    .distanceTo(
-                            motion.waypoints().get((i + 1) % motion.waypoints().size()));
-        }
-        if (motion.loop() && length > 0 && length < motion.speed() * ScenarioLimits.MIN_LOOP_TIME) {
+        if (motion.isLoopTooShort()) {
             problems.add(
                     node,
                     ProblemKind.LOOP_TIME.with(
-                            DecimalText.formatRounded(length / motion.speed()),
-                            DecimalText.format(ScenarioLimits.MIN_LOOP_TIME)));
+                            DecimalText.formatRounded(motion.loopLength() / motion.speed()),
+                            DecimalText.format(WaypointPath.MIN_LOOP_TIME)));
         }
     }
 

@@ -183,6 +183,9 @@ final class CommandHandler {
         if (obstacle.isMoving() && countOthersMoving(obstacle.id()) >= spec.maxMoving()) {
             return refused(command, Reason.TOO_MANY_MOVING, Integer.toString(spec.maxMoving()));
         }
+        if (obstacle.motion().isLoopTooShort()) {
+            return refused(command, Reason.SHORT_LOOP, obstacle.id());
+        }
         Command inverse = obstacles
                 .find(obstacle.id())
                 .<Command>map(old -> new Command.PlaceObstacle(old.obstacle()))

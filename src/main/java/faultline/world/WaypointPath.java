@@ -13,6 +13,12 @@ import java.util.List;
  */
 public record WaypointPath(double speed, boolean loop, List<Vector2> waypoints) {
 
+    /**
+     * The shortest time in which an obstacle of a scenario file may visit all waypoints of a loop, seconds; otherwise
+     * one tick could hold millions of legs.
+     */
+    public static final double MIN_LOOP_TIME = 0.01;
+
     /** The path of a static obstacle. */
     public static final WaypointPath NONE = new WaypointPath(0, false, List.of());
 
@@ -34,6 +40,21 @@ public record WaypointPath(double speed, boolean loop, List<Vector2> waypoints) 
         if (!none && (waypoints.isEmpty() || !waypoints.stream().allMatch(Vector2::isFinite))) {
             throw new IllegalArgumentException("a motion needs waypoints, all finite: " + waypoints);
         }
+    }
+
+    /** {@return the length of the closed path through all waypoints, metres} */
+    public double loopLength() {
+        double length = 0;
+        for (int i = 0; i < waypoints.size(); i++) {
+            length += waypoints.get(i).distanceTo(waypoints.get((i + 1) % waypoints.size()));
+        }
+        return length;
+    }
+
+    /** {@return whether this is a loop that takes less than {@link #MIN_LOOP_TIME}, but not one that stays in place} */
+    public boolean isLoopTooShort() {
+        double length = loop ? loopLength() : 0;
+        return length > 0 && length < speed * MIN_LOOP_TIME;
     }
 
     /**

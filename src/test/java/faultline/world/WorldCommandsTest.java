@@ -294,6 +294,23 @@ class WorldCommandsTest {
         assertEquals(List.of(DESK), world.snapshot().obstacles());
     }
 
+    /** A file must not have such a motion. */
+    @Test
+    void anObstacleIsNotPlacedThatIsTooFastForItsWaypoints() {
+        Obstacle still = new Obstacle("lamp", new ObstacleShape.CircleShape(0.1), new Pose(1, 3, 0));
+        List<Vector2> near = List.of(new Vector2(1, 3), new Vector2(1.0004, 3));
+        assertEquals(
+                Optional.of(
+                        "lamp would be too fast for its waypoints: it must take 0.01 s or more to visit all of them"),
+                refusal(new Command.PlaceObstacle(still.withMotion(new WaypointPath(0.1, true, near)))));
+        assertEquals(
+                Optional.empty(),
+                refusal(new Command.PlaceObstacle(still.withMotion(new WaypointPath(0.1, false, near)))));
+        assertEquals(
+                Optional.empty(),
+                refusal(new Command.PlaceObstacle(still.withMotion(new WaypointPath(0.05, true, near)))));
+    }
+
     @Test
     void aPlatformMayShrinkWhereItTouches() {
         world.execute(new Command.SetPlatform(1, 0.5, 0.2));

@@ -24,6 +24,7 @@ public final class RefusalText {
             case OVERLAPS_ROBOT -> "refused.robot";
             case PLATFORM_OVERLAPS -> "refused.platform";
             case TOO_MANY_MOVING -> "refused.moving";
+            case SHORT_LOOP -> "refused.loop";
             case RESERVED_ID -> "refused.enclosure";
             case FOREIGN_CONTROLLER -> "refused.controller";
         };

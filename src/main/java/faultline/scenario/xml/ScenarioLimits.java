@@ -36,12 +36,6 @@ public final class ScenarioLimits {
     /** The nesting depth of elements; the format needs five. */
     static final int MAX_DEPTH = 20;
 
-    /**
-     * The shortest time in which a moving obstacle visits all its waypoints, seconds; otherwise one tick could hold
-     * millions of legs.
-     */
-    public static final double MIN_LOOP_TIME = 0.01;
-
     /** The fastest wheels, metres per second. */
     public static final double MAX_WHEEL_SPEED = 1000;
 
