@@ -62,6 +62,7 @@ final class DriveFields extends JPanel {
         RobotSpec after = change.apply(before);
         if (!after.equals(before)) {
             robot = after;
+            setMotorLimits();
             editor.edit(
                     "edit.drive",
                     open -> open.withSetup(

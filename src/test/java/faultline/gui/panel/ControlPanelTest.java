@@ -9,9 +9,11 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
+import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
+import faultline.gui.FieldExtremes;
 import faultline.gui.action.UiAction;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Language;
@@ -26,6 +28,7 @@ import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Snapshot;
+import faultline.world.WorldSpec;
 import java.awt.Container;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
@@ -88,6 +91,17 @@ class ControlPanelTest {
             ComponentFinder.find(panel, JButton.class, "Delete this sensor").doClick(0);
         });
         assertEquals(List.of("added", "rear"), sensorRequests);
+    }
+
+    @Test
+    void everyNumberThatAFieldOfTheRobotAllowsCanBeSaved() {
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(6, 4, true, 3, List.of()), new Pose(3, 2, 0))
+                .withRobot(world.robot());
+        Container robotTab = callOnEdt(() -> (Container) ComponentFinder.findAll(panel, JTabbedPane.class)
+                .findFirst()
+                .orElseThrow()
+                .getComponentAt(0));
+        FieldExtremes.enterAll(robotTab, () -> FieldExtremes.save(setup, commands));
     }
 
     private ControlPanel createPanel() {

@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -17,6 +18,7 @@ import faultline.control.WallSide;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.FieldExtremes;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
@@ -89,6 +91,18 @@ class ControllerPanelTest {
             return SessionFrames.poll(workspace)
                     .filter(frame -> condition.test(frame.controller()))
                     .isPresent();
+        });
+    }
+
+    @Test
+    void everyNumberThatAFieldAllowsCanBeSaved() {
+        FieldExtremes.enterAll(panel, () -> {
+            Await.until("the commands", () -> {
+                SessionFrames.poll(workspace);
+                return !workspace.awaitsCommands() && workspace.task().isEmpty();
+            });
+            Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
+            assertDoesNotThrow(edited::toBytes);
         });
     }
 

@@ -8,10 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
+import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.FieldExtremes;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Theme;
@@ -20,6 +22,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
+import faultline.world.WorldSpec;
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
@@ -99,6 +102,16 @@ class ObstaclePanelTest {
             field.setText(text);
             field.postActionEvent();
         });
+    }
+
+    @Test
+    void everyNumberThatAFieldAllowsCanBeSaved() {
+        List<Obstacle> all = List.of(CRATE, VASE, FENCE, CAT);
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(6, 4, true, 3, all), new Pose(3, 2, 0));
+        for (Obstacle obstacle : all) {
+            select(obstacle.id());
+            FieldExtremes.enterAll(panel, () -> FieldExtremes.save(setup, commands));
+        }
     }
 
     @Test
