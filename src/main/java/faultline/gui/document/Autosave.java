@@ -5,6 +5,7 @@ import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;
+import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import javax.swing.Timer;
@@ -18,18 +19,24 @@ public final class Autosave implements AutoCloseable {
 
     private final Workspace workspace;
     private final RecoveryStore recovery;
+    private final Consumer<Throwable> onFailure;
     private final Timer timer = new Timer(PERIOD_MILLIS, event -> saveUnsavedEdits());
     /** Null if there was nothing to save. */
     private volatile Scenario lastWritten;
 
     private volatile boolean closed;
     private boolean lastWriteSucceeded;
+    private boolean failureReported;
 
-    /** Starts to save the edits of a workspace to a recovery store. */
-    public Autosave(Workspace workspace, RecoveryStore recovery) {
+    /**
+     * Starts to save the edits of a workspace to a recovery store. {@code onFailure} is called on the event dispatch
+     * thread when that fails; not again before it has succeeded.
+     */
+    public Autosave(Workspace workspace, RecoveryStore recovery, Consumer<Throwable> onFailure) {
         assert EventQueue.isDispatchThread();
         this.workspace = workspace;
         this.recovery = recovery;
+        this.onFailure = onFailure;
         timer.start();
         workspace.addListener(new WorkspaceListener() {
             @Override
@@ -51,11 +58,23 @@ public final class Autosave implements AutoCloseable {
             lastWritten = unsaved;
             lastWriteSucceeded = true;
             Path origin = workspace.file().orElse(null);
-            BackgroundTasks.run(() -> write(origin, unsaved), failure -> {
-                // The next period tries again.
-                lastWriteSucceeded = false;
-                LOG.log(Level.WARNING, "the unsaved edits cannot be written to the recovery file", failure);
-            });
+            BackgroundTasks.run(
+                    () -> {
+                        write(origin, unsaved);
+                        return true;
+                    },
+                    written -> failureReported = false,
+                    this::writeFailed);
+        }
+    }
+
+    private void writeFailed(Throwable failure) {
+        // The next period tries again.
+        lastWriteSucceeded = false;
+        LOG.log(Level.WARNING, "the unsaved edits cannot be written to the recovery file", failure);
+        if (!failureReported) {
+            failureReported = true;
+            onFailure.accept(failure);
         }
     }
 

@@ -41,6 +41,7 @@ import faultline.gui.gallery.Gallery;
 import faultline.gui.properties.ScenarioActions;
 import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
+import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
@@ -342,7 +343,10 @@ public final class MainWindow extends JFrame {
      * asynchronously. If there are none, {@code otherwise} is called.
      */
     public void enableRecovery(RecoveryStore recovery, Runnable otherwise) {
-        Autosave autosave = new Autosave(workspace, recovery);
+        Autosave autosave = new Autosave(
+                workspace,
+                recovery,
+                failure -> showNote(Messages.get("recover.failed", ErrorMessages.describe(failure))));
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosed(WindowEvent event) {

@@ -23,7 +23,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.logging.Logger;
 import java.util.stream.Stream;
@@ -50,6 +50,8 @@ class CrashRecoveryTest {
     private final List<Path> changedFiles = new ArrayList<>();
     private final List<ScenarioException> broken = new ArrayList<>();
     private final List<Path> deleted = new ArrayList<>();
+    /** The failures of recovery files that would be shown. */
+    private final List<Throwable> failures = new ArrayList<>();
 
     @BeforeEach
     void openAFile() throws IOException {
@@ -212,22 +214,26 @@ class CrashRecoveryTest {
     }
 
     @Test
-    void aFailedAutosaveIsRetried() throws IOException {
+    void aFailedAutosaveIsReportedOnceAndRetried() throws IOException {
         RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
         Path obstacle = Files.createFile(folder.resolve("kept"));
-        AtomicBoolean failed = new AtomicBoolean();
+        AtomicInteger failed = new AtomicInteger();
         Logger log = Logger.getLogger(Autosave.class.getName());
         log.setFilter(record -> {
-            failed.set(true);
+            failed.incrementAndGet();
             return false;
         });
         edit();
         Autosave autosave = autosave(dying);
-        Await.until("the failure", failed::get);
+        Await.until("the first failure", () -> failed.get() == 1);
+        runOnEdt(autosave::saveUnsavedEdits);
+        Await.until("the second failure", () -> failed.get() == 2);
         log.setFilter(null);
+        assertEquals(1, callOnEdt(failures::size));
         Files.delete(obstacle);
         runOnEdt(autosave::saveUnsavedEdits);
         Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        assertEquals(1, callOnEdt(failures::size));
     }
 
     @Test
@@ -346,7 +352,7 @@ class CrashRecoveryTest {
     }
 
     private Autosave autosave(RecoveryStore recovery) {
-        Autosave autosave = callOnEdt(() -> new Autosave(workspace, recovery));
+        Autosave autosave = callOnEdt(() -> new Autosave(workspace, recovery, failures::add));
         runOnEdt(autosave::saveUnsavedEdits);
         return autosave;
     }
