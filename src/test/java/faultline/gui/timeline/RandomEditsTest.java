@@ -1,0 +1,204 @@
+package faultline.gui.timeline;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.session.SessionFrame;
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.gui.Await;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
+import faultline.gui.document.TaskKind;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.edit.SensorEditor;
+import faultline.gui.edit.UndoController;
+import faultline.scenario.Scenario;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Random edits of a scenario while it runs: commands, changes of the timeline and of the sensors, undo and redo,
+ * restarts and moves to other ticks. After each, the scenario and the record of its run can be saved, and the record
+ * gives the same trajectory.
+ */
+class RandomEditsTest {
+
+    private static final int SEEDS = Integer.getInteger("faultline.randomEdits", 10);
+    private static final int EDITS = 30;
+    private static final int MAX_STEPS = 40;
+    private static final List<String> SCENARIOS = List.of("three-visitors", "every-fault", "noisy-sensors");
+
+    private Workspace workspace;
+    private RunController run;
+    private UndoController undo;
+    private TimelineEditor timeline;
+    private SensorEditor sensors;
+
+    /** Connects the run and the edits as the window does. */
+    private final class Forwarder implements WorkspaceListener {
+        @Override
+        public void scenarioOpened() {
+            undo.clear();
+        }
+
+        @Override
+        public void scenarioRestarted() {
+            undo.runRestarted();
+        }
+
+        @Override
+        public void runRepositioned(long tick) {
+            undo.runRepositioned(tick);
+        }
+
+        @Override
+        public void taskFailed(TaskKind task, Path file, Throwable failure) {
+            throw new AssertionError(failure);
+        }
+    }
+
+    @BeforeEach
+    void create() {
+        runOnEdt(() -> {
+            workspace = new Workspace();
+            run = new RunController(workspace);
+            undo = new UndoController(run::send, () -> {});
+            timeline = new TimelineEditor(workspace, run, undo);
+            sensors = new SensorEditor(workspace, new ScenarioEditor(run, undo), note -> {});
+            workspace.addListener(new Forwarder());
+        });
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    static Stream<Integer> seeds() {
+        return IntStream.range(0, SEEDS).boxed();
+    }
+
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void theScenarioAndTheRecordOfTheRunCanAlwaysBeSaved(int seed) throws Exception {
+        Random random = new Random(seed);
+        Path file = Path.of("scenarios", SCENARIOS.get(seed % SCENARIOS.size()) + ".xml");
+        runOnEdt(() -> new DocumentStore(workspace).open(file));
+        SessionFrames.awaitScenario(workspace);
+        List<String> edits = new ArrayList<>();
+        for (int i = 0; i < EDITS; i++) {
+            runOnEdt(() -> edits.add(edit(random)));
+            awaitRest();
+            String sequence = "seed " + seed + ": " + edits;
+            Scenario scenario = callOnEdt(() -> workspace.scenario().orElseThrow());
+            assertDoesNotThrow(scenario::toBytes, sequence);
+            Scenario record =
+                    callOnEdt(() -> workspace.replayScenario().orElseThrow()).get();
+            assertDoesNotThrow(record::toBytes, sequence);
+            assertEquals(
+                    SessionFrames.trajectoryHash(workspace),
+                    HeadlessRun.run(record.setup(), ControllerMode.DIRECT, List.of())
+                            .trajectoryHash(),
+                    sequence);
+        }
+    }
+
+    private void awaitRest() {
+        Await.until(
+                "the end of the edit",
+                () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
+        SessionFrame frame = SessionFrames.frame(workspace);
+        runOnEdt(() -> {
+            undo.pendingEdits().setRobot(frame.snapshot().robot());
+            undo.runAdvanced(frame.snapshot().tick());
+        });
+    }
+
+    /** Makes one edit, and returns what it was. */
+    private String edit(Random random) {
+        SessionFrame frame = SessionFrames.frame(workspace);
+        long tick = frame.snapshot().tick();
+        switch (random.nextInt(12)) {
+            case 0 -> undo.undo();
+            case 1 -> undo.redo();
+            case 2 -> run.restart();
+            case 3 -> run.navigator().seek(random.nextInt((int) tick + 1));
+            case 4, 5, 6 -> IntStream.range(0, random.nextInt(MAX_STEPS)).forEach(step -> run.step());
+            case 7 -> timeline.add(TimelineItem.from(command(frame, random), random.nextInt(60)), null);
+            case 8 -> {
+                if (!timeline.model().items().isEmpty()) {
+                    timeline.remove(random.nextInt(timeline.model().items().size()));
+                }
+            }
+            case 9 -> editSensors(frame, random);
+            default -> {
+                Command command = command(frame, random);
+                undo.endEdit();
+                undo.send(command);
+                return command.toString();
+            }
+        }
+        return "tick " + tick;
+    }
+
+    private void editSensors(SessionFrame frame, Random random) {
+        List<String> ids = frame.snapshot().robot().sensorIds();
+        if (ids.isEmpty() || random.nextBoolean()) {
+            sensors.add();
+        } else {
+            sensors.remove(ids.get(random.nextInt(ids.size())));
+        }
+    }
+
+    private static Command command(SessionFrame frame, Random random) {
+        List<Obstacle> obstacles = frame.snapshot().obstacles();
+        List<String> ids = frame.snapshot().robot().sensorIds();
+        Obstacle obstacle = obstacles.isEmpty() || random.nextInt(4) == 0
+                ? new Obstacle("new-" + random.nextInt(3), new ObstacleShape.CircleShape(0.1), pose(random))
+                : obstacles.get(random.nextInt(obstacles.size()));
+        String sensor = ids.isEmpty() ? "front" : ids.get(random.nextInt(ids.size()));
+        return switch (ids.isEmpty() ? random.nextInt(4) : random.nextInt(8)) {
+            case 0 -> new Command.MoveObstacle(obstacle.id(), pose(random));
+            case 1 -> new Command.RemoveObstacle(obstacle.id());
+            case 2 -> new Command.PlaceObstacle(obstacle.withPose(pose(random)));
+            case 3 ->
+                new Command.PlaceObstacle(obstacle.withMotion(
+                        new WaypointPath(0.3, true, List.of(new Vector2(1, 1), new Vector2(2, 1.5)))));
+            case 4 -> new Command.SwitchSensor(sensor, random.nextBoolean());
+            case 5 -> new Command.InjectFault(sensor, new Fault.Stuck(0.3));
+            case 6 -> new Command.ClearFaults(sensor);
+            default ->
+                new Command.ConfigureSensor(frame.snapshot()
+                        .robot()
+                        .sensor(sensor)
+                        .orElseThrow()
+                        .withCone(Degrees.toRadians(5 + random.nextInt(60))));
+        };
+    }
+
+    private static Pose pose(Random random) {
+        return new Pose(random.nextInt(60) / 10.0, random.nextInt(40) / 10.0, 0);
+    }
+}
