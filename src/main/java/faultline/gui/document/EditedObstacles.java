@@ -70,17 +70,11 @@ final class EditedObstacles {
         }
     }
 
-    /**
-     * Adds an obstacle at a tick, or replaces the one of this id. A removed obstacle that moves, or that the timeline
-     * had moved, returns to the pose that it had at first.
-     */
+    /** Adds an obstacle at a tick, or replaces the one of this id. */
     void place(long tick, Obstacle obstacle) {
         Origin origin = origins.at(tick, obstacle.id());
-        Obstacle before = removed.remove(origin) ? obstacles.get(origin) : null;
-        boolean restored = before != null
-                && before.equals(obstacle.withPose(before.pose()))
-                && (before.isMoving() || origins.isMoved(origin, tick));
-        obstacles.put(origin, restored ? before : obstacle);
+        obstacles.put(origin, obstacle);
+        removed.remove(origin);
     }
 
     /** Removes an obstacle at a tick; one that does not exist is ignored. */
@@ -89,6 +83,20 @@ final class EditedObstacles {
         if (obstacles.containsKey(origin)) {
             removed.add(origin);
         }
+    }
+
+    /** Returns what restores, after an edit at a tick, what is known of an obstacle now. */
+    Runnable reversal(long tick, String id) {
+        Origin origin = origins.at(tick, id);
+        Optional<Obstacle> before = Optional.ofNullable(obstacles.get(origin));
+        boolean wasRemoved = removed.contains(origin);
+        return () -> {
+            before.ifPresentOrElse(obstacle -> obstacles.put(origin, obstacle), () -> obstacles.remove(origin));
+            removed.remove(origin);
+            if (wasRemoved) {
+                removed.add(origin);
+            }
+        };
     }
 
     /** Returns whether an obstacle is there at a tick, unless the timeline has removed it. */

@@ -15,7 +15,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -116,14 +115,6 @@ final class ObstacleOrigins {
      */
     Optional<Origin> of(int index) {
         return subject(setup.timeline().get(index).command()).map(id -> last(execution(index), id));
-    }
-
-    /** Returns whether the timeline moves an obstacle up to a tick. */
-    boolean isMoved(Origin origin, long tick) {
-        return IntStream.range(0, setup.timeline().size())
-                .anyMatch(i -> setup.timeline().get(i).command() instanceof Command.MoveObstacle
-                        && execution(i).tick() <= tick
-                        && of(i).filter(origin::equals).isPresent());
     }
 
     private Origin last(ExecutionPoint until, String id) {

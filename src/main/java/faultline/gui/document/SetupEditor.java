@@ -12,8 +12,10 @@ import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
@@ -30,6 +32,8 @@ import java.util.function.Function;
  */
 final class SetupEditor {
 
+    private static final Runnable NOTHING = () -> {};
+
     private static final CommandCases<Boolean> IS_TIMED =
             CommandCases.ofSetup(timed -> true, other(), other(), other(), other(), other(), other());
 
@@ -39,7 +43,9 @@ final class SetupEditor {
     /** The obstacles before the commands. */
     private final EditedObstacles baseObstacles;
 
-    private final List<Journal.Entry> entries = new ArrayList<>();
+    private final List<CommandResult> entries = new ArrayList<>();
+    /** What a command restores that undoes the last command with this inverse. */
+    private final Map<Command, Runnable> reversals = new HashMap<>();
     /** The number of entries that the run has executed. */
     private int position;
 
@@ -83,6 +89,7 @@ final class SetupEditor {
         robot = base.robot();
         controller = base.controller();
         obstacles = baseObstacles.copy();
+        reversals.clear();
     }
 
     /**
@@ -99,10 +106,9 @@ final class SetupEditor {
             reset();
             entries.forEach(this::apply);
         }
-        Journal.Entry entry = new Journal.Entry(result.tick(), result.command());
-        entries.add(entry);
+        entries.add(result);
         position = entries.size();
-        apply(entry);
+        apply(result);
     }
 
     /** Follows the run to another tick, where the commands for the next one have been executed. */
@@ -132,12 +138,12 @@ final class SetupEditor {
      * omitted, and so are the hidden commands.
      */
     List<TimedCommand> timeline() {
-        List<Journal.Entry> timed = new ArrayList<>();
-        for (Journal.Entry entry : entries) {
+        List<CommandResult> timed = new ArrayList<>();
+        for (CommandResult entry : entries) {
             if (!entry.command().match(IS_TIMED)) {
                 continue;
             }
-            Optional<Journal.Entry> cancelled = timed.stream()
+            Optional<CommandResult> cancelled = timed.stream()
                     .filter(earlier -> earlier.tick() == entry.tick() && cancels(entry.command(), earlier.command()))
                     .findFirst();
             if (cancelled.isPresent()) {
@@ -172,7 +178,7 @@ final class SetupEditor {
     SetupEditor rebased(SimulationSetup newSetup) {
         SetupEditor result = new SetupEditor(newSetup, hidden());
         for (int i = 0; i < entries.size(); i++) {
-            Journal.Entry entry = entries.get(i);
+            CommandResult entry = entries.get(i);
             if (result.hasSensorOf(entry.command()) && result.hasObstacleOf(entry) && result.apply(entry)) {
                 result.entries.add(entry);
                 result.position += i < position ? 1 : 0;
@@ -181,7 +187,7 @@ final class SetupEditor {
         return result;
     }
 
-    private boolean hasObstacleOf(Journal.Entry entry) {
+    private boolean hasObstacleOf(CommandResult entry) {
         return entry.command() instanceof Command.PlaceObstacle
                 || ObstacleOrigins.subject(entry.command())
                         .filter(id -> !obstacles.contains(entry.tick(), id))
@@ -190,7 +196,9 @@ final class SetupEditor {
 
     /** Returns the executed commands, including those that are later than the tick of a moved run. */
     List<Journal.Entry> entries() {
-        return List.copyOf(entries);
+        return entries.stream()
+                .map(result -> new Journal.Entry(result.tick(), result.command()))
+                .toList();
     }
 
     private static <C> Function<C, Boolean> other() {
@@ -230,36 +238,62 @@ final class SetupEditor {
         return changed;
     }
 
-    /** Applies a command, and returns whether it changes the setup rather than belong to a time of the run. */
-    private boolean apply(Journal.Entry entry) {
-        return entry.command()
+    /**
+     * Applies a command, and returns whether it changes the setup rather than belong to a time of the run. A command
+     * that undoes another one, though the timeline has changed the same thing in between, restores what the setup had
+     * before that one.
+     */
+    private boolean apply(CommandResult result) {
+        if (result.command().match(IS_TIMED)) {
+            return false;
+        }
+        Runnable reversal = reversal(result);
+        Optional.ofNullable(reversals.get(result.command()))
+                .orElseGet(() -> change(result))
+                .run();
+        if (result.inverse().size() == 1) {
+            reversals.put(result.inverse().get(0), reversal);
+        }
+        return true;
+    }
+
+    /** Returns what makes the change of a command. */
+    private Runnable change(CommandResult result) {
+        return result.command()
                 .match(CommandCases.ofSetup(
-                        timed -> false,
+                        timed -> NOTHING,
+                        configureSensor -> () -> setSensor(configureSensor.sensor()),
+                        move -> () -> obstacles.move(result.tick(), move.obstacle(), move.pose()),
+                        place -> () -> obstacles.place(result.tick(), place.obstacle()),
+                        remove -> () -> obstacles.remove(result.tick(), remove.obstacle()),
+                        setPlatform -> () -> robot = setPlatform.appliedTo(robot),
+                        configure -> () -> controller = configure.controller()));
+    }
+
+    private void setSensor(SensorSpec sensor) {
+        SensorSpec before = robot.sensor(sensor.id()).orElseThrow();
+        robot = robot.withSensor(sensor.withOn(before.on()));
+    }
+
+    /** Returns what restores, after a command, what the setup has now. */
+    private Runnable reversal(CommandResult result) {
+        RobotSpec robotNow = robot;
+        ControllerSpec controllerNow = controller;
+        return result.command()
+                .match(CommandCases.ofSetup(
+                        timed -> NOTHING,
                         configureSensor -> {
-                            SensorSpec before =
-                                    robot.sensor(configureSensor.sensor().id()).orElseThrow();
-                            robot = robot.withSensor(configureSensor.sensor().withOn(before.on()));
-                            return true;
+                            SensorSpec sensor = robotNow.sensor(
+                                            configureSensor.sensor().id())
+                                    .orElseThrow();
+                            return () -> setSensor(sensor);
                         },
-                        moveObstacle -> {
-                            obstacles.move(entry.tick(), moveObstacle.obstacle(), moveObstacle.pose());
-                            return true;
-                        },
-                        placeObstacle -> {
-                            obstacles.place(entry.tick(), placeObstacle.obstacle());
-                            return true;
-                        },
-                        removeObstacle -> {
-                            obstacles.remove(entry.tick(), removeObstacle.obstacle());
-                            return true;
-                        },
-                        setPlatform -> {
-                            robot = setPlatform.appliedTo(robot);
-                            return true;
-                        },
-                        configureController -> {
-                            controller = configureController.controller();
-                            return true;
-                        }));
+                        move -> obstacles.reversal(result.tick(), move.obstacle()),
+                        place -> obstacles.reversal(
+                                result.tick(), place.obstacle().id()),
+                        remove -> obstacles.reversal(result.tick(), remove.obstacle()),
+                        setPlatform ->
+                                () -> robot = robot.withPlatform(robotNow.length(), robotNow.width(), robotNow.speed()),
+                        configure -> () -> controller = controllerNow));
     }
 }

@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -44,7 +45,13 @@ public final class RefusalNote {
 
             @Override
             public void ancestorRemoved(AncestorEvent event) {
-                hide();
+                // Not now, because a window that is disposed removes its components, which may include the note.
+                Popup shown = popup;
+                EventQueue.invokeLater(() -> {
+                    if (popup == shown) {
+                        hide();
+                    }
+                });
             }
 
             @Override

@@ -192,13 +192,14 @@ class SetupEditorTest {
     void theTimelineDoesNotMoveAnObstacleThatHasBeenRemoved() {
         for (long tick : new long[] {500, 1500}) {
             SetupEditor editor = new SetupEditor(BUSY);
-            add(editor, tick, new Command.RemoveObstacle("box"));
+            Pose then = tick < 1000 ? BOX.pose() : new Pose(5, 3, 0);
+            Command restore = new Command.PlaceObstacle(BOX.withPose(then));
+            add(editor, tick, new Command.RemoveObstacle("box"), restore);
             assertEquals(List.of(), editor.setup().world().obstacles());
             assertEquals(
                     List.of(PUT_POLE, MOVE_POLE, REMOVE_POLE, PUT_POLE_AGAIN),
                     editor.setup().timeline());
-            Pose then = tick < 1000 ? BOX.pose() : new Pose(5, 3, 0);
-            add(editor, 1600, new Command.PlaceObstacle(BOX.withPose(then)));
+            add(editor, 1600, restore);
             assertEquals(BUSY, editor.setup());
         }
     }
@@ -217,9 +218,10 @@ class SetupEditorTest {
     @Test
     void theTimelineDoesNotPlaceAnObstacleThatHasBeenRemoved() {
         SetupEditor editor = new SetupEditor(BUSY);
-        add(editor, 3500, new Command.RemoveObstacle("pole"));
+        Command restore = new Command.PlaceObstacle(POLE.withPose(new Pose(3, 3, 0)));
+        add(editor, 3500, new Command.RemoveObstacle("pole"), restore);
         assertEquals(BUSY.withTimeline(List.of(MOVE_BOX, PUT_POLE_AGAIN)), editor.setup());
-        add(editor, 3600, new Command.PlaceObstacle(POLE.withPose(new Pose(3, 3, 0))));
+        add(editor, 4500, restore);
         assertEquals(BUSY, editor.setup());
     }
 
@@ -227,8 +229,9 @@ class SetupEditorTest {
     void hiddenCommandsReturnAfterAnotherChangeOfTheTimeline() {
         TimedCommand fault = new TimedCommand(1, new Command.InjectFault("front", new Fault.Dead()));
         SetupEditor editor = new SetupEditor(BUSY);
-        add(editor, 1500, new Command.RemoveObstacle("box"));
-        add(editor, 2500, new Command.RemoveObstacle("pole"));
+        Command restoreBox = new Command.PlaceObstacle(BOX.withPose(new Pose(5, 3, 0)));
+        add(editor, 1500, new Command.RemoveObstacle("box"), restoreBox);
+        add(editor, 2500, new Command.RemoveObstacle("pole"), PUT_POLE.command());
         List<TimedCommand> visible = new ArrayList<>(editor.setup().timeline());
         visible.add(0, fault);
         SetupEditor rebased = editor.rebased(BUSY.withTimeline(visible));
@@ -237,8 +240,8 @@ class SetupEditorTest {
                 rebased.entries().stream().map(Journal.Entry::command).toList(),
                 "the pole is no longer placed");
         assertEquals(BUSY.withWorld(BUSY.world().withObstacles(List.of())).withTimeline(visible), rebased.setup());
-        add(rebased, 2600, new Command.PlaceObstacle(POLE));
-        add(rebased, 2700, new Command.PlaceObstacle(BOX.withPose(new Pose(5, 3, 0))));
+        add(rebased, 2600, PUT_POLE.command());
+        add(rebased, 2700, restoreBox);
         List<TimedCommand> all = new ArrayList<>(rebased.setup().timeline());
         assertTrue(all.remove(fault));
         assertEquals(BUSY, rebased.setup().withTimeline(all));
@@ -249,9 +252,46 @@ class SetupEditorTest {
         Obstacle mover = POLE.withMotion(new WaypointPath(0.1, true, List.of(new Vector2(4, 3))));
         SimulationSetup base = BASE.withWorld(BASE.world().withObstacles(List.of(mover)));
         SetupEditor editor = new SetupEditor(base);
-        add(editor, 500, new Command.RemoveObstacle("pole"));
-        add(editor, 600, new Command.PlaceObstacle(mover.withPose(new Pose(2.5, 3, 0))));
+        Command restore = new Command.PlaceObstacle(mover.withPose(new Pose(2.5, 3, 0)));
+        add(editor, 500, new Command.RemoveObstacle("pole"), restore);
+        add(editor, 600, restore);
         assertEquals(base, editor.setup());
+    }
+
+    /** Each of these is changed from outside after the timeline has changed it, and then back. */
+    @Test
+    void undoRestoresWhatTheSetupHadAlsoIfTheTimelineHasChangedIt() {
+        SensorSpec left = BASE.robot().sensor("left").orElseThrow();
+        ControllerSpec.WallFollowing near = ControllerSpec.WallFollowing.DEFAULT.withDistance(0.2);
+        ControllerSpec.WallFollowing far = near.withDistance(0.5);
+        List<Command> timed = List.of(
+                MOVE_BOX.command(),
+                new Command.ConfigureSensor(left.withRange(0.5)),
+                new Command.SetPlatform(0.3, 0.3, 0.1),
+                new Command.ConfigureController(near));
+        List<Command> edits = List.of(
+                new Command.MoveObstacle("box", new Pose(1, 3, 0)),
+                new Command.ConfigureSensor(left.withRange(0.7)),
+                new Command.SetPlatform(0.2, 0.2, 0.2),
+                new Command.ConfigureController(far));
+        SimulationSetup base = BASE.withController(ControllerSpec.WallFollowing.DEFAULT)
+                .withTimeline(timed.stream()
+                        .map(command -> new TimedCommand(10, command))
+                        .toList());
+        SetupEditor editor = new SetupEditor(base);
+        for (int i = 0; i < edits.size(); i++) {
+            add(editor, 1200, edits.get(i), timed.get(i));
+        }
+        SimulationSetup edited = editor.setup();
+        assertEquals(far, edited.controller());
+        for (int i = 0; i < edits.size(); i++) {
+            add(editor, 1300, timed.get(i), edits.get(i));
+        }
+        assertEquals(base, editor.setup());
+        for (int i = 0; i < edits.size(); i++) {
+            add(editor, 1400, edits.get(i), timed.get(i));
+        }
+        assertEquals(edited, editor.setup(), "redone");
     }
 
     private static SimulationSetup after(Command... commands) {
@@ -260,7 +300,7 @@ class SetupEditorTest {
         return editor.setup();
     }
 
-    private static void add(SetupEditor editor, long tick, Command command) {
-        editor.add(new CommandResult.Executed(tick, command, List.of()));
+    private static void add(SetupEditor editor, long tick, Command command, Command... inverse) {
+        editor.add(new CommandResult.Executed(tick, command, List.of(inverse)));
     }
 }

@@ -14,6 +14,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.Await;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
+import faultline.gui.document.SensorReference;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
@@ -123,6 +124,49 @@ class RandomEditsTest {
                             .trajectoryHash(),
                     sequence);
         }
+    }
+
+    /** Switches and faults would stay on the timeline, with what ends them. */
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void undoingEverythingRestoresTheScenario(int seed) {
+        Random random = new Random(seed);
+        Path file = Path.of("scenarios", SCENARIOS.get(seed % SCENARIOS.size()) + ".xml");
+        runOnEdt(() -> new DocumentStore(workspace).open(file));
+        SessionFrames.awaitScenario(workspace);
+        Scenario before = callOnEdt(() -> workspace.scenario().orElseThrow());
+        List<String> edits = new ArrayList<>();
+        for (int i = 0; i < EDITS; i++) {
+            runOnEdt(() -> edits.add(setupEdit(random)));
+            awaitRest();
+        }
+        while (callOnEdt(undo::undoName).isPresent()) {
+            edits.add("undo " + callOnEdt(undo::undoName));
+            runOnEdt(undo::undo);
+            awaitRest();
+            if (edits.size() > 200) break;
+        }
+        assertEquals(before, callOnEdt(() -> workspace.scenario().orElseThrow()), "seed " + seed + ": " + edits);
+    }
+
+    private String setupEdit(Random random) {
+        SessionFrame frame = SessionFrames.frame(workspace);
+        Command command = command(frame, random);
+        undo.endEdit();
+        switch (random.nextInt(10)) {
+            case 0 -> undo.undo();
+            case 1 -> undo.redo();
+            case 2, 3, 4 -> IntStream.range(0, random.nextInt(20 * MAX_STEPS)).forEach(step -> run.step());
+            case 5 -> timeline.add(TimelineItem.from(command, random.nextInt(60)), null);
+            case 6 -> editSensors(frame, random);
+            default -> {
+                if (SensorReference.in(command).isEmpty() || command instanceof Command.ConfigureSensor) {
+                    undo.send(command);
+                }
+                return frame.snapshot().tick() + ": " + command;
+            }
+        }
+        return "tick " + frame.snapshot().tick();
     }
 
     private void awaitRest() {

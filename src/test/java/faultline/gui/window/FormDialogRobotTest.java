@@ -8,6 +8,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.GuiRobot;
 import faultline.gui.panel.FormDialog;
+import faultline.gui.panel.NumberSpinner;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.EventQueue;
@@ -25,6 +26,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
+import javax.swing.JToolTip;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
@@ -101,6 +103,40 @@ class FormDialogRobotTest {
                         && screen.contains(dialog.getBounds()));
         robot.pressKeys(KeyEvent.VK_ESCAPE);
         robot.waitFor("the dialog is gone", () -> !dialog.isShowing());
+    }
+
+    /** Their notes are in the dialog that ends. */
+    @Test
+    void aDialogClosesWithTheNotesOfSeveralInvalidFields() {
+        List<NumberSpinner> fields = callOnEdt(() -> {
+            Theme.LIGHT.install();
+            return Stream.generate(() -> new NumberSpinner("0", 0, 9, 1, value -> {}).keepInvalidText())
+                    .limit(3)
+                    .toList();
+        });
+        AtomicBoolean closed = new AtomicBoolean();
+        EventQueue.invokeLater(() -> {
+            Box form = Box.createVerticalBox();
+            fields.forEach(form::add);
+            form.add(Box.createVerticalStrut(300));
+            FormDialog.showDialog(null, "Invalid", form, textOf(fields.get(0)));
+            closed.set(true);
+        });
+        for (NumberSpinner field : fields) {
+            robot.waitFor("the field has the focus", textOf(field)::isFocusOwner);
+            robot.pressKeys(KeyEvent.VK_X);
+            robot.pressKeys(KeyEvent.VK_TAB);
+        }
+        Window dialog = callOnEdt(() -> SwingUtilities.getWindowAncestor(fields.get(0)));
+        robot.waitFor(
+                "the notes",
+                () -> ComponentFinder.findAll(dialog, JToolTip.class).count() == fields.size());
+        robot.pressKeys(KeyEvent.VK_ESCAPE);
+        robot.waitFor("the dialog is closed", closed::get);
+    }
+
+    private static JTextField textOf(NumberSpinner field) {
+        return ((JSpinner.DefaultEditor) field.getEditor()).getTextField();
     }
 
     private static boolean isWhole(Component part) {
