@@ -8,6 +8,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -139,6 +140,19 @@ final class EditedObstacles {
         return IntStream.range(0, base.timeline().size())
                 .filter(i -> !hidden.containsKey(i))
                 .mapToObj(this::edited)
+                .toList();
+    }
+
+    /** Returns a timeline in which edited commands are those before the edits. */
+    List<TimedCommand> withoutEdits(List<TimedCommand> timeline) {
+        Map<TimedCommand, TimedCommand> originals = new HashMap<>();
+        for (int i = 0; i < base.timeline().size(); i++) {
+            if (base.timeline().get(i).command() instanceof Command.PlaceObstacle) {
+                originals.put(edited(i), base.timeline().get(i));
+            }
+        }
+        return timeline.stream()
+                .map(command -> originals.getOrDefault(command, command))
                 .toList();
     }
 

@@ -173,13 +173,17 @@ final class SetupEditor {
 
     /**
      * Returns an editor of another setup with the executed commands that do not belong to the timeline, except for
-     * those about sensors and obstacles that the other setup lacks.
+     * those about sensors and obstacles that the other setup lacks, and what undoes or redoes these.
      */
     SetupEditor rebased(SimulationSetup newSetup) {
-        SetupEditor result = new SetupEditor(newSetup, hidden());
+        SetupEditor result =
+                new SetupEditor(newSetup.withTimeline(obstacles.withoutEdits(newSetup.timeline())), hidden());
+        Set<Command> reversalsOfOmitted = new HashSet<>();
         for (int i = 0; i < entries.size(); i++) {
             CommandResult entry = entries.get(i);
-            if (result.hasSensorOf(entry.command()) && result.hasObstacleOf(entry) && result.apply(entry)) {
+            if (!result.hasSubjectOf(entry) || reversalsOfOmitted.remove(entry.command())) {
+                reversalsOfOmitted.addAll(entry.inverse());
+            } else if (result.apply(entry)) {
                 result.entries.add(entry);
                 result.position += i < position ? 1 : 0;
             }
@@ -187,11 +191,13 @@ final class SetupEditor {
         return result;
     }
 
-    private boolean hasObstacleOf(CommandResult entry) {
-        return entry.command() instanceof Command.PlaceObstacle
-                || ObstacleOrigins.subject(entry.command())
-                        .filter(id -> !obstacles.contains(entry.tick(), id))
-                        .isEmpty();
+    private boolean hasSubjectOf(CommandResult entry) {
+        boolean places = entry.command() instanceof Command.PlaceObstacle;
+        return hasSensorOf(entry.command())
+                && (places
+                        || ObstacleOrigins.subject(entry.command())
+                                .filter(id -> !obstacles.contains(entry.tick(), id))
+                                .isEmpty());
     }
 
     /** Returns the executed commands, including those that are later than the tick of a moved run. */
