@@ -86,6 +86,14 @@ final class EditedObstacles {
         }
     }
 
+    /** Returns what moves an obstacle, after an edit at a tick, back to where it is now. */
+    Runnable moveBack(long tick, String id) {
+        Origin origin = origins.at(tick, id);
+        Optional<Pose> before = Optional.ofNullable(obstacles.get(origin)).map(Obstacle::pose);
+        return () -> before.ifPresent(
+                pose -> obstacles.computeIfPresent(origin, (same, obstacle) -> obstacle.withPose(pose)));
+    }
+
     /** Returns what restores, after an edit at a tick, what is known of an obstacle now. */
     Runnable reversal(long tick, String id) {
         Origin origin = origins.at(tick, id);

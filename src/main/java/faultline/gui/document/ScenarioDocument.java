@@ -120,7 +120,7 @@ final class ScenarioDocument {
     /** Takes over the file of a document that was edited to this one, what it holds, and the hidden commands. */
     void continueFrom(ScenarioDocument other) {
         savedTo(other.file, other.saved);
-        editor = new SetupEditor(initial.setup(), other.editor.hidden());
+        editor = other.editor.restarted(initial.setup());
     }
 
     /** Returns the file, or the name of the scenario if it has none. */

@@ -54,25 +54,31 @@ final class SetupEditor {
     private ControllerSpec controller;
 
     SetupEditor(SimulationSetup setup) {
-        this(setup, Collections.emptySortedMap());
+        this(setup, Collections.emptySortedMap(), Set.of());
     }
 
     /**
-     * Creates an editor of a setup from whose timeline some commands are hidden, because their obstacles have been
-     * removed, by their indices in the timeline with them. Those that the timeline contains are no longer hidden.
+     * Creates an editor of a setup whose timeline lacks some commands, unless it contains them, and hides some of
+     * these, because their obstacles have been removed.
+     *
+     * @param setup the setup
+     * @param lacking the lacking commands, by their indices in the timeline with them
+     * @param hidden the indices of the hidden ones
      */
-    SetupEditor(SimulationSetup setup, SortedMap<Integer, TimedCommand> hidden) {
+    private SetupEditor(SimulationSetup setup, SortedMap<Integer, TimedCommand> lacking, Set<Integer> hidden) {
         List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
-        Set<TimedCommand> visible = hidden.isEmpty() ? Set.of() : new HashSet<>(timeline);
+        Set<TimedCommand> present = lacking.isEmpty() ? Set.of() : new HashSet<>(timeline);
         Set<Integer> hiddenIndices = new HashSet<>();
-        hidden.forEach((place, command) -> {
-            if (!visible.contains(command)) {
+        lacking.forEach((place, command) -> {
+            if (!present.contains(command)) {
                 int index = Math.min(place, timeline.size());
                 timeline.add(index, command);
-                hiddenIndices.add(index);
+                if (hidden.contains(place)) {
+                    hiddenIndices.add(index);
+                }
             }
         });
-        this.base = hiddenIndices.isEmpty() ? setup : setup.withTimeline(timeline);
+        this.base = lacking.isEmpty() ? setup : setup.withTimeline(timeline);
         this.baseObstacles = new EditedObstacles(base, hiddenIndices);
         reset();
     }
@@ -162,9 +168,10 @@ final class SetupEditor {
         return baseObstacles.timeline();
     }
 
-    /** Returns the hidden commands by their indices in the timeline with them. */
-    SortedMap<Integer, TimedCommand> hidden() {
-        return obstacles.hidden();
+    /** Returns an editor of the edited setup, without edits, that hides the same commands. */
+    SetupEditor restarted(SimulationSetup edited) {
+        SortedMap<Integer, TimedCommand> hidden = obstacles.hidden();
+        return new SetupEditor(edited, hidden, hidden.keySet());
     }
 
     private boolean hasSensorOf(Command command) {
@@ -176,8 +183,10 @@ final class SetupEditor {
      * those about sensors and obstacles that the other setup lacks, and what undoes or redoes these.
      */
     SetupEditor rebased(SimulationSetup newSetup) {
-        SetupEditor result =
-                new SetupEditor(newSetup.withTimeline(obstacles.withoutEdits(newSetup.timeline())), hidden());
+        SetupEditor result = new SetupEditor(
+                newSetup.withTimeline(obstacles.withoutEdits(newSetup.timeline())),
+                obstacles.hidden(),
+                baseObstacles.hidden().keySet());
         Set<Command> reversalsOfOmitted = new HashSet<>();
         for (int i = 0; i < entries.size(); i++) {
             CommandResult entry = entries.get(i);
@@ -294,7 +303,7 @@ final class SetupEditor {
                                     .orElseThrow();
                             return () -> setSensor(sensor);
                         },
-                        move -> obstacles.reversal(result.tick(), move.obstacle()),
+                        move -> obstacles.moveBack(result.tick(), move.obstacle()),
                         place -> obstacles.reversal(
                                 result.tick(), place.obstacle().id()),
                         remove -> obstacles.reversal(result.tick(), remove.obstacle()),

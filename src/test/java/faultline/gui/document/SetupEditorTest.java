@@ -236,9 +236,8 @@ class SetupEditorTest {
         visible.add(0, fault);
         SetupEditor rebased = editor.rebased(BUSY.withTimeline(visible));
         assertEquals(
-                List.of(new Command.RemoveObstacle("box")),
-                rebased.entries().stream().map(Journal.Entry::command).toList(),
-                "the pole is no longer placed");
+                List.of(new Command.RemoveObstacle("box"), new Command.RemoveObstacle("pole")),
+                rebased.entries().stream().map(Journal.Entry::command).toList());
         assertEquals(BUSY.withWorld(BUSY.world().withObstacles(List.of())).withTimeline(visible), rebased.setup());
         add(rebased, 2600, PUT_POLE.command());
         add(rebased, 2700, restoreBox);
@@ -256,6 +255,18 @@ class SetupEditorTest {
         add(editor, 500, new Command.RemoveObstacle("pole"), restore);
         add(editor, 600, restore);
         assertEquals(base, editor.setup());
+    }
+
+    @Test
+    void anObstacleThatIsMovedBackKeepsItsNewShape() {
+        SetupEditor editor = new SetupEditor(BASE);
+        Pose there = new Pose(3, 3, 0);
+        Command back = new Command.MoveObstacle("box", BOX.pose());
+        Obstacle small = new Obstacle("box", new ObstacleShape.RectangleShape(0.5, 0.5), there);
+        add(editor, 5, new Command.MoveObstacle("box", there), back);
+        add(editor, 6, new Command.PlaceObstacle(small), new Command.PlaceObstacle(BOX.withPose(there)));
+        add(editor, 7, back, new Command.MoveObstacle("box", there));
+        assertEquals(List.of(small.withPose(BOX.pose())), editor.setup().world().obstacles());
     }
 
     /** Each of these is changed from outside after the timeline has changed it, and then back. */

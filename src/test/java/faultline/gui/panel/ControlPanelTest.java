@@ -94,7 +94,7 @@ class ControlPanelTest {
     }
 
     @Test
-    void everyNumberThatAFieldOfTheRobotAllowsCanBeSaved() {
+    void everyNumberThatAFieldAllowsCanBeSaved() {
         SimulationSetup setup = SimulationSetup.of(new WorldSpec(6, 4, true, 3, List.of()), new Pose(3, 2, 0))
                 .withRobot(world.robot());
         Container robotTab = callOnEdt(() -> (Container) ComponentFinder.findAll(panel, JTabbedPane.class)

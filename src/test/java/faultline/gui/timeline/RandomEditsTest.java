@@ -45,11 +45,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 /**
  * Random edits of a scenario while it runs: commands, changes of the timeline and of the sensors, undo and redo,
  * restarts and moves to other ticks. After each, the scenario and the record of its run can be saved, and the record
- * gives the same trajectory.
+ * gives the same trajectory. The system property {@code faultline.edits} sets the number of sequences.
  */
 class RandomEditsTest {
 
-    private static final int SEEDS = Integer.getInteger("faultline.randomEdits", 10);
+    private static final int SEEDS = Integer.getInteger("faultline.edits", 10);
     private static final int EDITS = 30;
     private static final int MAX_STEPS = 40;
     private static final List<String> SCENARIOS = List.of("three-visitors", "every-fault", "noisy-sensors");
