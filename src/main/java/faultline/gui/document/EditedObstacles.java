@@ -7,7 +7,6 @@ import faultline.gui.document.ObstacleOrigins.Origin;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -17,7 +16,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
@@ -176,22 +174,21 @@ final class EditedObstacles {
 
     /** Returns the hidden commands by their indices in the timeline. */
     SortedMap<Integer, TimedCommand> hidden() {
-        if (base.timeline().isEmpty()) {
-            return Collections.emptySortedMap();
-        }
-        Set<String> ids = obstacles.keySet().stream()
-                .filter(origin -> !removed.contains(origin))
-                .map(Origin::id)
-                .collect(Collectors.toSet());
+        Map<String, Boolean> existing = new HashMap<>();
         SortedMap<Integer, TimedCommand> hidden = new TreeMap<>();
         for (int i = 0; i < base.timeline().size(); i++) {
+            Optional<Origin> origin = origins.of(i);
             // A command that comes too early for its obstacle has no effect, but is not allowed without the obstacle.
-            if (origins.of(i)
-                    .filter(origin -> removed.contains(origin) || !ids.contains(origin.id()))
+            if (origin.filter(from -> removed.contains(from) || !existing.computeIfAbsent(from.id(), this::exists))
                     .isPresent()) {
                 hidden.put(i, base.timeline().get(i));
             }
         }
         return hidden;
+    }
+
+    /** Returns whether there is an obstacle of an id at any time. */
+    private boolean exists(String id) {
+        return origins.all(id).anyMatch(origin -> obstacles.containsKey(origin) && !removed.contains(origin));
     }
 }

@@ -117,6 +117,13 @@ final class ObstacleOrigins {
         return subject(setup.timeline().get(index).command()).map(id -> last(execution(index), id));
     }
 
+    /** Returns all origins that the obstacles of an id may have. */
+    Stream<Origin> all(String id) {
+        return Stream.concat(
+                Stream.of(Origin.atStart(id)),
+                placements.getOrDefault(id, NONE).stream().map(placement -> new Origin(id, placement.index())));
+    }
+
     private Origin last(ExecutionPoint until, String id) {
         ExecutionPoint placement = placements.getOrDefault(id, NONE).floor(until);
         return placement == null ? Origin.atStart(id) : new Origin(id, placement.index());

@@ -26,6 +26,11 @@ public final class PlaceTool implements Tool {
         this.context = context;
     }
 
+    /** Returns the id of the preview, which is not computed again with every move of the mouse. */
+    private String previewId() {
+        return preview == null ? newId() : preview.id();
+    }
+
     private String newId() {
         return context.model().newId(shape.name().toLowerCase(Locale.ROOT));
     }
@@ -40,14 +45,14 @@ public final class PlaceTool implements Tool {
     public void move(Vector2 at, boolean down) {
         boolean drawn = pressed != null && context.isBeyondClickTolerance(pressed, at);
         preview = drawn
-                ? shape.createBetween(newId(), pressed, at)
-                : shape.createAt(newId(), pressed == null ? at : pressed);
+                ? shape.createBetween(previewId(), pressed, at)
+                : shape.createAt(previewId(), pressed == null ? at : pressed);
     }
 
     @Override
     public void release(Vector2 at) {
         move(at, true);
-        done = context.placeObstacle(preview);
+        done = context.placeObstacle(preview.withId(newId()));
         pressed = null;
     }
 
