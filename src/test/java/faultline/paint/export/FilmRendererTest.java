@@ -26,7 +26,7 @@ class FilmRendererTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 400;
     /** The number of images, of which the cheapest counts: the first ones are painted by interpreted code. */
-    private static final int IMAGES = 20;
+    private static final int IMAGES = 40;
 
     private final FilmRenderer renderer = new FilmRenderer();
 
@@ -66,9 +66,9 @@ class FilmRendererTest {
 
     private static List<List<Vector2>> rings() {
         List<List<Vector2>> rings = new ArrayList<>();
-        for (int i = 0; i < 5000; i++) {
-            double x = 0.04 * (i % 100);
-            double y = 0.05 * (i / 100);
+        for (int i = 0; i < 20_000; i++) {
+            double x = 0.03 * (i % 200);
+            double y = 0.04 * (i / 200);
             rings.add(List.of(
                     new Vector2(x, y),
                     new Vector2(x + 0.02, y),
