@@ -3,6 +3,7 @@ package faultline.engine.metrics;
 import faultline.control.ControllerState;
 import faultline.io.DecimalText;
 import faultline.world.Collision;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -25,6 +26,23 @@ public record Expectation(List<Condition> conditions) {
      */
     public Expectation {
         conditions = List.copyOf(conditions);
+    }
+
+    /**
+     * {@return this expectation without the conditions about other states}
+     *
+     * @param states the states that a controller has
+     */
+    public Expectation withStatesIn(Collection<ControllerState> states) {
+        ConditionCases<Boolean> possible = new ConditionCases<>(
+                collides -> true,
+                coverage -> true,
+                distance -> true,
+                visited -> states.contains(visited.state()),
+                last -> states.contains(last.state()));
+        return new Expectation(conditions.stream()
+                .filter(condition -> condition.match(possible))
+                .toList());
     }
 
     /**

@@ -1,5 +1,8 @@
 package faultline.gui.document;
 
+import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.engine.ControllerFactory;
 import faultline.engine.Journal;
 import faultline.scenario.Scenario;
 import faultline.world.CommandResult;
@@ -50,9 +53,23 @@ final class ScenarioDocument {
     /** Returns the scenario as edited by all commands, including those that are later than the tick of a moved run. */
     Scenario edited() {
         if (edited == null) {
-            edited = initial.withSetup(editor.setup());
+            edited = withPossibleExpectation(initial.withSetup(editor.setup()));
         }
         return edited;
+    }
+
+    /** Returns a scenario without expected states that another controller than the initial one does not have. */
+    private Scenario withPossibleExpectation(Scenario scenario) {
+        ControllerSpec controller = scenario.setup().controller();
+        List<ControllerState> states = ControllerFactory.states(controller);
+        return states.isEmpty() || controller.equals(initial.setup().controller())
+                ? scenario
+                : new Scenario(
+                        scenario.name(),
+                        scenario.description(),
+                        scenario.recorded(),
+                        scenario.setup(),
+                        scenario.expectation().withStatesIn(states));
     }
 
     /**

@@ -50,6 +50,21 @@ class ScenarioDocumentTest {
         assertFalse(document.isChanged());
     }
 
+    @Test
+    void statesThatAnotherControllerDoesNotHaveAreNotExpected() throws ScenarioException, IOException {
+        Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
+        ScenarioDocument document = new ScenarioDocument(Path.of("saved.xml"), visitors, visitors);
+        document.commandsExecuted(List.of(executed(1, new Command.ConfigureController(new ControllerSpec.None()))));
+        document.edited().toBytes();
+        assertEquals(
+                List.of(new Expectation.Collides(false)),
+                document.edited().expectation().conditions());
+        ControllerSpec.WallFollowing before =
+                (ControllerSpec.WallFollowing) visitors.setup().controller();
+        document.commandsExecuted(List.of(executed(2, new Command.ConfigureController(before))));
+        assertEquals(visitors, document.edited());
+    }
+
     private static CommandResult executed(long tick, Command command) {
         return new CommandResult.Executed(tick, command, List.of());
     }
