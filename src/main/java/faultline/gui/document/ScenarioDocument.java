@@ -1,6 +1,5 @@
 package faultline.gui.document;
 
-import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.engine.ControllerFactory;
 import faultline.engine.Journal;
@@ -58,11 +57,10 @@ final class ScenarioDocument {
         return edited;
     }
 
-    /** Returns a scenario without expected states that another controller than the initial one does not have. */
-    private Scenario withPossibleExpectation(Scenario scenario) {
-        ControllerSpec controller = scenario.setup().controller();
-        List<ControllerState> states = ControllerFactory.states(controller);
-        return states.isEmpty() || controller.equals(initial.setup().controller())
+    /** Returns a scenario without expected states that its controller does not have. */
+    private static Scenario withPossibleExpectation(Scenario scenario) {
+        List<ControllerState> states = ControllerFactory.states(scenario.setup().controller());
+        return states.isEmpty()
                 ? scenario
                 : new Scenario(
                         scenario.name(),

@@ -1,5 +1,6 @@
 package faultline.gui.properties;
 
+import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.engine.metrics.Expectation;
 import faultline.gui.panel.FormConstraints;
@@ -71,7 +72,10 @@ final class ExpectationForm extends JPanel {
         add(field, FormConstraints.cell(1, row));
     }
 
-    void setExpectation(Expectation expectation) {
+    /** Shows an expectation, and offers the states that a controller has; all states if none of its own are known. */
+    void setExpectation(Expectation expectation, List<ControllerState> known) {
+        states.forEach((state, box) -> box.setEnabled(known.isEmpty() || known.contains(state)));
+        finalBox.setEnabled(states.values().stream().anyMatch(JCheckBox::isEnabled));
         contact.setValue(ContactChoice.NOT_CHECKED);
         coverageBox.setSelected(false);
         coverage.setWorldValue(USUAL_COVERAGE);

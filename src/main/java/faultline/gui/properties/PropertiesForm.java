@@ -1,5 +1,6 @@
 package faultline.gui.properties;
 
+import faultline.engine.ControllerFactory;
 import faultline.engine.SimulationSetup;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
@@ -58,7 +59,9 @@ final class PropertiesForm extends JPanel {
         return name;
     }
 
-    void setProperties(ScenarioProperties shown) {
+    /** Shows the properties of a scenario. */
+    void setScenario(Scenario scenario) {
+        ScenarioProperties shown = ScenarioProperties.of(scenario);
         name.setText(shown.name());
         description.setText(shown.description());
         description.setCaretPosition(0);
@@ -69,7 +72,8 @@ final class PropertiesForm extends JPanel {
         duration.setWorldValue(shown.duration());
         tick.setWorldValue(shown.dt());
         seed.setText(Long.toString(shown.seed()));
-        expectation.setExpectation(shown.expectation());
+        expectation.setExpectation(
+                shown.expectation(), ControllerFactory.states(scenario.setup().controller()));
     }
 
     /** Returns the properties of the fields, in which {@link #findProblem} has found none. */

@@ -60,8 +60,8 @@ public final class ScenarioActions {
         NamedChoice<ScenarioTemplate> template = new NamedChoice<>(
                 ScenarioTemplate.values(),
                 value -> Messages.get("template." + value.name()),
-                value -> form.setProperties(ScenarioProperties.of(value.create())));
-        form.setProperties(ScenarioProperties.of(ScenarioTemplate.EMPTY_ROOM.create()));
+                value -> form.setScenario(value.create()));
+        form.setScenario(ScenarioTemplate.EMPTY_ROOM.create());
         template.getAccessibleContext().setAccessibleName(Messages.get("template"));
         JPanel choice = new JPanel(new GridBagLayout());
         choice.add(FormConstraints.label("template", template), FormConstraints.cell(0, 0));
@@ -82,7 +82,7 @@ public final class ScenarioActions {
         workspace.scenario().ifPresent(open -> {
             ScenarioProperties before = ScenarioProperties.of(open);
             PropertiesForm form = new PropertiesForm();
-            form.setProperties(before);
+            form.setScenario(open);
             if (confirm(form, form, form.nameField(), "properties.title", () -> form.findProblem(open))
                     && !form.properties().equals(before)) {
                 ScenarioProperties after = form.properties();

@@ -65,6 +65,23 @@ class ScenarioDocumentTest {
         assertEquals(visitors, document.edited());
     }
 
+    /** The expectation is edited while another controller drives, and then the choice of that controller is undone. */
+    @Test
+    void statesOfTheControllerThatIsUndoneAreNotExpected() throws ScenarioException, IOException {
+        Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
+        ControllerSpec.None none = new ControllerSpec.None();
+        ControllerSpec.WallFollowing follower =
+                (ControllerSpec.WallFollowing) visitors.setup().controller();
+        Scenario still = new Scenario("still", "", false, visitors.setup().withController(none), Expectation.NONE);
+        ScenarioDocument document = new ScenarioDocument(null, still, still);
+        document.commandsExecuted(List.of(executed(1, new Command.ConfigureController(follower))));
+        document.change(open -> new Scenario("still", "", false, open.setup(), visitors.expectation()));
+        assertEquals(visitors.expectation(), document.edited().expectation());
+        document.commandsExecuted(List.of(executed(2, new Command.ConfigureController(none))));
+        document.edited().toBytes();
+        JournalScenario.create(document.initial(), document.journal(2)).toBytes();
+    }
+
     private static CommandResult executed(long tick, Command command) {
         return new CommandResult.Executed(tick, command, List.of());
     }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.engine.metrics.Expectation;
@@ -23,6 +24,7 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.text.StateText;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
@@ -94,7 +96,7 @@ class PropertiesTest {
             Scenario scenario = Scenario.loadShipped(name);
             ScenarioProperties shown = callOnEdt(() -> {
                 PropertiesForm form = new PropertiesForm();
-                form.setProperties(ScenarioProperties.of(scenario));
+                form.setScenario(scenario);
                 assertEquals(Optional.empty(), form.findProblem(scenario));
                 return form.properties();
             });
@@ -108,12 +110,32 @@ class PropertiesTest {
         Expectation.Condition foreign = new Expectation.FinalState(ControllerState.of("dock"));
         Expectation expected = callOnEdt(() -> {
             ExpectationForm form = new ExpectationForm();
-            form.setExpectation(new Expectation(List.of(foreign)));
+            form.setExpectation(new Expectation(List.of(foreign)), List.of());
             assertEquals(List.of(foreign), form.expectation().conditions());
             ComponentFinder.find(form, JCheckBox.class, "Ends in").doClick();
             return form.expectation();
         });
         assertEquals(List.of(new Expectation.FinalState(FollowerState.SEARCH)), expected.conditions());
+    }
+
+    @Test
+    void onlyStatesThatTheControllerHasCanBeExpected() throws IOException {
+        Scenario corridor = ScenarioTemplate.CORRIDOR.create();
+        Scenario driven = corridor.withSetup(corridor.setup().withController(new ControllerSpec.Drive(1, 1)));
+        String follow = StateText.name(FollowerState.FOLLOW);
+        ScenarioProperties shown = callOnEdt(() -> {
+            PropertiesForm form = new PropertiesForm();
+            form.setScenario(corridor);
+            ComponentFinder.find(form, JCheckBox.class, follow).doClick();
+            assertEquals(2, form.properties().expectation().conditions().size());
+            form.setScenario(driven);
+            for (String box : List.of(follow, "Ends in")) {
+                ComponentFinder.find(form, JCheckBox.class, box).doClick();
+            }
+            return form.properties();
+        });
+        shown.applyTo(driven).toBytes();
+        assertEquals(driven.expectation(), shown.expectation());
     }
 
     /** Values that are not edited in the form stay the same to the bit. */
@@ -125,7 +147,7 @@ class PropertiesTest {
                 "Hall", "", 2000.00025, 60.33333, true, start, 12.345, 0.0012345, 1, room.expectation());
         ScenarioProperties shown = callOnEdt(() -> {
             PropertiesForm form = new PropertiesForm();
-            form.setProperties(precise);
+            form.setScenario(precise.applyTo(room));
             form.nameField().setText("Great hall");
             assertEquals(Optional.empty(), form.findProblem(room));
             return form.properties();
@@ -141,7 +163,7 @@ class PropertiesTest {
         Scenario room = ScenarioTemplate.FURNISHED_ROOM.create();
         runOnEdt(() -> {
             PropertiesForm form = new PropertiesForm();
-            form.setProperties(ScenarioProperties.of(room));
+            form.setScenario(room);
             ComponentFinder.find(form, JTextField.class, "Seed").setText("seven");
             assertEquals(Optional.of("The seed is not a whole number"), form.findProblem(room));
             ComponentFinder.find(form, JTextField.class, "Seed").setText("\u0667");
