@@ -129,4 +129,13 @@ public record Scenario(
     public Scenario withSetup(SimulationSetup other) {
         return new Scenario(name, description, recorded && other.equals(setup), other, expectation);
     }
+
+    /**
+     * {@return this scenario with another expectation}
+     *
+     * @param other the expected result of its run
+     */
+    public Scenario withExpectation(Expectation other) {
+        return new Scenario(name, description, recorded, setup, other);
+    }
 }

@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
 
 /**
@@ -35,19 +36,47 @@ final class EditedObstacles {
 
     private final Set<Origin> removed = new HashSet<>();
 
-    /** Takes the obstacles of a setup without edits, of whose timeline some commands, given by index, are hidden. */
-    EditedObstacles(SimulationSetup base, Set<Integer> hidden) {
+    /** Takes the obstacles of a setup without edits. */
+    EditedObstacles(SimulationSetup base) {
         this.base = base;
         this.origins = new ObstacleOrigins(base);
-        base.world().obstacles().forEach(obstacle -> obstacles.put(Origin.atStart(obstacle.id()), obstacle));
-        for (int i = 0; i < base.timeline().size(); i++) {
-            if (base.timeline().get(i).command() instanceof Command.PlaceObstacle command) {
-                obstacles.put(origins.of(i).orElseThrow(), command.obstacle());
+        addObstacles();
+    }
+
+    /**
+     * Takes the obstacles of a setup without edits.
+     *
+     * @param base the setup
+     * @param hidden the indices of the hidden commands of its timeline
+     * @param before the obstacles before, from which the order of the obstacles and the removed ones are taken
+     */
+    EditedObstacles(SimulationSetup base, Set<Integer> hidden, EditedObstacles before) {
+        this.base = base;
+        this.origins = new ObstacleOrigins(base);
+        before.obstacles.forEach((origin, obstacle) -> {
+            if (origin.isAtStart()) {
+                obstacles.put(origin, obstacle);
+                removed.add(origin);
             }
-        }
+        });
+        addObstacles();
         hidden.forEach(index -> origins.of(index)
                 .filter(origin -> !origin.isAtStart() || !obstacles.containsKey(origin))
                 .ifPresent(removed::add));
+    }
+
+    private void addObstacles() {
+        base.world().obstacles().forEach(obstacle -> addObstacle(Origin.atStart(obstacle.id()), obstacle));
+        for (int i = 0; i < base.timeline().size(); i++) {
+            if (base.timeline().get(i).command() instanceof Command.PlaceObstacle command) {
+                addObstacle(origins.of(i).orElseThrow(), command.obstacle());
+            }
+        }
+    }
+
+    private void addObstacle(Origin origin, Obstacle obstacle) {
+        obstacles.put(origin, obstacle);
+        removed.remove(origin);
     }
 
     private EditedObstacles(EditedObstacles other) {
@@ -71,9 +100,7 @@ final class EditedObstacles {
 
     /** Adds an obstacle at a tick, or replaces the one of this id. */
     void place(long tick, Obstacle obstacle) {
-        Origin origin = origins.at(tick, obstacle.id());
-        obstacles.put(origin, obstacle);
-        removed.remove(origin);
+        addObstacle(origins.at(tick, obstacle.id()), obstacle);
     }
 
     /** Removes an obstacle at a tick; one that does not exist is ignored. */
@@ -85,25 +112,28 @@ final class EditedObstacles {
     }
 
     /** Returns what moves an obstacle, after an edit at a tick, back to where it is now. */
-    Runnable moveBack(long tick, String id) {
+    Consumer<EditedObstacles> moveBack(long tick, String id) {
         Origin origin = origins.at(tick, id);
         Optional<Pose> before = Optional.ofNullable(obstacles.get(origin)).map(Obstacle::pose);
-        return () -> before.ifPresent(
-                pose -> obstacles.computeIfPresent(origin, (same, obstacle) -> obstacle.withPose(pose)));
+        return edited -> before.ifPresent(
+                pose -> edited.obstacles.computeIfPresent(origin, (same, obstacle) -> obstacle.withPose(pose)));
     }
 
     /** Returns what restores, after an edit at a tick, what is known of an obstacle now. */
-    Runnable reversal(long tick, String id) {
+    Consumer<EditedObstacles> reversal(long tick, String id) {
         Origin origin = origins.at(tick, id);
         Optional<Obstacle> before = Optional.ofNullable(obstacles.get(origin));
         boolean wasRemoved = removed.contains(origin);
-        return () -> {
-            before.ifPresentOrElse(obstacle -> obstacles.put(origin, obstacle), () -> obstacles.remove(origin));
+        return edited -> edited.restore(origin, before, wasRemoved);
+    }
+
+    private void restore(Origin origin, Optional<Obstacle> before, boolean wasRemoved) {
+        before.ifPresentOrElse(obstacle -> obstacles.put(origin, obstacle), () -> obstacles.remove(origin));
+        if (wasRemoved) {
+            removed.add(origin);
+        } else {
             removed.remove(origin);
-            if (wasRemoved) {
-                removed.add(origin);
-            }
-        };
+        }
     }
 
     /** Returns whether an obstacle is there at a tick, unless the timeline has removed it. */

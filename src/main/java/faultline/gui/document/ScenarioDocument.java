@@ -62,12 +62,7 @@ final class ScenarioDocument {
         List<ControllerState> states = ControllerFactory.states(scenario.setup().controller());
         return states.isEmpty()
                 ? scenario
-                : new Scenario(
-                        scenario.name(),
-                        scenario.description(),
-                        scenario.recorded(),
-                        scenario.setup(),
-                        scenario.expectation().withStatesIn(states));
+                : scenario.withExpectation(scenario.expectation().withStatesIn(states));
     }
 
     /**
@@ -132,9 +127,16 @@ final class ScenarioDocument {
         saved = newSaved;
     }
 
-    /** Takes over the file of a document that was edited to this one, what it holds, and the hidden commands. */
+    /**
+     * Takes over the file of a document that was edited to this one, what it holds, the hidden commands and the states
+     * that an earlier controller is expected to reach.
+     */
     void continueFrom(ScenarioDocument other) {
         savedTo(other.file, other.saved);
+        if (initial.expectation().equals(other.edited().expectation())) {
+            initial = initial.withExpectation(other.initial.expectation());
+            edited = null;
+        }
         editor = other.editor.restarted(initial.setup());
     }
 

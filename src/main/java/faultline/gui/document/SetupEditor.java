@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
@@ -32,7 +33,7 @@ import java.util.function.Function;
  */
 final class SetupEditor {
 
-    private static final Runnable NOTHING = () -> {};
+    private static final Consumer<SetupEditor> NOTHING = editor -> {};
 
     private static final CommandCases<Boolean> IS_TIMED =
             CommandCases.ofSetup(timed -> true, other(), other(), other(), other(), other(), other());
@@ -45,7 +46,9 @@ final class SetupEditor {
 
     private final List<CommandResult> entries = new ArrayList<>();
     /** What a command restores that undoes the last command with this inverse. */
-    private final Map<Command, Runnable> reversals = new HashMap<>();
+    private final Map<Command, Consumer<SetupEditor>> reversals = new HashMap<>();
+    /** The reversals before the commands, of edits that are part of the base. */
+    private final Map<Command, Consumer<SetupEditor>> baseReversals;
     /** The number of entries that the run has executed. */
     private int position;
 
@@ -54,38 +57,46 @@ final class SetupEditor {
     private ControllerSpec controller;
 
     SetupEditor(SimulationSetup setup) {
-        this(setup, Collections.emptySortedMap(), Set.of());
+        this(setup, Collections.emptySortedMap(), new EditedObstacles(setup), Map.of());
     }
 
     /**
-     * Creates an editor of a setup whose timeline lacks some commands, unless it contains them, and hides some of
-     * these, because their obstacles have been removed.
+     * Creates an editor of a setup whose timeline lacks some commands, unless it contains them, and hides those of
+     * these whose obstacles had been removed before.
      *
      * @param setup the setup
      * @param lacking the lacking commands, by their indices in the timeline with them
-     * @param hidden the indices of the hidden ones
+     * @param before the obstacles before
+     * @param reversals what commands restore that undo earlier edits
      */
-    private SetupEditor(SimulationSetup setup, SortedMap<Integer, TimedCommand> lacking, Set<Integer> hidden) {
+    private SetupEditor(
+            SimulationSetup setup,
+            SortedMap<Integer, TimedCommand> lacking,
+            EditedObstacles before,
+            Map<Command, Consumer<SetupEditor>> reversals) {
         List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
         Set<TimedCommand> present = lacking.isEmpty() ? Set.of() : new HashSet<>(timeline);
-        Set<Integer> hiddenIndices = new HashSet<>();
+        Set<Integer> hiddenBefore = before.hidden().keySet();
+        Set<Integer> hidden = new HashSet<>();
         lacking.forEach((place, command) -> {
             if (!present.contains(command)) {
                 int index = Math.min(place, timeline.size());
                 timeline.add(index, command);
-                if (hidden.contains(place)) {
-                    hiddenIndices.add(index);
+                if (hiddenBefore.contains(place)) {
+                    hidden.add(index);
                 }
             }
         });
         this.base = lacking.isEmpty() ? setup : setup.withTimeline(timeline);
-        this.baseObstacles = new EditedObstacles(base, hiddenIndices);
+        this.baseObstacles = new EditedObstacles(base, hidden, before);
+        this.baseReversals = Map.copyOf(reversals);
         reset();
     }
 
     private SetupEditor(SetupEditor other) {
         this.base = other.base;
         this.baseObstacles = other.baseObstacles;
+        this.baseReversals = other.baseReversals;
         this.obstacles = other.obstacles.copy();
         this.robot = other.robot;
         this.controller = other.controller;
@@ -96,6 +107,7 @@ final class SetupEditor {
         controller = base.controller();
         obstacles = baseObstacles.copy();
         reversals.clear();
+        reversals.putAll(baseReversals);
     }
 
     /**
@@ -168,10 +180,9 @@ final class SetupEditor {
         return baseObstacles.timeline();
     }
 
-    /** Returns an editor of the edited setup, without edits, that hides the same commands. */
+    /** Returns an editor of the edited setup, without edits, that hides the same commands and can undo the edits. */
     SetupEditor restarted(SimulationSetup edited) {
-        SortedMap<Integer, TimedCommand> hidden = obstacles.hidden();
-        return new SetupEditor(edited, hidden, hidden.keySet());
+        return new SetupEditor(edited, obstacles.hidden(), obstacles, reversals);
     }
 
     private boolean hasSensorOf(Command command) {
@@ -186,7 +197,8 @@ final class SetupEditor {
         SetupEditor result = new SetupEditor(
                 newSetup.withTimeline(obstacles.withoutEdits(newSetup.timeline())),
                 obstacles.hidden(),
-                baseObstacles.hidden().keySet());
+                baseObstacles,
+                baseReversals);
         Set<Command> reversalsOfOmitted = new HashSet<>();
         for (int i = 0; i < entries.size(); i++) {
             CommandResult entry = entries.get(i);
@@ -262,10 +274,10 @@ final class SetupEditor {
         if (result.command().match(IS_TIMED)) {
             return false;
         }
-        Runnable reversal = reversal(result);
+        Consumer<SetupEditor> reversal = reversal(result);
         Optional.ofNullable(reversals.get(result.command()))
                 .orElseGet(() -> change(result))
-                .run();
+                .accept(this);
         if (result.inverse().size() == 1) {
             reversals.put(result.inverse().get(0), reversal);
         }
@@ -273,16 +285,16 @@ final class SetupEditor {
     }
 
     /** Returns what makes the change of a command. */
-    private Runnable change(CommandResult result) {
+    private static Consumer<SetupEditor> change(CommandResult result) {
         return result.command()
                 .match(CommandCases.ofSetup(
                         timed -> NOTHING,
-                        configureSensor -> () -> setSensor(configureSensor.sensor()),
-                        move -> () -> obstacles.move(result.tick(), move.obstacle(), move.pose()),
-                        place -> () -> obstacles.place(result.tick(), place.obstacle()),
-                        remove -> () -> obstacles.remove(result.tick(), remove.obstacle()),
-                        setPlatform -> () -> robot = setPlatform.appliedTo(robot),
-                        configure -> () -> controller = configure.controller()));
+                        configureSensor -> editor -> editor.setSensor(configureSensor.sensor()),
+                        move -> editor -> editor.obstacles.move(result.tick(), move.obstacle(), move.pose()),
+                        place -> editor -> editor.obstacles.place(result.tick(), place.obstacle()),
+                        remove -> editor -> editor.obstacles.remove(result.tick(), remove.obstacle()),
+                        setPlatform -> editor -> editor.robot = setPlatform.appliedTo(editor.robot),
+                        configure -> editor -> editor.controller = configure.controller()));
     }
 
     private void setSensor(SensorSpec sensor) {
@@ -291,7 +303,7 @@ final class SetupEditor {
     }
 
     /** Returns what restores, after a command, what the setup has now. */
-    private Runnable reversal(CommandResult result) {
+    private Consumer<SetupEditor> reversal(CommandResult result) {
         RobotSpec robotNow = robot;
         ControllerSpec controllerNow = controller;
         return result.command()
@@ -301,14 +313,18 @@ final class SetupEditor {
                             SensorSpec sensor = robotNow.sensor(
                                             configureSensor.sensor().id())
                                     .orElseThrow();
-                            return () -> setSensor(sensor);
+                            return editor -> editor.setSensor(sensor);
                         },
-                        move -> obstacles.moveBack(result.tick(), move.obstacle()),
-                        place -> obstacles.reversal(
-                                result.tick(), place.obstacle().id()),
-                        remove -> obstacles.reversal(result.tick(), remove.obstacle()),
-                        setPlatform ->
-                                () -> robot = robot.withPlatform(robotNow.length(), robotNow.width(), robotNow.speed()),
-                        configure -> () -> controller = controllerNow));
+                        move -> restoring(obstacles.moveBack(result.tick(), move.obstacle())),
+                        place -> restoring(obstacles.reversal(
+                                result.tick(), place.obstacle().id())),
+                        remove -> restoring(obstacles.reversal(result.tick(), remove.obstacle())),
+                        setPlatform -> editor -> editor.robot =
+                                editor.robot.withPlatform(robotNow.length(), robotNow.width(), robotNow.speed()),
+                        configure -> editor -> editor.controller = controllerNow));
+    }
+
+    private static Consumer<SetupEditor> restoring(Consumer<EditedObstacles> reversal) {
+        return editor -> reversal.accept(editor.obstacles);
     }
 }

@@ -61,8 +61,16 @@ class ScenarioDocumentTest {
                 document.edited().expectation().conditions());
         ControllerSpec.WallFollowing before =
                 (ControllerSpec.WallFollowing) visitors.setup().controller();
-        document.commandsExecuted(List.of(executed(2, new Command.ConfigureController(before))));
-        assertEquals(visitors, document.edited());
+        ScenarioDocument restarted = new ScenarioDocument(null, null, document.edited());
+        restarted.continueFrom(document);
+        assertEquals(document.edited(), restarted.edited());
+        for (ScenarioDocument undone : List.of(document, restarted)) {
+            undone.commandsExecuted(List.of(executed(2, new Command.ConfigureController(before))));
+            assertEquals(visitors, undone.edited());
+        }
+        ScenarioDocument changed = new ScenarioDocument(null, null, visitors.withExpectation(Expectation.NONE));
+        changed.continueFrom(document);
+        assertEquals(Expectation.NONE, changed.edited().expectation());
     }
 
     /** The expectation is edited while another controller drives, and then the choice of that controller is undone. */
@@ -72,10 +80,11 @@ class ScenarioDocumentTest {
         ControllerSpec.None none = new ControllerSpec.None();
         ControllerSpec.WallFollowing follower =
                 (ControllerSpec.WallFollowing) visitors.setup().controller();
-        Scenario still = new Scenario("still", "", false, visitors.setup().withController(none), Expectation.NONE);
+        Scenario still =
+                visitors.withSetup(visitors.setup().withController(none)).withExpectation(Expectation.NONE);
         ScenarioDocument document = new ScenarioDocument(null, still, still);
         document.commandsExecuted(List.of(executed(1, new Command.ConfigureController(follower))));
-        document.change(open -> new Scenario("still", "", false, open.setup(), visitors.expectation()));
+        document.change(open -> open.withExpectation(visitors.expectation()));
         assertEquals(visitors.expectation(), document.edited().expectation());
         document.commandsExecuted(List.of(executed(2, new Command.ConfigureController(none))));
         document.edited().toBytes();
@@ -110,6 +119,40 @@ class ScenarioDocumentTest {
         restarted.commandsExecuted(List.of(executed(3000, new Command.PlaceObstacle(parcel))));
         assertEquals(visitors, restarted.edited());
         assertFalse(restarted.isChanged());
+    }
+
+    /** A visitor is removed, and a sensor and the platform are changed; then the run is restarted and all is undone. */
+    @Test
+    void undoAfterARestartGivesBackWhatTheScenarioHad() throws ScenarioException {
+        Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
+        ScenarioDocument document = new ScenarioDocument(Path.of("saved.xml"), visitors, visitors);
+        List<Command> edits = List.of(
+                new Command.RemoveObstacle("visitor-1"),
+                new Command.ConfigureSensor(
+                        visitors.setup().robot().sensors().get(0).withRange(0.4)),
+                new Command.SetPlatform(0.2, 0.15, 0.1));
+        List<List<Command>> inverses = new ArrayList<>();
+        try (Simulation run = new Simulation(visitors.setup(), ControllerMode.DIRECT)) {
+            tickUntil(run, 900);
+            for (Command command : edits) {
+                CommandResult result = run.execute(command);
+                document.commandsExecuted(List.of(result));
+                inverses.add(0, result.inverse());
+            }
+        }
+        ScenarioDocument restarted = new ScenarioDocument(null, null, document.edited());
+        restarted.continueFrom(document);
+        assertEquals(
+                List.of("visitor-2", "visitor-3", "crate"),
+                restarted.edited().setup().world().obstacles().stream()
+                        .map(Obstacle::id)
+                        .toList());
+        try (Simulation run = new Simulation(restarted.initial().setup(), ControllerMode.DIRECT)) {
+            tickUntil(run, 100);
+            inverses.forEach(
+                    commands -> commands.forEach(command -> restarted.commandsExecuted(List.of(run.execute(command)))));
+        }
+        assertEquals(visitors, restarted.edited());
     }
 
     @Test

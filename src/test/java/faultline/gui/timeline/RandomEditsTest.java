@@ -6,7 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.engine.ControllerFactory;
 import faultline.engine.ControllerMode;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Degrees;
@@ -23,6 +27,8 @@ import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
@@ -59,6 +65,7 @@ class RandomEditsTest {
     private UndoController undo;
     private TimelineEditor timeline;
     private SensorEditor sensors;
+    private ScenarioEditor properties;
     /** The tick that the run is about to reach, -1 for none. */
     private long awaitedTick = -1;
 
@@ -92,7 +99,8 @@ class RandomEditsTest {
             run = new RunController(workspace);
             undo = new UndoController(run::send, () -> {});
             timeline = new TimelineEditor(workspace, run, undo);
-            sensors = new SensorEditor(workspace, new ScenarioEditor(run, undo), note -> {});
+            properties = new ScenarioEditor(run, undo);
+            sensors = new SensorEditor(workspace, properties, note -> {});
             workspace.addListener(new Forwarder());
         });
     }
@@ -141,8 +149,8 @@ class RandomEditsTest {
         Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
         WorldSpec hall = visitors.setup().world();
         WorldSpec world = new WorldSpec(hall.width(), hall.height(), true, 100, hall.obstacles());
-        Scenario before =
-                visitors.withSetup(visitors.setup().withWorld(world).withController(new ControllerSpec.None()));
+        SimulationSetup still = visitors.setup().withWorld(world).withController(new ControllerSpec.None());
+        Scenario before = visitors.withSetup(still).withExpectation(Expectation.NONE);
         runOnEdt(() -> new DocumentStore(workspace).create(before));
         SessionFrames.awaitScenario(workspace);
         Random random = new Random(seed);
@@ -162,12 +170,14 @@ class RandomEditsTest {
         SessionFrame frame = SessionFrames.frame(workspace);
         Command command = command(frame, random);
         undo.endEdit();
-        switch (random.nextInt(10)) {
+        switch (random.nextInt(12)) {
             case 0 -> undo.undo();
             case 1 -> undo.redo();
             case 2, 3, 4 -> step(frame.snapshot().tick(), random.nextInt(20 * MAX_STEPS));
             case 5 -> timeline.add(TimelineItem.from(command, random.nextInt(60)), null);
             case 6 -> editSensors(frame, random);
+            case 7 -> editProperties(random);
+            case 8 -> run.restart();
             default -> {
                 if (SensorReference.in(command).isEmpty() || command instanceof Command.ConfigureSensor) {
                     undo.send(command);
@@ -203,7 +213,7 @@ class RandomEditsTest {
     private String edit(Random random) {
         SessionFrame frame = SessionFrames.frame(workspace);
         long tick = frame.snapshot().tick();
-        switch (random.nextInt(12)) {
+        switch (random.nextInt(14)) {
             case 0 -> undo.undo();
             case 1 -> undo.redo();
             case 2 -> run.restart();
@@ -216,8 +226,9 @@ class RandomEditsTest {
                 }
             }
             case 9 -> editSensors(frame, random);
+            case 10 -> editProperties(random);
             default -> {
-                Command command = command(frame, random);
+                Command command = random.nextInt(4) == 0 ? robotCommand(random) : command(frame, random);
                 undo.endEdit();
                 undo.send(command);
                 return command.toString();
@@ -233,6 +244,50 @@ class RandomEditsTest {
         } else {
             sensors.remove(ids.get(random.nextInt(ids.size())));
         }
+    }
+
+    private void editProperties(Random random) {
+        Scenario open = workspace.scenario().orElseThrow();
+        SimulationSetup setup = open.setup();
+        List<ControllerState> states = ControllerFactory.states(setup.controller());
+        Expectation expected = random.nextBoolean()
+                ? open.expectation()
+                : new Expectation(List.of(new Expectation.VisitedState(states.get(random.nextInt(states.size())))));
+        SimulationSetup changed =
+                switch (random.nextInt(5)) {
+                    case 0 -> setup.withSeed(random.nextInt(9));
+                    case 1 -> setup.withDuration(random.nextInt(90));
+                    case 2 -> setup.withRobot(setup.robot().withTurnRate(1 + random.nextInt(3)));
+                    case 3 -> setup.withTick(random.nextBoolean() ? 0.01 : 0.02);
+                    default -> setup;
+                };
+        properties.edit(
+                "edit.properties", now -> with(now, changed, expected), now -> with(now, setup, open.expectation()));
+    }
+
+    /** Returns a scenario with the seed, the duration, the tick, the turn rate and the expectation of another one. */
+    private static Scenario with(Scenario scenario, SimulationSetup other, Expectation expected) {
+        SimulationSetup old = scenario.setup();
+        SimulationSetup changed = old.withSeed(other.seed())
+                .withDuration(other.duration())
+                .withTick(other.dt())
+                .withRobot(old.robot().withTurnRate(other.robot().turnRate()));
+        return scenario.withSetup(changed).withExpectation(expected);
+    }
+
+    private static Command robotCommand(Random random) {
+        MotorSide side = random.nextBoolean() ? MotorSide.LEFT : MotorSide.RIGHT;
+        ControllerSpec.WallFollowing follower = ControllerSpec.WallFollowing.DEFAULT
+                .withDiagnosis(random.nextBoolean())
+                .withDistance(0.2 + random.nextInt(3) / 10.0);
+        return switch (random.nextInt(7)) {
+            case 0 -> new Command.SetPlatform(0.1 + random.nextInt(3) / 10.0, 0.2, 0.1 + random.nextInt(3) / 10.0);
+            case 1 -> new Command.ConfigureController(new ControllerSpec.None());
+            case 2 -> new Command.ConfigureController(new ControllerSpec.Drive(1, random.nextInt(3)));
+            case 3 -> new Command.InjectMotorFault(side, new MotorFault.Weak(0.5));
+            case 4 -> new Command.ClearMotorFaults(side);
+            default -> new Command.ConfigureController(follower);
+        };
     }
 
     private static Command command(SessionFrame frame, Random random) {
