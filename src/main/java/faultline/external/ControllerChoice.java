@@ -6,11 +6,6 @@ import faultline.control.ControllerSpec;
 import faultline.engine.ControllerProviders;
 import faultline.engine.SimulationSetup;
 import faultline.scenario.xml.Allowed;
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.net.MalformedURLException;
-import java.net.URL;
-import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -74,7 +69,7 @@ public final class ControllerChoice {
 
     /**
      * {@return a setup with a chosen controller, for which some jars are searched too} A run loads its controller from
-     * the jars as they are when it starts, and closes them at its end.
+     * the jars as they are when it starts; they may be replaced during the run.
      *
      * @param choice a name or a command
      * @param jars the jar files
@@ -145,33 +140,19 @@ public final class ControllerChoice {
         Thread.currentThread().setContextClassLoader(loader(List.of(jar)));
     }
 
-    static URLClassLoader loader(List<Path> jars) {
-        URL[] files = jars.stream().map(ControllerChoice::url).toArray(URL[]::new);
-        return new URLClassLoader(files, ControllerChoice.class.getClassLoader());
-    }
-
-    private static URL url(Path jar) {
-        try {
-            return jar.toUri().toURL();
-        } catch (MalformedURLException e) {
-            throw new IllegalArgumentException("not the path of a file: " + jar, e);
-        }
+    static ClassLoader loader(List<Path> jars) {
+        return new JarClassLoader(jars, ControllerChoice.class.getClassLoader());
     }
 
     /**
-     * {@return the result of an action that is called with the current controllers of some jars available} The jars are
-     * closed after it, so the action must not return one of these controllers.
+     * {@return the result of an action that is called with the current controllers of some jars available}
      *
      * @param <T> the type of the result
      * @param jars the jar files
      * @param action the action, which is called on the calling thread
      */
     public static <T> T withJars(List<Path> jars, Supplier<T> action) {
-        try (URLClassLoader loader = loader(jars)) {
-            return withLoader(loader, action);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return withLoader(loader(jars), action);
     }
 
     /** Calls an action with a class loader that finds controllers. */

@@ -43,6 +43,10 @@ public enum ControllerProblem implements Message.Template {
     PYTHON_SCRIPT("{0}; a program in Python is started by \"{1} {2}\""),
     /** A reason with the way to use a jar. */
     JAR("{0}; the controllers of a jar are added with --jar or in the window with \"File\", and chosen by name"),
+    /** A jar that does not exist. */
+    NO_JAR("there is no jar {0}"),
+    /** A jar that is broken. */
+    JAR_UNREADABLE("the jar {0} cannot be read: {1}"),
     /** The hint for a misspelt name. */
     NAMES("; controllers in Java are {0}"),
 

@@ -7,10 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.engine.ControllerMode;
+import faultline.engine.ControllerProviders;
 import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
-import faultline.engine.metrics.HeadlessRun;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -18,78 +18,173 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
-import java.util.stream.Stream;
+import java.util.jar.Manifest;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.EnabledOnOs;
-import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Jars are not open longer than their controllers are used. */
-@EnabledOnOs(value = OS.LINUX, disabledReason = "the open files are listed in /proc")
+/** Jars are read when a run starts, and may be replaced during the run. */
 class JarControllerSourceTest {
+
+    private static final String SERVICE = "META-INF/services/" + ControllerProvider.class.getName();
+
+    /** A controller that loads another class and a resource at its third decision. */
+    private static final String LATE =
+            """
+            package late;
+            import faultline.control.*;
+            import faultline.robot.Velocity;
+            import java.util.Map;
+            public final class Late implements ControllerProvider {
+                public String name() { return "late"; }
+                public Controller create(Map<String, String> settings) { return new Driver(); }
+                static final class Driver implements Controller {
+                    private int decisions;
+                    public Decision decide(Observation seen) {
+                        String state = ++decisions < 3 ? "EARLY" : Later.state();
+                        return Decision.ofVelocity(seen.robot(), new Velocity(0.1, 0), state, "");
+                    }
+                }
+            }
+            """;
+
+    private static final String LATER =
+            """
+            package late;
+            final class Later {
+                static String state() {
+                    try (var in = Later.class.getResourceAsStream("/state.txt")) {
+                        return new String(in.readAllBytes());
+                    } catch (java.io.IOException broken) {
+                        throw new java.io.UncheckedIOException(broken);
+                    }
+                }
+            }
+            """;
 
     @TempDir
     private Path folder;
 
     private Path jar(String provider) throws IOException {
-        Path jar = folder.resolve("turner.jar");
-        try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar))) {
-            out.putNextEntry(new JarEntry("META-INF/services/" + ControllerProvider.class.getName()));
-            out.write(provider.getBytes(StandardCharsets.UTF_8));
+        return jar("turner.jar", new Manifest(), Map.of(SERVICE, bytes(provider)));
+    }
+
+    private Path jar(String name, Manifest manifest, Map<String, byte[]> files) throws IOException {
+        Path jar = folder.resolve(name);
+        try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar), manifest)) {
+            for (Map.Entry<String, byte[]> file : files.entrySet()) {
+                out.putNextEntry(new JarEntry(file.getKey()));
+                out.write(file.getValue());
+            }
         }
         return jar;
     }
 
-    private static SimulationSetup setupWith(Path jar) throws Exception {
+    /** Makes the jar of {@link #LATE}, and that of {@link #LATER}, which its manifest names. */
+    private Path lateJar() throws Exception {
+        Path sources = Files.createDirectories(folder.resolve("late"));
+        Files.writeString(sources.resolve("Late.java"), LATE);
+        Files.writeString(sources.resolve("Later.java"), LATER);
+        String library = Path.of(ControllerProvider.class
+                        .getProtectionDomain()
+                        .getCodeSource()
+                        .getLocation()
+                        .toURI())
+                .toString();
+        assertEquals(
+                0,
+                ToolProvider.getSystemJavaCompiler()
+                        .run(
+                                null,
+                                null,
+                                null,
+                                "-cp",
+                                library,
+                                sources.resolve("Late.java").toString(),
+                                sources.resolve("Later.java").toString()));
+        jar(
+                "later.jar",
+                new Manifest(),
+                Map.of(
+                        "late/Later.class",
+                        Files.readAllBytes(sources.resolve("Later.class")),
+                        "state.txt",
+                        bytes("LATER")));
+        Manifest manifest = new Manifest();
+        manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
+        manifest.getMainAttributes().put(Attributes.Name.CLASS_PATH, "missing.jar later.jar");
+        return jar(
+                "late.jar",
+                manifest,
+                Map.of(
+                        SERVICE,
+                        bytes("late.Late"),
+                        "late/Late.class",
+                        Files.readAllBytes(sources.resolve("Late.class")),
+                        "late/Late$Driver.class",
+                        Files.readAllBytes(sources.resolve("Late$Driver.class"))));
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static SimulationSetup setupWith(Path jar, String controller) throws Exception {
         SimulationSetup yard = Scenario.loadShipped("yard.xml").setup().withDuration(0.1);
-        return ControllerChoice.apply("right-turner", List.of(jar), yard, null);
-    }
-
-    private static boolean isOpen(Path file) throws IOException {
-        try (Stream<Path> open = Files.list(Path.of("/proc/self/fd"))) {
-            return open.anyMatch(link -> leadsTo(link, file));
-        }
-    }
-
-    private static boolean leadsTo(Path link, Path file) {
-        try {
-            return Files.readSymbolicLink(link).equals(file);
-        } catch (IOException closed) {
-            return false;
-        }
+        return ControllerChoice.apply(controller, List.of(jar), yard, null);
     }
 
     @Test
-    void aJarIsOpenDuringItsRunOnly() throws Exception {
-        Path jar = jar(RightTurner.class.getName());
-        SimulationSetup setup = setupWith(jar);
-        assertTrue(!isOpen(jar), "no run has started");
+    void jarsThatAreReplacedDuringARunHaveNoEffectOnIt() throws Exception {
+        Path jar = lateJar();
+        SimulationSetup setup = setupWith(jar, "late");
         try (Simulation run = new Simulation(setup, ControllerMode.DIRECT)) {
             run.tick();
-            assertEquals("right-turner", run.controllerName());
-            assertTrue(isOpen(jar));
+            run.tick();
+            assertEquals("EARLY", run.telemetry().state().name());
+            for (String name : List.of("late.jar", "later.jar")) {
+                Files.writeString(folder.resolve(name), "no jar");
+            }
+            run.tick();
+            assertEquals("LATER", run.telemetry().state().name());
         }
-        assertTrue(!isOpen(jar), "the run has ended");
-        HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());
-        assertTrue(!isOpen(jar), "another run of the same setup has ended");
+        String broken = assertThrows(ControllerStartException.class, () -> new Simulation(setup, ControllerMode.DIRECT))
+                .getMessage();
+        assertTrue(broken.startsWith("the jar " + jar + " cannot be read: "), broken);
+        Files.delete(jar);
+        assertEquals(
+                "there is no jar " + jar,
+                assertThrows(ControllerStartException.class, () -> new Simulation(setup, ControllerMode.DIRECT))
+                        .getMessage());
     }
 
     @Test
-    void aJarIsClosedWhenItsNamesAreKnown() throws Exception {
-        Path jar = jar(RightTurner.class.getName());
-        List<String> names = ControllerChoice.withJars(List.of(jar), ControllerChoice::names);
-        assertTrue(names.contains("right-turner"), names::toString);
-        assertTrue(!isOpen(jar));
-    }
-
-    @Test
-    void aJarThatHasBecomeBrokenBreaksTheRunAndIsClosed() throws Exception {
-        SimulationSetup setup = setupWith(jar(RightTurner.class.getName()));
-        Path broken = jar("no.such.Turner");
+    void eachRunLoadsTheJarAsItIsWhenItStarts() throws Exception {
+        SimulationSetup setup = setupWith(jar(RightTurner.class.getName()), "right-turner");
+        try (Simulation run = new Simulation(setup, ControllerMode.DIRECT)) {
+            assertEquals("right-turner", run.controllerName());
+        }
+        jar("no.such.Turner");
         assertThrows(RunFailedException.class, () -> new Simulation(setup, ControllerMode.DIRECT));
-        assertTrue(!isOpen(broken));
+    }
+
+    @Test
+    void theNamesInAJarAreFound() throws Exception {
+        List<String> names =
+                ControllerChoice.withJars(List.of(jar(RightTurner.class.getName())), ControllerChoice::names);
+        assertTrue(names.contains("right-turner"), names::toString);
+    }
+
+    @Test
+    void aControllerComesFromItsJar() throws Exception {
+        Path jar = lateJar();
+        assertEquals(
+                jar,
+                ControllerChoice.withJars(List.of(jar), ControllerProviders::jars)
+                        .get("late"));
     }
 
     /** A provider whose constructor fails. */

@@ -1,0 +1,134 @@
+package faultline.external;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLConnection;
+import java.net.URLStreamHandler;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.security.CodeSigner;
+import java.security.CodeSource;
+import java.security.ProtectionDomain;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Enumeration;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.jar.Attributes;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
+import java.util.jar.Manifest;
+import java.util.zip.ZipFile;
+
+/**
+ * Loads classes and resources from copies of jars in memory. The jars are closed when they have been read, so they can
+ * be replaced while their classes are in use.
+ */
+final class JarClassLoader extends ClassLoader {
+
+    /** A file in a jar. */
+    private record Content(ProtectionDomain jar, URL url, byte[] bytes) {}
+
+    private final Map<String, List<Content>> contents = new HashMap<>();
+
+    /**
+     * Reads jars, and those that their manifests name as their class path.
+     *
+     * @param jars the jar files, in the order in which they are searched
+     * @param parent the class loader that is asked first
+     * @throws ControllerStartException if a jar cannot be read
+     */
+    JarClassLoader(List<Path> jars, ClassLoader parent) {
+        super(parent);
+        Set<Path> known = new HashSet<>();
+        jars.forEach(jar -> readWithClassPath(jar.toAbsolutePath().normalize(), known));
+    }
+
+    private void readWithClassPath(Path jar, Set<Path> known) {
+        if (!known.add(jar)) {
+            return;
+        }
+        try {
+            for (String place : read(jar)) {
+                Path other = Path.of(jar.toUri().resolve(place));
+                if (Files.isRegularFile(other)) {
+                    readWithClassPath(other.normalize(), known);
+                }
+            }
+        } catch (NoSuchFileException missing) {
+            throw new ControllerStartException(ControllerProblem.NO_JAR.with(jar), missing);
+        } catch (IOException | UncheckedIOException | IllegalArgumentException | SecurityException broken) {
+            throw new ControllerStartException(
+                    ControllerProblem.JAR_UNREADABLE.with(jar, String.valueOf(broken.getMessage())), broken);
+        }
+    }
+
+    /** Reads a jar and returns its class path. */
+    private List<String> read(Path jar) throws IOException {
+        URL location = jar.toUri().toURL();
+        ProtectionDomain domain = new ProtectionDomain(new CodeSource(location, (CodeSigner[]) null), null);
+        try (JarFile file = new JarFile(jar.toFile(), true, ZipFile.OPEN_READ, Runtime.version())) {
+            for (JarEntry entry : file.versionedStream().toList()) {
+                try (InputStream in = file.getInputStream(entry)) {
+                    byte[] bytes = in.readAllBytes();
+                    contents.computeIfAbsent(entry.getName(), name -> new ArrayList<>())
+                            .add(new Content(domain, url(location, entry.getName(), bytes), bytes));
+                }
+            }
+            Manifest manifest = file.getManifest();
+            String classPath =
+                    manifest == null ? null : manifest.getMainAttributes().getValue(Attributes.Name.CLASS_PATH);
+            return classPath == null ? List.of() : List.of(classPath.trim().split(" +"));
+        }
+    }
+
+    /** Returns an address that reads the copy. */
+    private static URL url(URL jar, String name, byte[] bytes) throws MalformedURLException {
+        return new URL(null, "jar:" + jar + "!/" + name, new URLStreamHandler() {
+            @Override
+            protected URLConnection openConnection(URL url) {
+                return new URLConnection(url) {
+                    @Override
+                    public void connect() {
+                        // The copy is in memory.
+                    }
+
+                    @Override
+                    public InputStream getInputStream() {
+                        return new ByteArrayInputStream(bytes);
+                    }
+                };
+            }
+        });
+    }
+
+    @Override
+    protected Class<?> findClass(String name) throws ClassNotFoundException {
+        List<Content> found = contents.get(name.replace('.', '/') + ".class");
+        if (found == null) {
+            throw new ClassNotFoundException(name);
+        }
+        Content first = found.get(0);
+        return defineClass(name, first.bytes, 0, first.bytes.length, first.jar);
+    }
+
+    @Override
+    protected URL findResource(String name) {
+        return contents.containsKey(name) ? contents.get(name).get(0).url : null;
+    }
+
+    @Override
+    protected Enumeration<URL> findResources(String name) {
+        return Collections.enumeration(contents.getOrDefault(name, List.of()).stream()
+                .map(Content::url)
+                .toList());
+    }
+}
