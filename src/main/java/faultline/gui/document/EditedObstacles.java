@@ -138,8 +138,7 @@ final class EditedObstacles {
 
     /** Returns whether an obstacle is there at a tick, unless the timeline has removed it. */
     boolean contains(long tick, String id) {
-        Origin origin = origins.at(tick, id);
-        return obstacles.containsKey(origin) && !removed.contains(origin);
+        return contains(origins.at(tick, id));
     }
 
     /** Reverts the change of an obstacle at the start; returns false if it has not changed or has been removed. */
@@ -219,6 +218,10 @@ final class EditedObstacles {
 
     /** Returns whether there is an obstacle of an id at any time. */
     private boolean exists(String id) {
-        return origins.all(id).anyMatch(origin -> obstacles.containsKey(origin) && !removed.contains(origin));
+        return origins.all(id).anyMatch(this::contains);
+    }
+
+    private boolean contains(Origin origin) {
+        return obstacles.containsKey(origin) && !removed.contains(origin);
     }
 }

@@ -18,6 +18,7 @@ import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.UndoController;
+import faultline.gui.edit.UndoForwarder;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
@@ -61,7 +62,7 @@ class RunNavigatorTest {
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
             edits = new UndoController(run::send, () -> {});
-            workspace.addListener(new NavigationForwarder());
+            workspace.addListener(new UndoForwarder(edits));
             edits.setForkListener(forks::add);
             edits.setUndoListener(undone::add);
             documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));
@@ -351,23 +352,5 @@ class RunNavigatorTest {
                 "the pole at " + pose,
                 () -> pole(SessionFrames.frame(workspace).snapshot().obstacles())
                         .equals(pose));
-    }
-
-    /** Forwards events to the undo controller, as the window does. */
-    private final class NavigationForwarder implements WorkspaceListener {
-        @Override
-        public void scenarioRestarted() {
-            edits.runRestarted();
-        }
-
-        @Override
-        public void runRepositioned(long tick) {
-            edits.runRepositioned(tick);
-        }
-
-        @Override
-        public void taskFailed(TaskKind task, Path file, Throwable failure) {
-            throw new AssertionError(failure);
-        }
     }
 }

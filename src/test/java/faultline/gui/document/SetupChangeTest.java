@@ -17,6 +17,7 @@ import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.StoppedClock;
 import faultline.gui.edit.UndoController;
+import faultline.gui.edit.UndoForwarder;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
@@ -55,7 +56,13 @@ class SetupChangeTest {
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
             edits = StoppedClock.undoController(run::send);
-            workspace.addListener(new Forwarder());
+            workspace.addListener(new UndoForwarder(edits));
+            workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void setupChangeDeferred() {
+                    deferred.add("deferred");
+                }
+            });
             documentStore.open(Path.of("scenarios/office.xml"));
         });
         SessionFrames.awaitScenario(workspace);
@@ -265,23 +272,5 @@ class SetupChangeTest {
                 .findFirst()
                 .orElseThrow()
                 .faults());
-    }
-
-    /** Forwards events to the undo controller, as the window does. */
-    private final class Forwarder implements WorkspaceListener {
-        @Override
-        public void runRepositioned(long tick) {
-            edits.runRepositioned(tick);
-        }
-
-        @Override
-        public void setupChangeDeferred() {
-            deferred.add("deferred");
-        }
-
-        @Override
-        public void taskFailed(TaskKind task, Path file, Throwable failure) {
-            throw new AssertionError(failure);
-        }
     }
 }

@@ -17,7 +17,6 @@ import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
-import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.robot.RobotSpec;
@@ -67,7 +66,13 @@ class SensorEditorTest {
             documentStore = new DocumentStore(workspace);
             edits = StoppedClock.undoController(run::send);
             sensors = new SensorEditor(workspace, new ScenarioEditor(run, edits), notes::add);
-            workspace.addListener(new Forwarder());
+            workspace.addListener(new UndoForwarder(edits));
+            workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void journalSaved(Path file) {
+                    journalSaved.set(true);
+                }
+            });
             documentStore.open(Path.of("scenarios/office.xml"));
         });
         SessionFrames.awaitScenario(workspace);
@@ -297,23 +302,5 @@ class SensorEditorTest {
         remove("s7");
         assertTrue(add().isPresent());
         assertNotEquals(full, setup().robot());
-    }
-
-    /** Forwards events to the undo controller, as the window does. */
-    private final class Forwarder implements WorkspaceListener {
-        @Override
-        public void runRepositioned(long tick) {
-            edits.runRepositioned(tick);
-        }
-
-        @Override
-        public void journalSaved(Path file) {
-            journalSaved.set(true);
-        }
-
-        @Override
-        public void taskFailed(TaskKind task, Path file, Throwable failure) {
-            throw new AssertionError(failure);
-        }
     }
 }

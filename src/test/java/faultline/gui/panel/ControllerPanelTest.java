@@ -23,9 +23,9 @@ import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
-import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
+import faultline.gui.edit.UndoForwarder;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
@@ -66,7 +66,7 @@ class ControllerPanelTest {
             run = new RunController(workspace);
             documents = new DocumentStore(workspace);
             undo = new UndoController(run::send, () -> {});
-            workspace.addListener(new Forwarder());
+            workspace.addListener(new UndoForwarder(undo));
             panel = new ControllerPanel(undo, new ScenarioEditor(run, undo));
             documents.open(Path.of("scenarios/right-hand.xml"));
         });
@@ -284,19 +284,6 @@ class ControllerPanelTest {
     private String limits(String field) {
         return callOnEdt(
                 () -> ComponentFinder.find(panel, NumberSpinner.class, field).limitsText());
-    }
-
-    /** Clears what was pending when a session starts, as the window does. */
-    private final class Forwarder implements WorkspaceListener {
-        @Override
-        public void scenarioOpened() {
-            undo.clear();
-        }
-
-        @Override
-        public void runRepositioned(long tick) {
-            undo.runRepositioned(tick);
-        }
     }
 
     @Test

@@ -21,12 +21,11 @@ import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SensorReference;
 import faultline.gui.document.SessionFrames;
-import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
-import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
+import faultline.gui.edit.UndoForwarder;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
@@ -69,29 +68,6 @@ class RandomEditsTest {
     /** The tick that the run is about to reach, -1 for none. */
     private long awaitedTick = -1;
 
-    /** Connects the run and the edits as the window does. */
-    private final class Forwarder implements WorkspaceListener {
-        @Override
-        public void scenarioOpened() {
-            undo.clear();
-        }
-
-        @Override
-        public void scenarioRestarted() {
-            undo.runRestarted();
-        }
-
-        @Override
-        public void runRepositioned(long tick) {
-            undo.runRepositioned(tick);
-        }
-
-        @Override
-        public void taskFailed(TaskKind task, Path file, Throwable failure) {
-            throw new AssertionError(failure);
-        }
-    }
-
     @BeforeEach
     void create() {
         runOnEdt(() -> {
@@ -101,7 +77,7 @@ class RandomEditsTest {
             timeline = new TimelineEditor(workspace, run, undo);
             properties = new ScenarioEditor(run, undo);
             sensors = new SensorEditor(workspace, properties, note -> {});
-            workspace.addListener(new Forwarder());
+            workspace.addListener(new UndoForwarder(undo));
         });
     }
 

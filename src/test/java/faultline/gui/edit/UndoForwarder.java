@@ -1,0 +1,35 @@
+package faultline.gui.edit;
+
+import faultline.gui.document.TaskKind;
+import faultline.gui.document.WorkspaceListener;
+import java.nio.file.Path;
+
+/** Tells a history of edits what becomes of the run, as the window does. A task that fails is an error. */
+public final class UndoForwarder implements WorkspaceListener {
+
+    private final UndoController undo;
+
+    public UndoForwarder(UndoController undo) {
+        this.undo = undo;
+    }
+
+    @Override
+    public void scenarioOpened() {
+        undo.clear();
+    }
+
+    @Override
+    public void scenarioRestarted() {
+        undo.runRestarted();
+    }
+
+    @Override
+    public void runRepositioned(long tick) {
+        undo.runRepositioned(tick);
+    }
+
+    @Override
+    public void taskFailed(TaskKind task, Path file, Throwable failure) {
+        throw new AssertionError(failure);
+    }
+}
