@@ -11,7 +11,6 @@ import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -57,7 +56,10 @@ final class SetupEditor {
     private ControllerSpec controller;
 
     SetupEditor(SimulationSetup setup) {
-        this(setup, Collections.emptySortedMap(), new EditedObstacles(setup), Map.of());
+        this.base = setup;
+        this.baseObstacles = new EditedObstacles(setup);
+        this.baseReversals = Map.of();
+        reset();
     }
 
     /**

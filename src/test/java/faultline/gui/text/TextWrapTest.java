@@ -23,6 +23,13 @@ class TextWrapTest {
     }
 
     @Test
+    void aLineHasUpToEightyCharacters() {
+        String words = "abc ".repeat(19);
+        assertEquals(words + "abcd", TextWrap.wrap(words + "abcd"));
+        assertEquals(words.strip() + "\nabcde", TextWrap.wrap(words + "abcde"));
+    }
+
+    @Test
     void aWordWithoutEndIsCut() {
         assertEquals("x".repeat(80) + "\n" + "x".repeat(20), TextWrap.wrap("x".repeat(100)));
     }
