@@ -16,6 +16,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.CodeSource;
 import java.util.List;
 import java.util.Map;
 import java.util.jar.Attributes;
@@ -85,47 +86,32 @@ class JarControllerSourceTest {
 
     /** Makes the jar of {@link #LATE}, and that of {@link #LATER}, which its manifest names. */
     private Path lateJar() throws Exception {
-        Path sources = Files.createDirectories(folder.resolve("late"));
-        Files.writeString(sources.resolve("Late.java"), LATE);
-        Files.writeString(sources.resolve("Later.java"), LATER);
-        String library = Path.of(ControllerProvider.class
-                        .getProtectionDomain()
-                        .getCodeSource()
-                        .getLocation()
-                        .toURI())
-                .toString();
-        assertEquals(
-                0,
-                ToolProvider.getSystemJavaCompiler()
-                        .run(
-                                null,
-                                null,
-                                null,
-                                "-cp",
-                                library,
-                                sources.resolve("Late.java").toString(),
-                                sources.resolve("Later.java").toString()));
-        jar(
-                "later.jar",
-                new Manifest(),
-                Map.of(
-                        "late/Later.class",
-                        Files.readAllBytes(sources.resolve("Later.class")),
-                        "state.txt",
-                        bytes("LATER")));
+        Path classes = compileLate();
+        Map<String, byte[]> library = Map.of(
+                "late/Later.class", Files.readAllBytes(classes.resolve("Later.class")), "state.txt", bytes("LATER"));
+        jar("later.jar", new Manifest(), library);
         Manifest manifest = new Manifest();
         manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
         manifest.getMainAttributes().put(Attributes.Name.CLASS_PATH, "missing.jar later.jar");
-        return jar(
-                "late.jar",
-                manifest,
-                Map.of(
-                        SERVICE,
-                        bytes("late.Late"),
-                        "late/Late.class",
-                        Files.readAllBytes(sources.resolve("Late.class")),
-                        "late/Late$Driver.class",
-                        Files.readAllBytes(sources.resolve("Late$Driver.class"))));
+        Map<String, byte[]> files = Map.of(
+                SERVICE,
+                bytes("late.Late"),
+                "late/Late.class",
+                Files.readAllBytes(classes.resolve("Late.class")),
+                "late/Late$Driver.class",
+                Files.readAllBytes(classes.resolve("Late$Driver.class")));
+        return jar("late.jar", manifest, files);
+    }
+
+    /** Compiles {@link #LATE} and {@link #LATER}, and returns the folder of their classes. */
+    private Path compileLate() throws Exception {
+        Path sources = Files.createDirectories(folder.resolve("late"));
+        String late = Files.writeString(sources.resolve("Late.java"), LATE).toString();
+        String later = Files.writeString(sources.resolve("Later.java"), LATER).toString();
+        CodeSource program = ControllerProvider.class.getProtectionDomain().getCodeSource();
+        String classPath = Path.of(program.getLocation().toURI()).toString();
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-cp", classPath, late, later));
+        return sources;
     }
 
     private static byte[] bytes(String text) {

@@ -12,14 +12,12 @@ import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.SeparatorBorder;
-import faultline.gui.theme.UiText;
 import faultline.world.Snapshot;
 import java.awt.EventQueue;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /**
@@ -29,14 +27,6 @@ import javax.swing.JPanel;
 final class StatusBar extends JPanel {
 
     private static final int GAP = 14;
-    /** Minimum time for which a note stays, milliseconds. */
-    private static final int MIN_NOTE_MILLIS = 5000;
-    /** Minimum time for which a note stays that no longer holds, milliseconds. */
-    private static final int MIN_READ_MILLIS = 1000;
-    /** Time per character for which a note stays, so that a long one can be read to its end, milliseconds. */
-    private static final int NOTE_MILLIS_PER_CHARACTER = 80;
-
-    private static final int NANOS_PER_MILLI = 1_000_000;
     /** The smallest scale that is shown without decimals, pixels per metre. */
     private static final int WHOLE_SCALE = 10;
 
@@ -51,15 +41,8 @@ final class StatusBar extends JPanel {
     private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
     private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
     private final StatusCell scale = cell("status.scale", "0000 px/m");
-    private final JLabel note = new JLabel();
+    private final StatusNote note;
     private final transient StalledRun stalledRun;
-    private final transient LongSupplier nanoTime;
-    /** The time at which the note was shown. */
-    private long noteNanos;
-    /** How long the note stays, milliseconds; 0 if there is none. */
-    private int noteMillis;
-    /** Whether the note still holds in a world. */
-    private transient Predicate<Snapshot> noteHolds = world -> true;
     /** Null while the cursor is outside the canvas. */
     private transient Vector2 cursorPoint;
 
@@ -73,14 +56,13 @@ final class StatusBar extends JPanel {
 
     StatusBar(LongSupplier nanoTime) {
         super(new StatusLayout(GAP, StatusCell.class::isInstance));
-        this.nanoTime = nanoTime;
+        note = new StatusNote(nanoTime);
         stalledRun = new StalledRun(nanoTime);
         setBorder(SeparatorBorder.above(3, 14, 3));
         for (StatusCell cell : new StatusCell[] {running, time, pace, state, pose, cursor, scale, tick}) {
             add(cell);
         }
         RefreshSteps.add(cursor, cell -> showCursor(cursorPoint));
-        UiText.name(note, "status.note");
         add(note);
     }
 
@@ -111,9 +93,7 @@ final class StatusBar extends JPanel {
                         : "–");
         state.setStatusText(StateText.name(frame.telemetry().state()));
         pose.setStatusText(poseText(world.pose()));
-        if (isNoteOlderThan(MIN_READ_MILLIS) && !noteHolds.test(world)) {
-            clearNote();
-        }
+        note.removeUnlessHoldsIn(world);
         showNote(status);
         showStall(stalled);
     }
@@ -148,28 +128,19 @@ final class StatusBar extends JPanel {
         if (status.refusals() != shownRefusals) {
             shownRefusals = status.refusals();
             status.lastRefusal().map(RefusalText::format).ifPresent(this::showNote);
-        } else if (isNoteShown() && isNoteOlderThan(noteMillis)) {
-            clearNote();
+        } else {
+            note.removeWhenRead();
         }
-    }
-
-    private boolean isNoteOlderThan(int millis) {
-        return nanoTime.getAsLong() - noteNanos > (long) millis * NANOS_PER_MILLI;
     }
 
     /** Removes a note that is shown. */
     void clearNote() {
-        note.setText("");
-        note.setToolTipText(null);
-        noteMillis = 0;
-        noteHolds = world -> true;
+        note.clear();
     }
 
     /** Removes a sentence if it is still shown. */
     void removeNote(String sentence) {
-        if (note.getText().equals(sentence)) {
-            clearNote();
-        }
+        note.remove(sentence);
     }
 
     /** Shows a sentence for as long as it takes to read. */
@@ -179,16 +150,12 @@ final class StatusBar extends JPanel {
 
     /** Shows a sentence for as long as it takes to read, and no longer than it holds in the world that is shown. */
     void showNote(String sentence, Predicate<Snapshot> holds) {
-        noteNanos = nanoTime.getAsLong();
-        noteHolds = holds;
-        note.setText(sentence);
-        note.setToolTipText(sentence);
-        noteMillis = Math.max(MIN_NOTE_MILLIS, NOTE_MILLIS_PER_CHARACTER * sentence.length());
+        note.show(sentence, holds);
     }
 
     /** Returns whether a note is shown that will be removed. */
     boolean isNoteShown() {
-        return noteMillis > 0;
+        return note.isPresent();
     }
 
     /** Removes what belongs to the previous session. */
