@@ -20,14 +20,11 @@ import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JDialog;
-import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
-import javax.swing.JProgressBar;
 import javax.swing.JTabbedPane;
 import javax.swing.Timer;
 
@@ -39,18 +36,13 @@ final class BatchDialog extends JDialog {
 
     private static final Dimension SIZE = new Dimension(1080, 580);
     private static final int POLL_MILLIS = 200;
-    private static final int PROGRESS_STEPS = 1000;
 
     private final transient Scenario scenario;
 
     private final transient BatchActions actions;
     private final BatchForm form;
     private final JTabbedPane tabs = new JTabbedPane();
-    private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
-    private final JLabel status = new JLabel(" ");
-    /** Returns the status in the current language. */
-    private transient Supplier<String> statusText = () -> " ";
-
+    private final BatchProgressPanel progress = new BatchProgressPanel();
     private final JButton start = button("batch.start", this::start);
     private final JButton cancel = button("batch.cancel", this::cancel);
     private final JButton savePlan = button("batch.savePlan", this::savePlan);
@@ -108,11 +100,6 @@ final class BatchDialog extends JDialog {
         getRootPane().setDefaultButton(start);
     }
 
-    private void showStatus(Supplier<String> text) {
-        statusText = text;
-        status.setText(text.get());
-    }
-
     private static JButton button(String key, Runnable action) {
         JButton button = UiText.button(key);
         button.addActionListener(event -> action.run());
@@ -120,10 +107,6 @@ final class BatchDialog extends JDialog {
     }
 
     private JPanel createFooter() {
-        JPanel progress = new JPanel(new BorderLayout(12, 0));
-        UiText.name(progressBar, "batch.progress");
-        progress.add(progressBar, BorderLayout.CENTER);
-        progress.add(RefreshSteps.add(status, label -> label.setText(statusText.get())), BorderLayout.SOUTH);
         JPanel buttons = new WrappedRow();
         List.of(start, cancel, savePlan, saveResults, close).forEach(buttons::add);
         JPanel footer = new JPanel(new BorderLayout(0, 4));
@@ -175,8 +158,8 @@ final class BatchDialog extends JDialog {
             run = started;
             saved = true;
             setRunning(true);
-            showStatus(() -> Messages.get("batch.checking"));
-            progressBar.setIndeterminate(true);
+            progress.showStatus(() -> Messages.get("batch.checking"));
+            progress.begin();
             poll.start();
             BackgroundTasks.runBeforeExit(
                     started::make, result -> ended(started, result), failure -> failed(started, failure));
@@ -186,7 +169,7 @@ final class BatchDialog extends JDialog {
     private void cancel() {
         if (running) {
             run.progress().cancel();
-            showStatus(() -> Messages.get("batch.cancelling"));
+            progress.showStatus(() -> Messages.get("batch.cancelling"));
         }
     }
 
@@ -198,7 +181,7 @@ final class BatchDialog extends JDialog {
         }
         update();
         stopProgress();
-        showStatus(() -> Messages.get(
+        progress.showStatus(() -> Messages.get(
                 result.isComplete() ? "batch.done" : "batch.cancelled",
                 Long.toString(result.made()),
                 Long.toString(result.runs()),
@@ -213,13 +196,13 @@ final class BatchDialog extends JDialog {
             return;
         }
         stopProgress();
-        showStatus(() -> " ");
+        progress.showStatus(() -> " ");
         showFailure(failure);
     }
 
     private void stopProgress() {
         poll.stop();
-        progressBar.setIndeterminate(false);
+        progress.end();
         setRunning(false);
     }
 
@@ -237,25 +220,8 @@ final class BatchDialog extends JDialog {
             }
             saved = saved && results.size() == before;
             resultTabs.update(before, run.cells());
-            showProgress(run.completion());
+            progress.show(run.completion(), run.progress().isActive());
         }
-    }
-
-    private void showProgress(BatchRun.Completion completion) {
-        progressBar.setIndeterminate(false);
-        progressBar.setValue((int) (PROGRESS_STEPS * completion.made() / Math.max(1, completion.runs())));
-        if (run.progress().isActive()) {
-            showStatus(() -> progressText(completion));
-        }
-    }
-
-    /** Returns how many runs have been made, and the time for the others unless it is not known yet. */
-    static String progressText(BatchRun.Completion completion) {
-        String made = Long.toString(completion.made());
-        String runs = Long.toString(completion.runs());
-        return Double.isNaN(completion.secondsLeft())
-                ? Messages.get("batch.begun", made, runs)
-                : Messages.get("batch.status", made, runs, DurationText.text(completion.secondsLeft()));
     }
 
     /** Opens a run in the window. */
@@ -307,7 +273,7 @@ final class BatchDialog extends JDialog {
                 () -> {
                     endWriting(source);
                     onWritten.run();
-                    showStatus(() -> Messages.get("saved", String.valueOf(target.getFileName())));
+                    progress.showStatus(() -> Messages.get("saved", String.valueOf(target.getFileName())));
                 },
                 failure -> {
                     endWriting(source);

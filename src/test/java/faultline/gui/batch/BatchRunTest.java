@@ -92,8 +92,8 @@ class BatchRunTest {
         assertEquals(16, new BatchRun.Completion(2, 10, 4).secondsLeft());
         assertEquals(0, new BatchRun.Completion(10, 10, 4).secondsLeft());
         assertTrue(Double.isNaN(new BatchRun.Completion(0, 10, 4).secondsLeft()));
-        assertEquals("2 of 10 runs, 16 s left", BatchDialog.progressText(new BatchRun.Completion(2, 10, 4)));
-        assertEquals("0 of 10 runs", BatchDialog.progressText(new BatchRun.Completion(0, 10, 4)));
+        assertEquals("2 of 10 runs, 16 s left", BatchProgressPanel.progressText(new BatchRun.Completion(2, 10, 4)));
+        assertEquals("0 of 10 runs", BatchProgressPanel.progressText(new BatchRun.Completion(0, 10, 4)));
     }
 
     private static List<List<String>> labels(List<BatchPlan.FaultValues> faults, List<String> sensors)

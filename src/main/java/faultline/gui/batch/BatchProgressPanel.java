@@ -1,0 +1,62 @@
+package faultline.gui.batch;
+
+import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
+import java.awt.BorderLayout;
+import java.util.function.Supplier;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+
+/** Shows how much of a batch has been made, and a sentence about it. */
+final class BatchProgressPanel extends JPanel {
+
+    private static final int STEPS = 1000;
+
+    private final JProgressBar bar = new JProgressBar(0, STEPS);
+    private final JLabel status = new JLabel(" ");
+    /** Returns the status in the current language. */
+    private transient Supplier<String> statusText = () -> " ";
+
+    BatchProgressPanel() {
+        super(new BorderLayout(12, 0));
+        UiText.name(bar, "batch.progress");
+        add(bar, BorderLayout.CENTER);
+        add(RefreshSteps.add(status, label -> label.setText(statusText.get())), BorderLayout.SOUTH);
+    }
+
+    /** Shows a sentence, given what returns it in the current language. */
+    void showStatus(Supplier<String> text) {
+        statusText = text;
+        status.setText(text.get());
+    }
+
+    /** Shows that work of unknown length has begun. */
+    void begin() {
+        bar.setIndeterminate(true);
+    }
+
+    /** Shows that no work is being done. */
+    void end() {
+        bar.setIndeterminate(false);
+    }
+
+    /** Shows how many runs have been made; in words, too, if others are being made. */
+    void show(BatchRun.Completion completion, boolean active) {
+        bar.setIndeterminate(false);
+        bar.setValue((int) (STEPS * completion.made() / Math.max(1, completion.runs())));
+        if (active) {
+            showStatus(() -> progressText(completion));
+        }
+    }
+
+    /** Returns how many runs have been made, and the time for the others unless it is not known yet. */
+    static String progressText(BatchRun.Completion completion) {
+        String made = Long.toString(completion.made());
+        String runs = Long.toString(completion.runs());
+        return Double.isNaN(completion.secondsLeft())
+                ? Messages.get("batch.begun", made, runs)
+                : Messages.get("batch.status", made, runs, DurationText.text(completion.secondsLeft()));
+    }
+}
