@@ -1,6 +1,7 @@
 package faultline.gui.document;
 
 import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
@@ -138,7 +139,7 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     @Override
-    public void scenarioRestarted() {
+    public void scenarioRestarted(SimulationSetup before) {
         scenarioOpened();
     }
 

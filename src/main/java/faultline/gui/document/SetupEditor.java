@@ -19,7 +19,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.function.Consumer;
-import java.util.function.Function;
 
 /**
  * Applies executed commands to a setup. Changes of obstacles, of the platform, of the controller and of the sensors'
@@ -33,9 +32,6 @@ import java.util.function.Function;
 final class SetupEditor {
 
     private static final Consumer<SetupEditor> NOTHING = editor -> {};
-
-    private static final CommandCases<Boolean> IS_TIMED =
-            CommandCases.ofSetup(timed -> true, other(), other(), other(), other(), other(), other());
 
     /** The setup before the commands, with the hidden commands in its timeline. */
     private final SimulationSetup base;
@@ -160,7 +156,7 @@ final class SetupEditor {
     List<TimedCommand> timeline() {
         List<CommandResult> timed = new ArrayList<>();
         for (CommandResult entry : entries) {
-            if (!entry.command().match(IS_TIMED)) {
+            if (!TimelineEvents.isEvent(entry.command())) {
                 continue;
             }
             Optional<CommandResult> cancelled = timed.stream()
@@ -230,10 +226,6 @@ final class SetupEditor {
                 .toList();
     }
 
-    private static <C> Function<C, Boolean> other() {
-        return command -> false;
-    }
-
     private static boolean cancels(Command command, Command earlier) {
         if (command instanceof Command.SwitchSensor now && earlier instanceof Command.SwitchSensor before) {
             return now.sensor().equals(before.sensor()) && now.on() != before.on();
@@ -273,7 +265,7 @@ final class SetupEditor {
      * before that one.
      */
     private boolean apply(CommandResult result) {
-        if (result.command().match(IS_TIMED)) {
+        if (TimelineEvents.isEvent(result.command())) {
             return false;
         }
         Consumer<SetupEditor> reversal = reversal(result);

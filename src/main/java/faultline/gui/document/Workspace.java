@@ -132,20 +132,21 @@ public final class Workspace implements AutoCloseable {
             // The scenario may have been saved to another file in the meantime.
             document().ifPresent(made.document()::continueFrom);
         }
+        Optional<SimulationSetup> before = document().map(old -> old.initial().setup());
         closeSession();
         open = made;
-        fireStarted(ended.kind());
+        fireStarted(ended.kind(), before);
         fire(WorkspaceListener::sessionStarted);
         fire(WorkspaceListener::titleChanged);
         finishTask();
         return true;
     }
 
-    private void fireStarted(TaskKind kind) {
+    private void fireStarted(TaskKind kind, Optional<SimulationSetup> before) {
         if (kind == TaskKind.OPEN) {
             fire(WorkspaceListener::scenarioOpened);
         } else if (kind == TaskKind.RESTART) {
-            fire(WorkspaceListener::scenarioRestarted);
+            before.ifPresent(setup -> fire(listener -> listener.scenarioRestarted(setup)));
         } else {
             long tick = open.session().frame().snapshot().tick();
             open.document().runRepositioned(tick);

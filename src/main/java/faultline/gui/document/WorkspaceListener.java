@@ -1,5 +1,6 @@
 package faultline.gui.document;
 
+import faultline.engine.SimulationSetup;
 import java.nio.file.Path;
 
 /** Receives events of a workspace, on the event dispatch thread. */
@@ -8,8 +9,10 @@ public interface WorkspaceListener {
     /** Another scenario has been opened. Followed by {@link #sessionStarted}. */
     default void scenarioOpened() {}
 
-    /** The edited scenario has been restarted. Followed by {@link #sessionStarted}. */
-    default void scenarioRestarted() {}
+    /**
+     * The edited scenario has been restarted, given the setup of the run before. Followed by {@link #sessionStarted}.
+     */
+    default void scenarioRestarted(SimulationSetup before) {}
 
     /**
      * The run has been moved to the end of another tick; later edits are still ahead. Followed by

@@ -1,5 +1,7 @@
 package faultline.gui.edit;
 
+import faultline.engine.Journal;
+import faultline.gui.document.TimelineEvents;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
@@ -45,6 +47,18 @@ final class CommandEdit implements Edit {
     /** Returns whether an executed command changed nothing. */
     static boolean isNoOp(CommandResult result) {
         return result.inverse().equals(List.of(result.command()));
+    }
+
+    /** Returns whether all commands belong to a time of the run. */
+    boolean hasOnlyEvents() {
+        return results.values().stream().map(CommandResult::command).allMatch(TimelineEvents::isEvent);
+    }
+
+    /** Returns the commands with the ticks at which they were executed. */
+    List<Journal.Entry> executed() {
+        return results.values().stream()
+                .map(result -> new Journal.Entry(result.tick(), result.command()))
+                .toList();
     }
 
     /** Returns whether the edit is undone only because the run stands at an earlier tick. */

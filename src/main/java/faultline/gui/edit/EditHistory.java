@@ -1,8 +1,11 @@
 package faultline.gui.edit;
 
+import faultline.engine.Journal;
+import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 
 /**
  * The edits, and a cursor between those that are done and those that are undone. A new edit drops the undone ones, but
@@ -133,15 +136,36 @@ final class EditHistory {
         return passed != before;
     }
 
-    /** Includes all edits in a restarted run, also those that were ahead, without their ticks. */
-    void restart() {
+    /**
+     * Includes all edits in a restarted run, also those that were ahead, without their ticks. Edits of events that are
+     * done are replaced, given what was executed when they were done, undone and redone.
+     */
+    void restart(BiFunction<CommandEdit, List<Journal.Entry>, SetupEdit> replacement) {
         advanceTo(Long.MAX_VALUE);
+        for (int i = 0; i < cursor; i++) {
+            if (edits.get(i) instanceof CommandEdit edit && edit.hasOnlyEvents()) {
+                edits.set(i, replacement.apply(edit, executed(edit)));
+            }
+        }
+        forgetChanges();
+    }
+
+    private List<Journal.Entry> executed(CommandEdit edit) {
+        List<Journal.Entry> executed = new ArrayList<>(edit.executed());
+        changes.stream().filter(change -> change.edit() == edit).skip(1).forEach(change -> {
+            List<Command> commands = change.done() ? edit.redoCommands() : edit.undoCommands();
+            commands.forEach(command -> executed.add(new Journal.Entry(change.tick(), command)));
+        });
+        return executed;
+    }
+
+    private void forgetChanges() {
         changes.clear();
         passed = 0;
     }
 
     void clear() {
-        restart();
+        forgetChanges();
         edits.clear();
         cursor = 0;
     }

@@ -1,5 +1,6 @@
 package faultline.gui.edit;
 
+import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.gui.document.RunController;
 import faultline.gui.text.Messages;
@@ -35,9 +36,10 @@ public final class ScenarioEditor {
         run.change(change);
     }
 
-    /** Moves the robot's start, which restarts the run. */
-    public void moveStart(Pose before, Pose after) {
-        undo.runRestarted();
+    /** Moves the robot's start, which restarts the run, given the setup of the run. */
+    public void moveStart(SimulationSetup setup, Pose after) {
+        Pose before = setup.start();
+        undo.runRestarted(setup, run::change);
         undo.addSetupEdit(
                 () -> Messages.get("edit.start"), after, () -> run.restartAt(before), () -> run.restartAt(after));
         run.restartAt(after);

@@ -1,5 +1,9 @@
 package faultline.gui.edit;
 
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.document.TimelineEvents;
+import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
@@ -14,6 +18,7 @@ import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 
 /**
  * Sends the user's commands to the run and records the results as edits that can be undone and redone. Undo and redo
@@ -26,6 +31,9 @@ public final class UndoController {
 
     /** The kind of the targets of setup edits. */
     private static final String SETUP = "setup";
+
+    /** The gesture of edits that are not merged with others. */
+    private static final int NO_GESTURE = -1;
 
     private static final Set<Refusal.Reason> MISSING = EnumSet.of(
             Refusal.Reason.UNKNOWN_OBSTACLE,
@@ -219,10 +227,25 @@ public final class UndoController {
         }
     }
 
-    /** Follows a restart: all edits are part of the run from its start. */
-    public void runRestarted() {
+    /**
+     * Follows a restart: all edits are part of the run from its start. Events, such as faults, are on the timeline of
+     * the scenario now, where they are undone.
+     *
+     * @param before the setup of the run before
+     * @param scenarioChange changes the scenario
+     */
+    public void runRestarted(SimulationSetup before, Consumer<UnaryOperator<Scenario>> scenarioChange) {
         endEdit();
-        history.restart();
+        history.restart((edit, executed) -> {
+            List<TimedCommand> events = executed.stream()
+                    .map(entry -> new TimedCommand(before.timeOf(entry.tick()), entry.command()))
+                    .toList();
+            return new SetupEdit(
+                    edit::name,
+                    NO_GESTURE,
+                    () -> scenarioChange.accept(now -> TimelineEvents.without(now, events)),
+                    () -> scenarioChange.accept(now -> TimelineEvents.with(now, events)));
+        });
         onStateChange.run();
     }
 

@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.engine.SimulationSetup;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
@@ -231,7 +232,7 @@ public final class MainWindow extends JFrame {
         canvas.tools().setReservedIds(workspace::obstacleIds);
         canvas.tools().listeners().addStartListener(pose -> workspace
                 .scenario()
-                .ifPresent(open -> scenarioEditor.moveStart(open.setup().start(), pose)));
+                .ifPresent(open -> scenarioEditor.moveStart(open.setup(), pose)));
     }
 
     private void addFault(String sensor) {
@@ -369,8 +370,8 @@ public final class MainWindow extends JFrame {
         }
 
         @Override
-        public void scenarioRestarted() {
-            undoController.runRestarted();
+        public void scenarioRestarted(SimulationSetup before) {
+            undoController.runRestarted(before, runController::change);
         }
 
         @Override

@@ -62,7 +62,7 @@ class RunNavigatorTest {
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
             edits = new UndoController(run::send, () -> {});
-            workspace.addListener(new UndoForwarder(edits));
+            workspace.addListener(new UndoForwarder(run, edits));
             edits.setForkListener(forks::add);
             edits.setUndoListener(undone::add);
             documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));

@@ -56,7 +56,7 @@ class SetupChangeTest {
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
             edits = StoppedClock.undoController(run::send);
-            workspace.addListener(new UndoForwarder(edits));
+            workspace.addListener(new UndoForwarder(run, edits));
             workspace.addListener(new WorkspaceListener() {
                 @Override
                 public void setupChangeDeferred() {

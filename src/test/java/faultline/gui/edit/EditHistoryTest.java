@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.engine.Journal;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
@@ -174,10 +175,16 @@ class EditHistoryTest {
         execute(10, "front");
         CommandEdit second = execute(20, "left");
         history.moveTo(5);
-        history.restart();
-        assertDoneAndUndone(second, null);
+        List<List<Long>> ticks = new ArrayList<>();
+        history.restart((edit, executed) -> {
+            ticks.add(executed.stream().map(Journal.Entry::tick).toList());
+            return edit(ticks.size());
+        });
+        assertEquals(List.of(List.of(10L), List.of(20L)), ticks);
+        assertEquals("edit 2", history.nextUndo().orElseThrow().name());
+        assertTrue(history.nextRedo().isEmpty());
         assertFalse(history.moveTo(0));
-        assertDoneAndUndone(second, null);
+        assertEquals("edit 2", history.nextUndo().orElseThrow().name());
         assertEquals(0, history.firstTick(second));
         history.clear();
         assertDoneAndUndone(null, null);

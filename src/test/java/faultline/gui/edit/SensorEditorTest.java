@@ -66,7 +66,7 @@ class SensorEditorTest {
             documentStore = new DocumentStore(workspace);
             edits = StoppedClock.undoController(run::send);
             sensors = new SensorEditor(workspace, new ScenarioEditor(run, edits), notes::add);
-            workspace.addListener(new UndoForwarder(edits));
+            workspace.addListener(new UndoForwarder(run, edits));
             workspace.addListener(new WorkspaceListener() {
                 @Override
                 public void journalSaved(Path file) {

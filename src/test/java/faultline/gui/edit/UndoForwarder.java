@@ -1,5 +1,7 @@
 package faultline.gui.edit;
 
+import faultline.engine.SimulationSetup;
+import faultline.gui.document.RunController;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.WorkspaceListener;
 import java.nio.file.Path;
@@ -7,9 +9,11 @@ import java.nio.file.Path;
 /** Tells a history of edits what becomes of the run, as the window does. A task that fails is an error. */
 public final class UndoForwarder implements WorkspaceListener {
 
+    private final RunController run;
     private final UndoController undo;
 
-    public UndoForwarder(UndoController undo) {
+    public UndoForwarder(RunController run, UndoController undo) {
+        this.run = run;
         this.undo = undo;
     }
 
@@ -19,8 +23,8 @@ public final class UndoForwarder implements WorkspaceListener {
     }
 
     @Override
-    public void scenarioRestarted() {
-        undo.runRestarted();
+    public void scenarioRestarted(SimulationSetup before) {
+        undo.runRestarted(before, run::change);
     }
 
     @Override

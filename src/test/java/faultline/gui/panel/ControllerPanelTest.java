@@ -66,7 +66,7 @@ class ControllerPanelTest {
             run = new RunController(workspace);
             documents = new DocumentStore(workspace);
             undo = new UndoController(run::send, () -> {});
-            workspace.addListener(new UndoForwarder(undo));
+            workspace.addListener(new UndoForwarder(run, undo));
             panel = new ControllerPanel(undo, new ScenarioEditor(run, undo));
             documents.open(Path.of("scenarios/right-hand.xml"));
         });

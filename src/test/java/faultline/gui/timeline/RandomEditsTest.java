@@ -77,7 +77,7 @@ class RandomEditsTest {
             timeline = new TimelineEditor(workspace, run, undo);
             properties = new ScenarioEditor(run, undo);
             sensors = new SensorEditor(workspace, properties, note -> {});
-            workspace.addListener(new UndoForwarder(undo));
+            workspace.addListener(new UndoForwarder(run, undo));
         });
     }
 

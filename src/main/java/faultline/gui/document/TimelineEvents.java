@@ -1,0 +1,53 @@
+package faultline.gui.document;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.scenario.Scenario;
+import faultline.world.Command;
+import faultline.world.Command.CommandCases;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * The commands that belong to a time of the run: a sensor is switched, or a sensor or motor gets a fault or is
+ * repaired. Executed from outside, they are added to the timeline of the scenario.
+ */
+public final class TimelineEvents {
+
+    private static final CommandCases<Boolean> IS_EVENT =
+            CommandCases.ofSetup(event -> true, other(), other(), other(), other(), other(), other());
+
+    private TimelineEvents() {}
+
+    private static <C> Function<C, Boolean> other() {
+        return command -> false;
+    }
+
+    /** Returns whether a command belongs to a time of the run. */
+    public static boolean isEvent(Command command) {
+        return command.match(IS_EVENT);
+    }
+
+    /** Returns a scenario whose timeline lacks some events; of equal ones, it lacks the last. */
+    public static Scenario without(Scenario scenario, List<TimedCommand> events) {
+        List<TimedCommand> timeline = new ArrayList<>(scenario.setup().timeline());
+        for (TimedCommand event : events) {
+            int index = timeline.lastIndexOf(event);
+            if (index >= 0) {
+                timeline.remove(index);
+            }
+        }
+        return scenario.withSetup(scenario.setup().withTimeline(timeline));
+    }
+
+    /** Returns a scenario with more events at the end of its timeline, except for those of sensors that it lacks. */
+    public static Scenario with(Scenario scenario, List<TimedCommand> events) {
+        List<TimedCommand> timeline = new ArrayList<>(scenario.setup().timeline());
+        events.stream()
+                .filter(event -> SensorReference.in(event.command())
+                        .filter(id -> scenario.setup().robot().indexOf(id) < 0)
+                        .isEmpty())
+                .forEach(timeline::add);
+        return scenario.withSetup(scenario.setup().withTimeline(timeline));
+    }
+}

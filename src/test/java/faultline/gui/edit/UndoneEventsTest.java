@@ -1,0 +1,189 @@
+package faultline.gui.edit;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
+import faultline.gui.document.Workspace;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
+import faultline.scenario.Scenario;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** Faults and switches of a run, undone after a restart, when they are on the timeline. */
+@ExtendWith(EdtChecker.class)
+class UndoneEventsTest {
+
+    private static final Command FAULT = new Command.InjectFault("left", new Fault.Stuck(0.13));
+
+    private Workspace workspace;
+    private RunController run;
+    private UndoController edits;
+    private Scenario original;
+
+    @BeforeEach
+    void open() {
+        runOnEdt(() -> {
+            workspace = new Workspace();
+            run = new RunController(workspace);
+            edits = StoppedClock.undoController(run::send);
+            workspace.addListener(new UndoForwarder(run, edits));
+            new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
+        });
+        SessionFrames.awaitScenario(workspace);
+        original = scenario();
+        advance(10);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    private Scenario scenario() {
+        return callOnEdt(() -> workspace.scenario().orElseThrow());
+    }
+
+    private List<TimedCommand> timeline() {
+        return scenario().setup().timeline();
+    }
+
+    private void advance(int ticks) {
+        long end = SessionFrames.tick(workspace) + ticks;
+        for (int i = 0; i < ticks; i++) {
+            runOnEdt(run::step);
+        }
+        SessionFrames.awaitTick(workspace, end);
+        runOnEdt(() -> edits.runAdvanced(end));
+    }
+
+    private void send(Command command) {
+        runOnEdt(() -> {
+            edits.endEdit();
+            edits.send(command);
+        });
+        rest();
+    }
+
+    private void undo() {
+        runOnEdt(edits::undo);
+        rest();
+    }
+
+    private void redo() {
+        runOnEdt(edits::redo);
+        rest();
+    }
+
+    private void restart() {
+        runOnEdt(run::restart);
+        rest();
+    }
+
+    private void rest() {
+        Await.until(
+                "the end of the edit",
+                () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
+    }
+
+    @Test
+    void eventsAreUndoneBeforeTheirTimeInARestartedRun() {
+        List<Command> events = List.of(
+                FAULT,
+                new Command.SwitchSensor("front", false),
+                new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.Weak(0.5)));
+        for (Command event : events) {
+            send(event);
+            advance(5);
+        }
+        Scenario edited = scenario();
+        assertEquals(events, timeline().stream().map(TimedCommand::command).toList());
+        restart();
+        assertEquals(edited, scenario());
+        for (int left = 2; left >= 0; left--) {
+            undo();
+            assertEquals(edited.setup().timeline().subList(0, left), timeline());
+        }
+        assertEquals(original, scenario());
+        assertTrue(callOnEdt(edits::undoName).isEmpty());
+        for (int i = 0; i < 3; i++) {
+            redo();
+        }
+        assertEquals(edited, scenario());
+    }
+
+    /** The sensor is repaired at the present time in the first run, and has never been broken in the second one. */
+    @Test
+    void anEventThatIsUndoneAfterItsTimeIsNotOnTheTimelineAndTheRunIsSimulatedAgain() {
+        send(FAULT);
+        advance(5);
+        restart();
+        advance(30);
+        assertEquals(List.of(new Fault.Stuck(0.13)), faults());
+        long broken = SessionFrames.trajectoryHash(workspace);
+        undo();
+        SessionFrames.awaitTick(workspace, 30);
+        assertEquals(List.of(), faults());
+        assertEquals(original, scenario());
+        assertTrue(broken != SessionFrames.trajectoryHash(workspace));
+    }
+
+    private List<Fault> faults() {
+        return SessionFrames.frame(workspace).snapshot().sensors().stream()
+                .flatMap(sensor -> sensor.faults().stream())
+                .toList();
+    }
+
+    @Test
+    void whatUndoAndRedoHaveAddedIsRemovedToo() {
+        send(FAULT);
+        advance(5);
+        undo();
+        advance(5);
+        redo();
+        advance(5);
+        assertEquals(3, timeline().size());
+        restart();
+        undo();
+        assertEquals(original, scenario());
+    }
+
+    /** The times on the timeline are those of the run before. */
+    @Test
+    void anotherLengthOfTheTickChangesNoTime() {
+        send(FAULT);
+        advance(5);
+        runOnEdt(() -> run.change(now -> now.withSetup(now.setup().withTick(0.02))));
+        rest();
+        assertEquals(0.11, timeline().get(0).time());
+        undo();
+        assertEquals(original.setup().timeline(), timeline());
+    }
+
+    @Test
+    void anEventThatWasUndoneBeforeTheRestartIsRedoneAtThePresentTime() {
+        send(FAULT);
+        advance(5);
+        undo();
+        restart();
+        advance(2);
+        redo();
+        assertEquals(
+                List.of(0.11, 0.16, 0.03),
+                timeline().stream().map(TimedCommand::time).toList());
+    }
+}
