@@ -122,13 +122,14 @@ final class EditedObstacles {
     /** Returns what restores, after an edit at a tick, what is known of an obstacle now. */
     Consumer<EditedObstacles> reversal(long tick, String id) {
         Origin origin = origins.at(tick, id);
-        Optional<Obstacle> before = Optional.ofNullable(obstacles.get(origin));
+        Obstacle before = obstacles.get(origin);
         boolean wasRemoved = removed.contains(origin);
         return edited -> edited.restore(origin, before, wasRemoved);
     }
 
-    private void restore(Origin origin, Optional<Obstacle> before, boolean wasRemoved) {
-        before.ifPresentOrElse(obstacle -> obstacles.put(origin, obstacle), () -> obstacles.remove(origin));
+    /** Restores what was known of an obstacle, null if nothing was. */
+    private void restore(Origin origin, Obstacle before, boolean wasRemoved) {
+        obstacles.compute(origin, (same, now) -> before);
         if (wasRemoved) {
             removed.add(origin);
         } else {

@@ -132,7 +132,7 @@ public final class Workspace implements AutoCloseable {
             // The scenario may have been saved to another file in the meantime.
             document().ifPresent(made.document()::continueFrom);
         }
-        Optional<SimulationSetup> before = document().map(old -> old.initial().setup());
+        OpenDocument before = open;
         closeSession();
         open = made;
         fireStarted(ended.kind(), before);
@@ -142,11 +142,12 @@ public final class Workspace implements AutoCloseable {
         return true;
     }
 
-    private void fireStarted(TaskKind kind, Optional<SimulationSetup> before) {
+    private void fireStarted(TaskKind kind, OpenDocument before) {
         if (kind == TaskKind.OPEN) {
             fire(WorkspaceListener::scenarioOpened);
         } else if (kind == TaskKind.RESTART) {
-            before.ifPresent(setup -> fire(listener -> listener.scenarioRestarted(setup)));
+            SimulationSetup setup = before.document().initial().setup();
+            fire(listener -> listener.scenarioRestarted(setup));
         } else {
             long tick = open.session().frame().snapshot().tick();
             open.document().runRepositioned(tick);
