@@ -21,6 +21,11 @@ public sealed interface CommandResult {
     /** {@return the reason for a refusal; empty for an executed command} */
     Optional<Refusal> refusal();
 
+    /** {@return whether the command was executed and has changed nothing, such as a switch to the present state} */
+    default boolean isNoOp() {
+        return inverse().equals(List.of(command()));
+    }
+
     /**
      * The command was executed.
      *

@@ -275,6 +275,19 @@ class WorldCommandsTest {
     }
 
     @Test
+    void aCommandThatChangesNothingSaysSo() {
+        for (Command command : List.of(
+                new Command.SwitchSensor("front", false),
+                new Command.SetPlatform(0.2, 0.1, 0.2),
+                new Command.MoveObstacle("desk", new Pose(1, 3, 0)))) {
+            assertFalse(world.execute(command).isNoOp(), command.toString());
+            assertTrue(world.execute(command).isNoOp(), command.toString());
+        }
+        assertTrue(world.execute(new Command.ClearFaults("front")).isNoOp());
+        assertFalse(world.execute(new Command.SwitchSensor("nose", false)).isNoOp(), "refused");
+    }
+
+    @Test
     void refusedCommandsHaveNoInverse() {
         assertEquals(List.of(), inverse(new Command.MoveObstacle("sofa", new Pose(1, 3, 0))));
         assertEquals(List.of(), inverse(new Command.RemoveObstacle("sofa")));

@@ -150,13 +150,13 @@ final class SetupEditor {
     }
 
     /**
-     * Returns the timeline with the commands that belong to a time. Two commands of one tick that cancel each other are
-     * omitted, and so are the hidden commands.
+     * Returns the timeline with the commands that belong to a time. Commands that changed nothing are omitted, two of
+     * one tick that cancel each other, and the hidden commands.
      */
     List<TimedCommand> timeline() {
         List<CommandResult> timed = new ArrayList<>();
         for (CommandResult entry : entries) {
-            if (!TimelineEvents.isEvent(entry.command())) {
+            if (entry.isNoOp() || !TimelineEvents.isEvent(entry.command())) {
                 continue;
             }
             Optional<CommandResult> cancelled = timed.stream()

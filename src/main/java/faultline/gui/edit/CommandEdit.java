@@ -41,12 +41,7 @@ final class CommandEdit implements Edit {
 
     /** Returns whether the edit restores what it changed, such as a cancelled drag. */
     boolean isNoOp() {
-        return results.values().stream().allMatch(CommandEdit::isNoOp);
-    }
-
-    /** Returns whether an executed command changed nothing. */
-    static boolean isNoOp(CommandResult result) {
-        return result.inverse().equals(List.of(result.command()));
+        return results.values().stream().allMatch(CommandResult::isNoOp);
     }
 
     /** Returns whether all commands belong to a time of the run. */

@@ -130,7 +130,7 @@ public final class UndoController {
     private void recordEdit(int sentAs, List<CommandResult> results) {
         checkFork(results);
         List<CommandResult> effective = results.stream()
-                .filter(result -> result.refusal().isEmpty() && !CommandEdit.isNoOp(result))
+                .filter(result -> result.refusal().isEmpty() && !result.isNoOp())
                 .toList();
         if (!effective.isEmpty()) {
             CommandEdit edit = new CommandEdit(sentAs, effective);

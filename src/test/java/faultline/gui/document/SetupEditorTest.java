@@ -118,6 +118,16 @@ class SetupEditorTest {
                         new Command.SwitchSensor("left", true)));
     }
 
+    /** The sensor was switched off before, by the timeline or by another command. */
+    @Test
+    void aSwitchToThePresentStateIsNotAddedToTheTimeline() {
+        SetupEditor editor = new SetupEditor(BASE);
+        Command off = new Command.SwitchSensor("left", false);
+        editor.add(new CommandResult.Executed(10, off, List.of(off)));
+        assertEquals(BASE, editor.setup());
+        assertEquals(1, editor.entries().size());
+    }
+
     @Test
     void aRepairAtALaterTimeStaysOnTheTimeline() {
         SetupEditor editor = new SetupEditor(BASE);

@@ -34,6 +34,7 @@ import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.SensorSnapshot;
 import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.nio.file.Path;
@@ -115,10 +116,7 @@ class RandomEditsTest {
         }
     }
 
-    /**
-     * The robot stands still and anything may move, so no command is refused. Switches and faults would stay on the
-     * timeline, with what ends them.
-     */
+    /** The robot stands still and anything may move, so no command is refused. */
     @ParameterizedTest
     @MethodSource("seeds")
     void undoingEverythingRestoresTheScenario(int seed) throws ScenarioException {
@@ -135,11 +133,60 @@ class RandomEditsTest {
             runOnEdt(() -> edits.add(setupEdit(random)));
             awaitRest();
         }
+        undoAll();
+        assertEquals(before, callOnEdt(() -> workspace.scenario().orElseThrow()), "seed " + seed + ": " + edits);
+    }
+
+    private void undoAll() {
         for (int i = 0; i < 2 * EDITS && callOnEdt(undo::undoName).isPresent(); i++) {
             runOnEdt(undo::undo);
             awaitRest();
         }
+    }
+
+    /** Without a restart, what is undone stays on the timeline, with what ends it. */
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void undoingFaultsAndSwitchesAfterARestartRestoresTheScenario(int seed) {
+        Path file = Path.of("scenarios", SCENARIOS.get(seed % SCENARIOS.size()) + ".xml");
+        runOnEdt(() -> new DocumentStore(workspace).open(file));
+        SessionFrames.awaitScenario(workspace);
+        Scenario before = callOnEdt(() -> workspace.scenario().orElseThrow());
+        Random random = new Random(seed);
+        List<String> edits = new ArrayList<>();
+        for (int i = 0; i < EDITS; i++) {
+            runOnEdt(() -> edits.add(event(random)));
+            awaitRest();
+        }
+        runOnEdt(run::restart);
+        awaitRest();
+        undoAll();
         assertEquals(before, callOnEdt(() -> workspace.scenario().orElseThrow()), "seed " + seed + ": " + edits);
+    }
+
+    private String event(Random random) {
+        SessionFrame frame = SessionFrames.frame(workspace);
+        long tick = frame.snapshot().tick();
+        undo.endEdit();
+        switch (random.nextInt(9)) {
+            case 0 -> run.restart();
+            case 1, 2, 3 -> step(tick, random.nextInt(MAX_STEPS));
+            case 4 -> editProperties(random);
+            case 5 -> timeline.add(TimelineItem.from(command(frame, random), random.nextInt(60)), null);
+            default -> {
+                List<SensorSnapshot> sensors = frame.snapshot().sensors();
+                SensorSnapshot sensor = sensors.get(random.nextInt(sensors.size()));
+                String id = sensor.spec().id();
+                Command event = random.nextBoolean()
+                        ? new Command.SwitchSensor(id, !sensor.spec().on())
+                        : sensor.faults().isEmpty()
+                                ? new Command.InjectFault(id, new Fault.Stuck(random.nextInt(5) / 10.0))
+                                : new Command.ClearFaults(id);
+                undo.send(event);
+                return tick + ": " + event;
+            }
+        }
+        return "tick " + tick;
     }
 
     private String setupEdit(Random random) {
