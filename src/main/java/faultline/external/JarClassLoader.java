@@ -8,7 +8,7 @@ import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLConnection;
 import java.net.URLStreamHandler;
-import java.nio.file.Files;
+import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.CodeSigner;
@@ -40,34 +40,38 @@ final class JarClassLoader extends ClassLoader {
     private final Map<String, List<Content>> contents = new HashMap<>();
 
     /**
-     * Reads jars, and those that their manifests name as their class path.
+     * Reads jars, and the readable ones that their manifests name as their class path.
      *
      * @param jars the jar files, in the order in which they are searched
      * @param parent the class loader that is asked first
-     * @throws ControllerStartException if a jar cannot be read
+     * @throws ControllerStartException if one of these jars cannot be read
      */
     JarClassLoader(List<Path> jars, ClassLoader parent) {
         super(parent);
         Set<Path> known = new HashSet<>();
-        jars.forEach(jar -> readWithClassPath(jar.toAbsolutePath().normalize(), known));
+        for (Path jar : jars) {
+            try {
+                readWithClassPath(jar.toAbsolutePath().normalize(), known);
+            } catch (NoSuchFileException missing) {
+                throw new ControllerStartException(ControllerProblem.NO_JAR.with(jar), missing);
+            } catch (IOException | UncheckedIOException | SecurityException broken) {
+                throw new ControllerStartException(
+                        ControllerProblem.JAR_UNREADABLE.with(jar, String.valueOf(broken.getMessage())), broken);
+            }
+        }
     }
 
-    private void readWithClassPath(Path jar, Set<Path> known) {
-        if (!known.add(jar)) {
-            return;
-        }
-        try {
+    private void readWithClassPath(Path jar, Set<Path> known) throws IOException {
+        if (known.add(jar)) {
             for (String place : read(jar)) {
-                Path other = Path.of(jar.toUri().resolve(place));
-                if (Files.isRegularFile(other)) {
-                    readWithClassPath(other.normalize(), known);
+                try {
+                    readWithClassPath(Path.of(jar.toUri().resolve(place)).normalize(), known);
+                } catch (IOException | UncheckedIOException | SecurityException unreadable) {
+                    // A class path may name files that are not needed.
+                } catch (IllegalArgumentException | FileSystemNotFoundException noPath) {
+                    // It may also name what is not a file.
                 }
             }
-        } catch (NoSuchFileException missing) {
-            throw new ControllerStartException(ControllerProblem.NO_JAR.with(jar), missing);
-        } catch (IOException | UncheckedIOException | IllegalArgumentException | SecurityException broken) {
-            throw new ControllerStartException(
-                    ControllerProblem.JAR_UNREADABLE.with(jar, String.valueOf(broken.getMessage())), broken);
         }
     }
 

@@ -92,7 +92,9 @@ class JarControllerSourceTest {
         jar("later.jar", new Manifest(), library);
         Manifest manifest = new Manifest();
         manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
-        manifest.getMainAttributes().put(Attributes.Name.CLASS_PATH, "missing.jar later.jar");
+        manifest.getMainAttributes()
+                .put(Attributes.Name.CLASS_PATH, "missing.jar no.txt C:\\\\x.jar %zz http://x/y.jar later.jar");
+        Files.writeString(folder.resolve("no.txt"), "no jar");
         Map<String, byte[]> files = Map.of(
                 SERVICE,
                 bytes("late.Late"),
