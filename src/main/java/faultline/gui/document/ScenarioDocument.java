@@ -66,8 +66,8 @@ final class ScenarioDocument {
     }
 
     /**
-     * Changes the edited scenario. The commands on its timeline that were executed from outside become part of its
-     * setup; the other ones stay commands of the run.
+     * Changes the edited scenario. Commands of the run stay commands of the run, except for events that the change
+     * removes from the timeline.
      */
     void change(UnaryOperator<Scenario> change) {
         Scenario base = initial.withSetup(initial.setup().withTimeline(editor.timeline()));

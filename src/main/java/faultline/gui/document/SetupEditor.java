@@ -11,8 +11,10 @@ import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -154,6 +156,17 @@ final class SetupEditor {
      * one tick that cancel each other, and the hidden commands.
      */
     List<TimedCommand> timeline() {
+        List<TimedCommand> result = new ArrayList<>(obstacles.timeline());
+        events().forEach(event -> result.add(timedCommand(event)));
+        return result;
+    }
+
+    private TimedCommand timedCommand(CommandResult event) {
+        return new TimedCommand(base.timeOf(event.tick()), event.command());
+    }
+
+    /** Returns the entries that are commands of the timeline. */
+    private List<CommandResult> events() {
         List<CommandResult> timed = new ArrayList<>();
         for (CommandResult entry : entries) {
             if (entry.isNoOp() || !TimelineEvents.isEvent(entry.command())) {
@@ -168,9 +181,7 @@ final class SetupEditor {
                 timed.add(entry);
             }
         }
-        List<TimedCommand> result = new ArrayList<>(obstacles.timeline());
-        timed.forEach(entry -> result.add(new TimedCommand(base.timeOf(entry.tick()), entry.command())));
-        return result;
+        return timed;
     }
 
     /** Returns the timeline before the executed commands, without what was hidden then. */
@@ -188,26 +199,38 @@ final class SetupEditor {
     }
 
     /**
-     * Returns an editor of another setup with the executed commands that do not belong to the timeline, except for
-     * those about sensors and obstacles that the other setup lacks, and what undoes or redoes these.
+     * Returns an editor of another setup with the executed commands, except for those about sensors and obstacles that
+     * the other setup lacks, what undoes or redoes these, and events that are not on its timeline.
      */
     SetupEditor rebased(SimulationSetup newSetup) {
-        SetupEditor result = new SetupEditor(
-                newSetup.withTimeline(obstacles.withoutEdits(newSetup.timeline())),
-                obstacles.hidden(),
-                baseObstacles,
-                baseReversals);
+        List<TimedCommand> timeline = new ArrayList<>(obstacles.withoutEdits(newSetup.timeline()));
+        Set<CommandResult> events = takeEvents(timeline);
+        SetupEditor result =
+                new SetupEditor(newSetup.withTimeline(timeline), obstacles.hidden(), baseObstacles, baseReversals);
         Set<Command> reversalsOfOmitted = new HashSet<>();
         for (int i = 0; i < entries.size(); i++) {
             CommandResult entry = entries.get(i);
             if (!result.hasSubjectOf(entry) || reversalsOfOmitted.remove(entry.command())) {
                 reversalsOfOmitted.addAll(entry.inverse());
-            } else if (result.apply(entry)) {
+            } else if (events.contains(entry) || result.apply(entry)) {
                 result.entries.add(entry);
                 result.position += i < position ? 1 : 0;
             }
         }
         return result;
+    }
+
+    /** Removes the events of the run from a timeline, and returns those that it contained. */
+    private Set<CommandResult> takeEvents(List<TimedCommand> timeline) {
+        Set<CommandResult> taken = Collections.newSetFromMap(new IdentityHashMap<>());
+        for (CommandResult event : events()) {
+            int index = timeline.lastIndexOf(timedCommand(event));
+            if (index >= 0) {
+                timeline.remove(index);
+                taken.add(event);
+            }
+        }
+        return taken;
     }
 
     private boolean hasSubjectOf(CommandResult entry) {

@@ -4,13 +4,16 @@ import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.RunController;
+import faultline.gui.document.TimelineEvents;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** Changes the timeline of the open scenario; every change can be undone. Event dispatch thread only. */
 public final class TimelineEditor {
@@ -116,15 +119,40 @@ public final class TimelineEditor {
             undo.addSetupEdit(
                     () -> Messages.get(key, TimelineText.title(item)),
                     change.target(),
-                    () -> restore(before, change.before()),
-                    () -> restore(after, change.after()));
+                    () -> restore(after, before, change.before()),
+                    () -> restore(before, after, change.after()));
             setTimeline(after);
         }
     }
 
-    private void restore(List<TimedCommand> commands, TimelineItem selected) {
-        setTimeline(commands);
+    /**
+     * Changes the timeline from one to another. Events that have been added or removed in between, because the run was
+     * moved to another tick, stay so.
+     */
+    private void restore(List<TimedCommand> from, List<TimedCommand> to, TimelineItem selected) {
+        List<TimedCommand> before = events(from);
+        List<TimedCommand> after = events(to);
+        List<TimedCommand> wanted =
+                joined(difference(events(model().commands()), difference(before, after)), difference(after, before));
+        setTimeline(joined(difference(to, difference(after, wanted)), difference(wanted, after)));
         restored = selected;
+    }
+
+    private static List<TimedCommand> events(List<TimedCommand> timeline) {
+        return timeline.stream()
+                .filter(timed -> TimelineEvents.isEvent(timed.command()))
+                .toList();
+    }
+
+    private static List<TimedCommand> joined(List<TimedCommand> first, List<TimedCommand> second) {
+        return Stream.concat(first.stream(), second.stream()).toList();
+    }
+
+    /** Returns the commands of a timeline that another one lacks. */
+    private static List<TimedCommand> difference(List<TimedCommand> timeline, List<TimedCommand> other) {
+        List<TimedCommand> difference = new ArrayList<>(timeline);
+        other.forEach(difference::remove);
+        return difference;
     }
 
     /** Returns, once, the item that the last undo or redo brought back; empty if there is none. */

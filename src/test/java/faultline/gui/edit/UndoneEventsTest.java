@@ -186,4 +186,26 @@ class UndoneEventsTest {
                 List.of(0.11, 0.16, 0.03),
                 timeline().stream().map(TimedCommand::time).toList());
     }
+
+    private void seek(long tick) {
+        runOnEdt(() -> run.navigator().seek(tick));
+        rest();
+        SessionFrames.awaitTick(workspace, tick);
+    }
+
+    /** A change of the setup does not make the fault part of it. */
+    @Test
+    void anEventAheadIsDroppedByACommandAlsoAfterAChangeOfTheSetup() {
+        send(FAULT);
+        advance(5);
+        seek(3);
+        runOnEdt(() -> run.change(now -> now.withSetup(now.setup().withSeed(7))));
+        rest();
+        assertEquals(List.of(0.11), timeline().stream().map(TimedCommand::time).toList());
+        Command off = new Command.SwitchSensor("front", false);
+        send(off);
+        assertEquals(List.of(new TimedCommand(0.04, off)), timeline());
+        advance(30);
+        assertEquals(List.of(), faults());
+    }
 }

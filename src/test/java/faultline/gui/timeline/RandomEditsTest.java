@@ -168,11 +168,12 @@ class RandomEditsTest {
         SessionFrame frame = SessionFrames.frame(workspace);
         long tick = frame.snapshot().tick();
         undo.endEdit();
-        switch (random.nextInt(9)) {
+        switch (random.nextInt(10)) {
             case 0 -> run.restart();
-            case 1, 2, 3 -> step(tick, random.nextInt(MAX_STEPS));
-            case 4 -> editProperties(random);
-            case 5 -> timeline.add(TimelineItem.from(command(frame, random), random.nextInt(60)), null);
+            case 1 -> run.navigator().seek(random.nextInt((int) tick + 1));
+            case 2, 3, 4 -> step(tick, random.nextInt(MAX_STEPS));
+            case 5 -> editProperties(random);
+            case 6 -> timeline.add(TimelineItem.from(command(frame, random), random.nextInt(60)), null);
             default -> {
                 List<SensorSnapshot> sensors = frame.snapshot().sensors();
                 SensorSnapshot sensor = sensors.get(random.nextInt(sensors.size()));

@@ -1,0 +1,96 @@
+package faultline.gui.timeline;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
+import faultline.gui.document.Workspace;
+import faultline.gui.edit.UndoController;
+import faultline.gui.edit.UndoForwarder;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** Edits of the timeline among commands of the run. */
+@ExtendWith(EdtChecker.class)
+class TimelineEditorTest {
+
+    private static final Command FAULT = new Command.InjectFault("left", new Fault.Stuck(0.13));
+    private static final TimedCommand SWITCH = new TimedCommand(5, new Command.SwitchSensor("right", false));
+
+    private Workspace workspace;
+    private RunController run;
+    private UndoController undo;
+    private TimelineEditor timeline;
+
+    @BeforeEach
+    void open() {
+        runOnEdt(() -> {
+            workspace = new Workspace();
+            run = new RunController(workspace);
+            undo = new UndoController(run::send, () -> {});
+            timeline = new TimelineEditor(workspace, run, undo);
+            workspace.addListener(new UndoForwarder(run, undo));
+            new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
+        });
+        SessionFrames.awaitScenario(workspace);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    private List<TimedCommand> commands() {
+        return callOnEdt(() -> timeline.model().commands());
+    }
+
+    private void advanceTo(long tick) {
+        for (long i = SessionFrames.tick(workspace); i < tick; i++) {
+            runOnEdt(run::step);
+        }
+        SessionFrames.awaitTick(workspace, tick);
+        runOnEdt(() -> undo.runAdvanced(tick));
+    }
+
+    private void edit(Runnable edit) {
+        runOnEdt(edit);
+        Await.until(
+                "the end of the edit",
+                () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
+    }
+
+    /** The switch is added while the run stands before the fault, which is done again when the run reaches it. */
+    @Test
+    void undoOfAnEditRestoresNoFaultThatHasBeenUndoneInBetween() {
+        advanceTo(20);
+        edit(() -> undo.send(FAULT));
+        TimedCommand fault = commands().get(0);
+        advanceTo(30);
+        edit(() -> run.navigator().seek(15));
+        SessionFrames.awaitTick(workspace, 15);
+        edit(() -> timeline.add(TimelineItem.from(SWITCH.command(), SWITCH.time()), null));
+        advanceTo(40);
+        edit(run::restart);
+        assertEquals(List.of(SWITCH, fault), commands());
+        edit(undo::undo);
+        assertEquals(List.of(SWITCH), commands());
+        edit(undo::undo);
+        assertEquals(List.of(), commands());
+        edit(undo::redo);
+        assertEquals(List.of(SWITCH), commands());
+        edit(undo::redo);
+        assertEquals(List.of(SWITCH, fault), commands());
+    }
+}
