@@ -23,8 +23,11 @@ import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
+import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Jars are read when a run starts, and may be replaced during the run. */
@@ -147,6 +150,26 @@ class JarControllerSourceTest {
                 "there is no jar " + jar,
                 assertThrows(ControllerStartException.class, () -> new Simulation(setup, ControllerMode.DIRECT))
                         .getMessage());
+    }
+
+    @Test
+    @EnabledOnOs(value = OS.LINUX, disabledReason = "the open files are listed in /proc")
+    void aJarIsNotOpenDuringItsRun() throws Exception {
+        Path jar = jar(RightTurner.class.getName());
+        try (Simulation run = new Simulation(setupWith(jar, "right-turner"), ControllerMode.DIRECT)) {
+            run.tick();
+            try (Stream<Path> open = Files.list(Path.of("/proc/self/fd"))) {
+                assertTrue(open.noneMatch(link -> leadsTo(link, jar)));
+            }
+        }
+    }
+
+    private static boolean leadsTo(Path link, Path file) {
+        try {
+            return Files.readSymbolicLink(link).equals(file);
+        } catch (IOException closed) {
+            return false;
+        }
     }
 
     @Test

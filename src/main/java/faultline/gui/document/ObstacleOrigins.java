@@ -9,10 +9,10 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.NavigableSet;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -23,7 +23,7 @@ import java.util.stream.Stream;
  */
 final class ObstacleOrigins {
 
-    private static final NavigableSet<ExecutionPoint> NONE = new TreeSet<>();
+    private static final NavigableMap<ExecutionPoint, Origin> NONE = new TreeMap<>();
 
     private static final CommandCases<Optional<String>> SUBJECT = CommandCases.ofSetup(
             empty(),
@@ -35,15 +35,16 @@ final class ObstacleOrigins {
             empty());
 
     /**
-     * The origin of an obstacle.
+     * The origin of an obstacle. It stays the same when commands about other obstacles are added or removed.
      *
      * @param id the id of the obstacle
-     * @param index the index of the command that places it, or {@link #START}
+     * @param placement the number of the command among those that place an obstacle of this id, in the order of
+     *     execution, from 1; {@link #START} if there is none
      */
-    record Origin(String id, int index) {
+    record Origin(String id, int placement) {
 
-        /** The index if the obstacle is there from the start. */
-        private static final int START = -1;
+        /** The number of placements if the obstacle is there from the start. */
+        private static final int START = 0;
 
         /** Returns the origin of an obstacle that is there from the start. */
         static Origin atStart(String id) {
@@ -51,7 +52,7 @@ final class ObstacleOrigins {
         }
 
         boolean isAtStart() {
-            return index == START;
+            return placement == START;
         }
     }
 
@@ -68,8 +69,8 @@ final class ObstacleOrigins {
     }
 
     private final SimulationSetup setup;
-    /** When obstacles are placed, by their ids. */
-    private final Map<String, NavigableSet<ExecutionPoint>> placements = new HashMap<>();
+    /** When obstacles are placed, and the origins that they have then, by their ids. */
+    private final Map<String, NavigableMap<ExecutionPoint, Origin>> placements = new HashMap<>();
 
     ObstacleOrigins(SimulationSetup setup) {
         this.setup = setup;
@@ -77,9 +78,18 @@ final class ObstacleOrigins {
         for (int i = 0; i < timeline.size(); i++) {
             if (timeline.get(i).command() instanceof Command.PlaceObstacle command) {
                 placements
-                        .computeIfAbsent(command.obstacle().id(), id -> new TreeSet<>())
-                        .add(execution(i));
+                        .computeIfAbsent(command.obstacle().id(), id -> new TreeMap<>())
+                        .put(execution(i), Origin.atStart(command.obstacle().id()));
             }
+        }
+        placements.values().forEach(ObstacleOrigins::count);
+    }
+
+    private static void count(NavigableMap<ExecutionPoint, Origin> placements) {
+        int placement = Origin.START;
+        for (Map.Entry<ExecutionPoint, Origin> entry : placements.entrySet()) {
+            placement++;
+            entry.setValue(new Origin(entry.getValue().id(), placement));
         }
     }
 
@@ -119,13 +129,12 @@ final class ObstacleOrigins {
 
     /** Returns all origins that the obstacles of an id may have. */
     Stream<Origin> all(String id) {
-        return Stream.concat(
-                Stream.of(Origin.atStart(id)),
-                placements.getOrDefault(id, NONE).stream().map(placement -> new Origin(id, placement.index())));
+        return Stream.concat(Stream.of(Origin.atStart(id)), placements.getOrDefault(id, NONE).values().stream());
     }
 
     private Origin last(ExecutionPoint until, String id) {
-        ExecutionPoint placement = placements.getOrDefault(id, NONE).floor(until);
-        return placement == null ? Origin.atStart(id) : new Origin(id, placement.index());
+        Map.Entry<ExecutionPoint, Origin> placement =
+                placements.getOrDefault(id, NONE).floorEntry(until);
+        return placement == null ? Origin.atStart(id) : placement.getValue();
     }
 }

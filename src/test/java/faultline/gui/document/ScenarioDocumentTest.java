@@ -155,6 +155,30 @@ class ScenarioDocumentTest {
         assertEquals(visitors, restarted.edited());
     }
 
+    /** The parcel is moved; then the run is restarted, and a command is added before that which places the parcel. */
+    @Test
+    void undoAfterARestartFindsAnObstacleWhoseCommandHasAnotherIndex() throws ScenarioException {
+        Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
+        ScenarioDocument document = new ScenarioDocument(null, visitors, visitors);
+        Command moveBack = new Command.MoveObstacle("parcel", new Pose(4, 2, 0));
+        document.commandsExecuted(List.of(new CommandResult.Executed(
+                2500, new Command.MoveObstacle("parcel", new Pose(1, 1, 0)), List.of(moveBack))));
+        ScenarioDocument restarted = new ScenarioDocument(null, null, document.edited());
+        restarted.continueFrom(document);
+        TimedCommand added = new TimedCommand(1, new Command.RemoveObstacle("visitor-1"));
+        restarted.change(open -> withTimeline(open, with(added, open.setup().timeline())));
+        restarted.commandsExecuted(List.of(executed(2600, moveBack)));
+        assertEquals(
+                with(added, visitors.setup().timeline()),
+                restarted.edited().setup().timeline());
+    }
+
+    private static List<TimedCommand> with(TimedCommand first, List<TimedCommand> others) {
+        List<TimedCommand> commands = new ArrayList<>(others);
+        commands.add(0, first);
+        return commands;
+    }
+
     @Test
     void commandsAboutAnObstacleThatIsNoLongerPlacedAreHidden() throws ScenarioException, IOException {
         Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
