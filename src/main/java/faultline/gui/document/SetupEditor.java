@@ -157,31 +157,12 @@ final class SetupEditor {
      */
     List<TimedCommand> timeline() {
         List<TimedCommand> result = new ArrayList<>(obstacles.timeline());
-        events().forEach(event -> result.add(timedCommand(event)));
+        TimelineEvents.in(entries).forEach(event -> result.add(timedCommand(event)));
         return result;
     }
 
     private TimedCommand timedCommand(CommandResult event) {
         return new TimedCommand(base.timeOf(event.tick()), event.command());
-    }
-
-    /** Returns the entries that are commands of the timeline. */
-    private List<CommandResult> events() {
-        List<CommandResult> timed = new ArrayList<>();
-        for (CommandResult entry : entries) {
-            if (entry.isNoOp() || !TimelineEvents.isEvent(entry.command())) {
-                continue;
-            }
-            Optional<CommandResult> cancelled = timed.stream()
-                    .filter(earlier -> earlier.tick() == entry.tick() && cancels(entry.command(), earlier.command()))
-                    .findFirst();
-            if (cancelled.isPresent()) {
-                timed.remove(cancelled.get());
-            } else {
-                timed.add(entry);
-            }
-        }
-        return timed;
     }
 
     /** Returns the timeline before the executed commands, without what was hidden then. */
@@ -223,7 +204,7 @@ final class SetupEditor {
     /** Removes the events of the run from a timeline, and returns those that it contained. */
     private Set<CommandResult> takeEvents(List<TimedCommand> timeline) {
         Set<CommandResult> taken = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (CommandResult event : events()) {
+        for (CommandResult event : TimelineEvents.in(entries)) {
             int index = timeline.lastIndexOf(timedCommand(event));
             if (index >= 0) {
                 timeline.remove(index);
@@ -247,16 +228,6 @@ final class SetupEditor {
         return entries.stream()
                 .map(result -> new Journal.Entry(result.tick(), result.command()))
                 .toList();
-    }
-
-    private static boolean cancels(Command command, Command earlier) {
-        if (command instanceof Command.SwitchSensor now && earlier instanceof Command.SwitchSensor before) {
-            return now.sensor().equals(before.sensor()) && now.on() != before.on();
-        }
-        return earlier instanceof Command.InjectFault inject
-                        && command.equals(new Command.ClearFault(inject.sensor(), inject.fault()))
-                || earlier instanceof Command.InjectMotorFault broken
-                        && command.equals(new Command.ClearMotorFault(broken.motor(), broken.fault()));
     }
 
     /** Reverts, one by one, the changes that obstruct the start pose. */
