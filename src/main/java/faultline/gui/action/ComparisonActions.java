@@ -22,6 +22,7 @@ public final class ComparisonActions {
 
     private final ComparisonController controller;
     private final BiConsumer<ReferenceOverlay, RunEvent.Diverged> view;
+    private final UiAction keepAction;
     private final UiAction removeAction;
     /** Null if there is no reference run. */
     private RunComparison shownComparison;
@@ -33,14 +34,16 @@ public final class ComparisonActions {
     public ComparisonActions(ComparisonController controller, BiConsumer<ReferenceOverlay, RunEvent.Diverged> view) {
         this.controller = controller;
         this.view = view;
+        keepAction = UiAction.of("keepGhost", controller::captureCurrentRun)
+                .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_G));
+        keepAction.setEnabled(false);
         removeAction = UiAction.of("removeGhost", controller::removeReference);
         removeAction.setEnabled(false);
     }
 
     /** Adds the actions to a registry; {@code chooseFile} asks for the file of a reference run. */
     public void addTo(ActionRegistry actions, Supplier<Optional<Path>> chooseFile) {
-        actions.add(UiAction.of("keepGhost", controller::captureCurrentRun)
-                .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_G)));
+        actions.add(keepAction);
         actions.add(UiAction.of("openGhost", () -> chooseFile.get().ifPresent(controller::loadReference)));
         actions.add(removeAction);
     }
@@ -53,6 +56,7 @@ public final class ComparisonActions {
     /** Compares the newest frame and updates the view if the result has changed. */
     public void update(SessionFrame frame) {
         RunComparison comparison = controller.update(frame).orElse(null);
+        keepAction.setEnabled(controller.canCapture());
         removeAction.setEnabled(comparison != null || controller.isLoading());
         if (comparison != shownComparison) {
             shownComparison = comparison;
@@ -71,7 +75,9 @@ public final class ComparisonActions {
         List<String> caption = new ArrayList<>();
         caption.add(Messages.get(
                 "ghost.name", comparison.name(), NumberText.format("%.2f s", run.lastTick() * setup.dt())));
-        caption.add(divergence.map(time -> Messages.get("ghost.differs", time)).orElse(Messages.get("ghost.same")));
+        caption.add(divergence
+                .map(time -> Messages.get("ghost.differs", time))
+                .orElseGet(() -> Messages.get(comparison.whole() ? "ghost.sameToEnd" : "ghost.same")));
         if (comparison.seedDiffers()) {
             caption.add(Messages.get("ghost.seed", Long.toString(setup.seed())));
         }

@@ -53,6 +53,13 @@ public final class ObstacleActions {
     private final Notes notes;
     private final DoubleFunction<OptionalDouble> askSpeed;
     private final WindowPreferences preferences;
+    private final UiAction drawWaypoints = UiAction.of("drawWaypoints", this::drawMotionPath);
+    private final UiAction motionSpeed = UiAction.of("motionSpeed", this::editMotionSpeed);
+    private final UiAction stopMoving = UiAction.of("stopMoving", this::removeMotion);
+    private final UiAction cut = UiAction.of("cut", this::cut);
+    private final UiAction copy = UiAction.of("copy", this::copySelection);
+    private final UiAction duplicate = UiAction.of("duplicate", this::duplicate);
+    private final UiAction delete = UiAction.of("delete", this::delete);
     private final UiAction snapGrid;
     private final UiAction snapAngle;
     /** The note that was shown last about the use of a tool. */
@@ -84,6 +91,8 @@ public final class ObstacleActions {
 
     public void addTo(ActionRegistry actions) {
         tools.addToolListener(inUse -> notes.remove(toolNote));
+        tools.addSelectionListener(ids -> update());
+        tools.addSensorListener(sensor -> update());
         actions.add(createSelectAction().withIcon(Glyph.SELECT).withAccelerator(unmodified(KeyEvent.VK_V)));
         for (ShapePreset shape : ShapePreset.values()) {
             actions.add(createToolAction(UiAction.key("place", shape), () -> tools.placeShape(shape))
@@ -91,20 +100,35 @@ public final class ObstacleActions {
         }
         actions.add(createToolAction("drawWall", tools::drawWall).withIcon(Glyph.WALL));
         actions.add(createToolAction("drawPolygon", tools::drawPolygon).withIcon(Glyph.POLYGON));
-        actions.add(UiAction.of("drawWaypoints", this::drawMotionPath));
-        actions.add(UiAction.of("motionSpeed", this::editMotionSpeed));
-        actions.add(UiAction.of("stopMoving", this::removeMotion));
-        actions.add(UiAction.of("cut", this::cut).withAccelerator(menuShortcut(KeyEvent.VK_X)));
-        actions.add(UiAction.of("copy", this::copySelection).withAccelerator(menuShortcut(KeyEvent.VK_C)));
+        actions.add(drawWaypoints);
+        actions.add(motionSpeed);
+        actions.add(stopMoving);
+        actions.add(cut.withAccelerator(menuShortcut(KeyEvent.VK_X)));
+        actions.add(copy.withAccelerator(menuShortcut(KeyEvent.VK_C)));
         actions.add(UiAction.of("paste", this::paste).withAccelerator(menuShortcut(KeyEvent.VK_V)));
-        actions.add(UiAction.of("duplicate", this::duplicate).withAccelerator(menuShortcut(KeyEvent.VK_D)));
-        actions.add(UiAction.of("delete", this::delete).withAccelerator(unmodified(KeyEvent.VK_DELETE)));
+        actions.add(duplicate.withAccelerator(menuShortcut(KeyEvent.VK_D)));
+        actions.add(delete.withAccelerator(unmodified(KeyEvent.VK_DELETE)));
         actions.add(UiAction.of("selectAll", tools::selectAll).withAccelerator(menuShortcut(KeyEvent.VK_A)));
         actions.add(UiAction.of("selectNext", () -> tools.selectNext(1)).withAccelerator(unmodified(KeyEvent.VK_N)));
         actions.add(UiAction.of("selectPrevious", () -> tools.selectNext(-1))
                 .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_N, InputEvent.SHIFT_DOWN_MASK)));
         actions.add(snapGrid);
         actions.add(snapAngle);
+        update();
+    }
+
+    /** Enables the actions that have something to act on: a selected obstacle, one that moves, or a sensor. */
+    public void update() {
+        List<Obstacle> selected = tools.selected();
+        boolean moving = selected.stream().anyMatch(Obstacle::isMoving);
+        drawWaypoints.setEnabled(selected.size() == 1);
+        motionSpeed.setEnabled(moving);
+        stopMoving.setEnabled(moving);
+        cut.setEnabled(!selected.isEmpty());
+        copy.setEnabled(!selected.isEmpty());
+        boolean any = !selected.isEmpty() || tools.selectedSensor().isPresent();
+        duplicate.setEnabled(any);
+        delete.setEnabled(any);
     }
 
     /** Creates the action that ends the active tool. It is on while there is none. */
@@ -145,30 +169,12 @@ public final class ObstacleActions {
     }
 
     private void drawMotionPath() {
-        if (tools.selected().size() == 1) {
-            tools.drawMotionPath();
-            showToolNote("drawWaypoints");
-        } else {
-            notes.show(Messages.get("note.selectOne"));
-        }
+        tools.drawMotionPath();
+        showToolNote("drawWaypoints");
     }
 
-    /** Returns the selected obstacles; if there are none, shows the note with a key, which asks to select something. */
-    private List<Obstacle> selected(String noteKey) {
-        if (tools.selected().isEmpty()) {
-            notes.show(Messages.get(noteKey));
-        }
-        return tools.selected();
-    }
-
-    /** Returns the selected obstacles that move; if there are none, shows a note that asks the user to select some. */
     private List<Obstacle> selectedMoving() {
-        List<Obstacle> moving =
-                tools.selected().stream().filter(Obstacle::isMoving).toList();
-        if (moving.isEmpty()) {
-            notes.show(Messages.get("note.selectMoving"));
-        }
-        return moving;
+        return tools.selected().stream().filter(Obstacle::isMoving).toList();
     }
 
     /** Sets the speed of all selected obstacles that move. */
@@ -196,11 +202,11 @@ public final class ObstacleActions {
     }
 
     private void duplicate() {
-        selectedSensor().ifPresentOrElse(sensorActions::duplicate, () -> addCopies(selected("note.selectItem")));
+        selectedSensor().ifPresentOrElse(sensorActions::duplicate, () -> addCopies(tools.selected()));
     }
 
     private void delete() {
-        selectedSensor().ifPresentOrElse(sensorActions::remove, () -> deleteObstacles(selected("note.selectItem")));
+        selectedSensor().ifPresentOrElse(sensorActions::remove, () -> deleteObstacles(tools.selected()));
     }
 
     /** Returns the selected sensor; empty if obstacles are selected, to which a command then applies. */
@@ -214,14 +220,10 @@ public final class ObstacleActions {
                 .toList());
     }
 
-    /** Copies the selection to the clipboard; returns whether it is there. */
+    /** Copies the selected obstacles to the clipboard; returns whether they are there. */
     private boolean copySelection() {
-        List<Obstacle> selected = selected("note.selectObstacle");
-        if (selected.isEmpty()) {
-            return false;
-        }
         try {
-            clipboard().setContents(new StringSelection(ObstacleXml.format(selected)), null);
+            clipboard().setContents(new StringSelection(ObstacleXml.format(tools.selected())), null);
             return true;
         } catch (IllegalStateException busy) {
             notes.show(Messages.get("note.clipboardBusy"));

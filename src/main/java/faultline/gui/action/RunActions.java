@@ -17,6 +17,7 @@ public final class RunActions {
     private final RunController runController;
     private final BoundedRangeModel speedModel;
     private final UiAction runAction;
+    private final UiAction stepBackAction;
     private boolean running;
 
     public RunActions(RunController runController, BoundedRangeModel speed) {
@@ -25,6 +26,10 @@ public final class RunActions {
         this.runAction = UiAction.of("run", runController::toggleRunning)
                 .withAccelerator(unmodified(KeyEvent.VK_SPACE))
                 .withIcon(Glyph.RUN);
+        this.stepBackAction = UiAction.of("stepBack", runController.navigator()::stepBack)
+                .withAccelerator(character(','))
+                .withIcon(Glyph.STEP_BACK);
+        stepBackAction.setEnabled(false);
         speed.addChangeListener(event -> runController.setSpeed(SpeedScale.speedAt(speed.getValue())));
     }
 
@@ -33,9 +38,7 @@ public final class RunActions {
         actions.add(UiAction.of("step", runController::step)
                 .withAccelerator(character('.'))
                 .withIcon(Glyph.STEP));
-        actions.add(UiAction.of("stepBack", runController.navigator()::stepBack)
-                .withAccelerator(character(','))
-                .withIcon(Glyph.STEP_BACK));
+        actions.add(stepBackAction);
         actions.add(UiAction.of("restart", runController::restart)
                 .withAccelerator(menuShortcut(KeyEvent.VK_R))
                 .withIcon(Glyph.RESTART));
@@ -51,8 +54,9 @@ public final class RunActions {
         speedModel.setValue(next.applyAsInt(speedModel.getValue()));
     }
 
-    /** Names the run action Run or Pause. */
-    public void update(SessionStatus status) {
+    /** Names the run action Run or Pause, and enables the step back after the given tick unless it is 0. */
+    public void update(SessionStatus status, long tick) {
+        stepBackAction.setEnabled(tick > 0);
         if (status.running() != running) {
             running = status.running();
             runAction.rename(running ? "pause" : "run");

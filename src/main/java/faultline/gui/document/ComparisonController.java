@@ -40,6 +40,11 @@ public final class ComparisonController implements WorkspaceListener {
         removeReference();
     }
 
+    /** Returns whether the run has ticks that can be kept as a reference run. */
+    public boolean canCapture() {
+        return navigator.furthestTick() > 0;
+    }
+
     /** Makes the run so far the reference run, asynchronously. */
     public void captureCurrentRun() {
         workspace.openDocument().ifPresent(now -> {
@@ -76,7 +81,7 @@ public final class ComparisonController implements WorkspaceListener {
 
     private static RunComparison replay(String name, Journal journal, TaskProgress progress) {
         ReferenceRun run = ReferenceRun.replay(journal, tick -> progress.isActive());
-        return new RunComparison(name, run, null, false);
+        return new RunComparison(name, run, false);
     }
 
     /** Replays a reference run. */
@@ -117,7 +122,7 @@ public final class ComparisonController implements WorkspaceListener {
         workspace.scenario().ifPresent(scenario -> {
             comparedHashes = HashTrace.EMPTY;
             boolean seedDiffers = made.run().setup().seed() != scenario.setup().seed();
-            comparison = new RunComparison(made.name(), made.run(), null, seedDiffers);
+            comparison = new RunComparison(made.name(), made.run(), seedDiffers);
         });
     }
 
@@ -158,9 +163,10 @@ public final class ComparisonController implements WorkspaceListener {
                 .mapToObj(tick -> new RunEvent.Diverged(tick, run.setup().timeOf(tick)))
                 .findFirst()
                 .orElse(null);
-        return Objects.equals(divergence, last.divergenceOrNull())
+        boolean whole = now.size() > run.hashTrace().size();
+        return Objects.equals(divergence, last.divergenceOrNull()) && whole == last.whole()
                 ? last
-                : new RunComparison(last.name(), run, divergence, last.seedDiffers());
+                : new RunComparison(last.name(), run, divergence, whole, last.seedDiffers());
     }
 
     /**

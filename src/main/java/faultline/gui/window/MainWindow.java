@@ -89,6 +89,7 @@ public final class MainWindow extends JFrame {
     private final transient SensorActions sensorActions = new SensorActions(
             workspace, undoController, new SensorEditor(workspace, scenarioEditor, this::showNote), canvas.tools());
     private final transient RunActions runActions;
+    private final transient ObstacleActions obstacleActions;
     private final transient WindowPreferences preferences;
     private final transient ThemeAction themeAction;
     private final transient WindowParts parts;
@@ -108,6 +109,13 @@ public final class MainWindow extends JFrame {
                 new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
         runActions = new RunActions(runController, speed);
         parts = new WindowParts(preferences);
+        obstacleActions = new ObstacleActions(
+                canvas.tools(),
+                undoController,
+                sensorActions,
+                notes,
+                now -> SpeedDialog.showDialog(this, now),
+                preferences);
         addActions();
         mainPanel = new MainPanel(canvas, createEditors(), actionRegistry, speed, runController.navigator()::seek);
         comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun);
@@ -139,7 +147,8 @@ public final class MainWindow extends JFrame {
         poller.addListener((frame, status) -> {
             undoController.runAdvanced(frame.snapshot().tick());
             comparisonActions.update(frame);
-            runActions.update(status);
+            runActions.update(status, frame.snapshot().tick());
+            obstacleActions.update();
         });
         return poller;
     }
@@ -178,14 +187,7 @@ public final class MainWindow extends JFrame {
         editActions.addTo(actionRegistry);
         editActions.bindTo(getRootPane());
         sensorActions.addTo(actionRegistry);
-        new ObstacleActions(
-                        canvas.tools(),
-                        undoController,
-                        sensorActions,
-                        notes,
-                        now -> SpeedDialog.showDialog(this, now),
-                        preferences)
-                .addTo(actionRegistry);
+        obstacleActions.addTo(actionRegistry);
         exportController.actions().forEach(actionRegistry::add);
         ViewActions.addTo(actionRegistry, canvas);
         ViewActions.addPathColours(actionRegistry, canvas, preferences);

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.RunController;
@@ -13,9 +14,13 @@ import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Theme;
+import faultline.world.Obstacle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class ObstacleActionsTest {
@@ -38,16 +43,33 @@ class ObstacleActionsTest {
     }
 
     @Test
-    void anActionOnTheSelectionAsksForOneIfNothingIsSelected() {
+    void actionsOnTheSelectionAreEnabledIfItSuitsThem() {
         runOnEdt(() -> {
             addActions();
-            for (String action : List.of("cut", "copy", "duplicate", "delete")) {
-                assertNotesAfter(
-                        action,
-                        action.startsWith("d") ? "Select an obstacle or a sensor first" : "Select an obstacle first");
-                notes.clear();
-            }
+            assertEquals(Set.of(), enabled());
+            Frame frame = SampleFrames.fullFrame();
+            canvas.setFrame(frame);
+            List<Obstacle> all = frame.snapshot().obstacles();
+            Obstacle still = all.stream().filter(o -> !o.isMoving()).findFirst().orElseThrow();
+            Obstacle moving =
+                    all.stream().filter(Obstacle::isMoving).findFirst().orElseThrow();
+            canvas.tools().select(Set.of(still.id()));
+            assertEquals(Set.of("drawWaypoints", "cut", "copy", "duplicate", "delete"), enabled());
+            canvas.tools().select(Set.of(still.id(), moving.id()));
+            assertEquals(Set.of("motionSpeed", "stopMoving", "cut", "copy", "duplicate", "delete"), enabled());
+            canvas.tools().select(Set.of());
+            canvas.tools()
+                    .selectSensor(frame.snapshot().robot().sensors().get(0).id());
+            assertEquals(Set.of("duplicate", "delete"), enabled());
+            canvas.tools().clearSelection();
+            assertEquals(Set.of(), enabled());
         });
+    }
+
+    private Set<String> enabled() {
+        return Stream.of("drawWaypoints", "motionSpeed", "stopMoving", "cut", "copy", "duplicate", "delete")
+                .filter(action -> actions.get(action).isEnabled())
+                .collect(Collectors.toSet());
     }
 
     @Test

@@ -110,6 +110,25 @@ class ComparisonControllerTest {
                 .findFirst());
     }
 
+    @Test
+    void aRunThatPassesTheEndOfTheReferenceRunHasComparedAllOfIt() {
+        assertFalse(callOnEdt(() -> update().orElseThrow().whole()));
+        step(1);
+        assertTrue(callOnEdt(() -> update().orElseThrow().whole()));
+        restart();
+        assertFalse(callOnEdt(() -> update().orElseThrow().whole()));
+    }
+
+    @Test
+    void onlyARunWithTicksCanBeKept() {
+        assertTrue(callOnEdt(controller::canCapture));
+        runOnEdt(() -> run.navigator().seek(0));
+        waitForTick(0);
+        assertTrue(callOnEdt(controller::canCapture), "a run that was moved back still has its ticks");
+        restart();
+        Await.until("a restarted run has no ticks", () -> !controller.canCapture());
+    }
+
     /** Switches the left sensor off at the start of tick CHANGED and runs to the end. */
     private void runDifferently() {
         restart();
