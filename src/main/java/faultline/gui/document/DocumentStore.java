@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 public final class DocumentStore {
 
     private final Workspace workspace;
+    private final WriteQueue writes = new WriteQueue();
 
     public DocumentStore(Workspace workspace) {
         this.workspace = workspace;
@@ -137,7 +138,7 @@ public final class DocumentStore {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
             Runnable save = () -> write(now.document(), edited, file, then);
-            BackgroundTasks.runBeforeExit(
+            writes.add(
                     () -> Optional.ofNullable(loadIfReadable(file)).filter(found -> !found.equals(edited.join())),
                     found -> {
                         Optional<Scenario> saved = now.document().saved();
@@ -156,7 +157,7 @@ public final class DocumentStore {
 
     private void write(ScenarioDocument document, CompletableFuture<Scenario> edited, Path file, Runnable then) {
         Path present = document.file().orElse(null);
-        BackgroundTasks.runBeforeExit(
+        writes.add(
                 () -> {
                     Scenario scenario = edited.join();
                     scenario.save(file, present == null ? XmlComments.NONE : XmlComments.read(present));
@@ -184,9 +185,13 @@ public final class DocumentStore {
     public void saveJournal(Path file) {
         workspace
                 .replayScenario()
-                .ifPresent(replay -> BackgroundTasks.runBeforeExit(
-                        () -> replay.join().save(file),
-                        () -> workspace.fire(listener -> listener.journalSaved(file)),
+                .ifPresent(replay -> writes.add(
+                        () -> {
+                            Scenario scenario = replay.join();
+                            scenario.save(file);
+                            return scenario;
+                        },
+                        saved -> workspace.fire(listener -> listener.journalSaved(file)),
                         failure ->
                                 workspace.fire(listener -> listener.taskFailed(TaskKind.SAVE_JOURNAL, file, failure))));
     }
