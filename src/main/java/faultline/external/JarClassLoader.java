@@ -48,10 +48,10 @@ final class JarClassLoader extends ClassLoader {
      */
     JarClassLoader(List<Path> jars, ClassLoader parent) {
         super(parent);
-        Set<Path> known = new HashSet<>();
+        Set<Path> done = new HashSet<>();
         for (Path jar : jars) {
             try {
-                readWithClassPath(jar.toAbsolutePath().normalize(), known);
+                readWithClassPath(jar.toAbsolutePath().normalize(), done);
             } catch (NoSuchFileException missing) {
                 throw new ControllerStartException(ControllerProblem.NO_JAR.with(jar), missing);
             } catch (IOException | UncheckedIOException | SecurityException broken) {
@@ -61,16 +61,20 @@ final class JarClassLoader extends ClassLoader {
         }
     }
 
-    private void readWithClassPath(Path jar, Set<Path> known) throws IOException {
-        if (known.add(jar)) {
-            for (String place : read(jar)) {
-                try {
-                    readWithClassPath(Path.of(jar.toUri().resolve(place)).normalize(), known);
-                } catch (IOException | UncheckedIOException | SecurityException unreadable) {
-                    // A class path may name files that are not needed.
-                } catch (IllegalArgumentException | FileSystemNotFoundException noPath) {
-                    // It may also name what is not a file.
-                }
+    /** Reads a jar and those of its class path, unless it is among those that have been read. */
+    private void readWithClassPath(Path jar, Set<Path> done) throws IOException {
+        if (done.contains(jar)) {
+            return;
+        }
+        List<String> classPath = read(jar);
+        done.add(jar);
+        for (String place : classPath) {
+            try {
+                readWithClassPath(Path.of(jar.toUri().resolve(place)).normalize(), done);
+            } catch (IOException | UncheckedIOException | SecurityException unreadable) {
+                // A class path may name files that are not needed.
+            } catch (IllegalArgumentException | FileSystemNotFoundException noPath) {
+                // It may also name what is not a file.
             }
         }
     }

@@ -153,6 +153,15 @@ class JarControllerSourceTest {
     }
 
     @Test
+    void aJarThatIsAskedForMustBeReadableThoughAnotherNamesIt() throws Exception {
+        List<Path> jars = List.of(lateJar(), folder.resolve("no.txt"));
+        String broken = assertThrows(
+                        ControllerStartException.class, () -> ControllerChoice.withJars(jars, ControllerChoice::names))
+                .getMessage();
+        assertTrue(broken.startsWith("the jar " + folder.resolve("no.txt") + " cannot be read: "), broken);
+    }
+
+    @Test
     @EnabledOnOs(value = OS.LINUX, disabledReason = "the open files are listed in /proc")
     void aJarIsNotOpenDuringItsRun() throws Exception {
         Path jar = jar(RightTurner.class.getName());
