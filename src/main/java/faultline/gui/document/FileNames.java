@@ -1,5 +1,6 @@
 package faultline.gui.document;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
@@ -13,6 +14,8 @@ public final class FileNames {
 
     private static final String DEFAULT_NAME = "scenario";
     private static final int MAX_LENGTH = 100;
+    /** Many file systems allow 255 bytes, with the extension and what a program adds to it. */
+    private static final int MAX_BYTES = 200;
     /** Windows reserves these names in every folder, with any extension. */
     private static final Pattern DEVICE_NAME = Pattern.compile("(?i)(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?");
 
@@ -39,11 +42,22 @@ public final class FileNames {
     /** Returns the file name, without an extension, for the name of a scenario, which may be empty. */
     public static String forScenario(String scenario) {
         String letters = scenario.replaceAll("[^\\p{L}\\p{N} ._-]", "_");
-        String name = letters.substring(
-                        0,
-                        letters.offsetByCodePoints(
-                                0, Math.min(MAX_LENGTH, letters.codePointCount(0, letters.length()))))
-                .replaceAll("^[ .]+|[ .]+$", "");
+        String name = start(letters).replaceAll("^[ .]+|[ .]+$", "");
         return name.isEmpty() ? DEFAULT_NAME : DEVICE_NAME.matcher(name).matches() ? "_" + name : name;
+    }
+
+    /** Returns the start of a name that is short enough for a file. */
+    private static String start(String name) {
+        int end = 0;
+        int bytes = 0;
+        for (int letters = 0; letters < MAX_LENGTH && end < name.length(); letters++) {
+            int next = name.offsetByCodePoints(end, 1);
+            bytes += name.substring(end, next).getBytes(StandardCharsets.UTF_8).length;
+            if (bytes > MAX_BYTES) {
+                break;
+            }
+            end = next;
+        }
+        return name.substring(0, end);
     }
 }

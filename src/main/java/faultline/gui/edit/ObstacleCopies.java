@@ -4,11 +4,8 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
 import faultline.world.WaypointPath;
-import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.IntStream;
 
 /** Copies obstacles. */
@@ -48,14 +45,10 @@ public final class ObstacleCopies {
      */
     public static List<Obstacle> copyOf(List<Obstacle> originals, Collection<String> taken, Vector2 offset) {
         Vector2 by = originals.stream().map(Obstacle::id).anyMatch(taken::contains) ? offset : Vector2.ZERO;
-        Set<String> ids = new HashSet<>(taken);
-        List<Obstacle> copies = new ArrayList<>();
-        for (Obstacle original : originals) {
-            String id = IdGenerator.uniqueId(original.id(), ids);
-            ids.add(id);
-            copies.add(moved(original, id, by));
-        }
-        return copies;
+        IdGenerator ids = new IdGenerator(taken);
+        return originals.stream()
+                .map(original -> moved(original, ids.next(original.id()), by))
+                .toList();
     }
 
     /** Returns obstacles displaced as a group, with their routes. */

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.StandardCharsets;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,6 +33,13 @@ class FileNamesTest {
     }
 
     @Test
+    void aLongNameOfManyBytesIsCutBetweenLetters() {
+        assertEquals("漢".repeat(66), FileNames.forScenario("漢".repeat(120)));
+        assertEquals("\uD840\uDC0B".repeat(50), FileNames.forScenario("\uD840\uDC0B".repeat(51)));
+        assertEquals("ż".repeat(100), FileNames.forScenario("ż".repeat(101)));
+    }
+
+    @Test
     void aFileNameIsShortAndValidForEveryScenarioName() {
         Random random = new Random(3);
         for (int i = 0; i < 2000; i++) {
@@ -42,6 +50,7 @@ class FileNamesTest {
                     .toString();
             String name = FileNames.forScenario(scenario);
             assertTrue(!name.isBlank() && name.codePointCount(0, name.length()) <= 101, name);
+            assertTrue(name.getBytes(StandardCharsets.UTF_8).length <= 201, name);
             assertFalse(name.matches("(?s).*[\\x00-\\x1F/\\\\:*?\"<>|].*|[. ].*|.*[. ]"), name);
         }
     }

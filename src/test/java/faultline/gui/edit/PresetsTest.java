@@ -1,6 +1,7 @@
 package faultline.gui.edit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTimeout;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -9,8 +10,11 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
+import java.time.Duration;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** Presets of sensors and copies of obstacles. */
@@ -81,6 +85,19 @@ class PresetsTest {
         assertEquals(
                 List.of("pole-2", "pole-3"), copies.stream().map(Obstacle::id).toList());
         assertEquals(new Pose(1.2, 0.8, 0), copies.get(1).pose());
+    }
+
+    @Test
+    void manyObstaclesAreCopiedInLinearTime() {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0));
+        List<Obstacle> poles = IntStream.rangeClosed(1, 50_000)
+                .mapToObj(i -> pole.withId("pole-" + i))
+                .toList();
+        Set<String> taken = poles.stream().map(Obstacle::id).collect(Collectors.toSet());
+        List<Obstacle> copies = assertTimeout(
+                Duration.ofSeconds(20), () -> ObstacleCopies.copyOf(poles, taken, new Vector2(0.2, -0.2)));
+        assertEquals("pole-50001", copies.get(0).id());
+        assertEquals("pole-100000", copies.get(49_999).id());
     }
 
     @Test
