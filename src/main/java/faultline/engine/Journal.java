@@ -48,6 +48,11 @@ public record Journal(SimulationSetup setup, List<Entry> entries, long ticks, Li
                 : setup;
     }
 
+    /** {@return the journal of the run with a controller that repeats the recorded decisions, if it needs one} */
+    public Journal withRecordedController() {
+        return new Journal(replayableSetup(), entries, ticks, decisions);
+    }
+
     /**
      * An executed command.
      *

@@ -1,5 +1,6 @@
 package faultline.gui.document;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.HashTrace;
@@ -45,12 +46,20 @@ public final class ComparisonController implements WorkspaceListener {
         return navigator.furthestTick() > 0;
     }
 
-    /** Makes the run so far the reference run, asynchronously. */
+    /**
+     * Makes the run so far the reference run, asynchronously. With a controller that is not part of the program, its
+     * recorded decisions are repeated, so the reference run ends at the present tick.
+     */
     public void captureCurrentRun() {
         workspace.openDocument().ifPresent(now -> {
-            CompletableFuture<Journal> journal = now.session().fullJournal();
+            CompletableFuture<Journal> executed = now.session().journal();
+            CompletableFuture<Journal> whole = now.session().fullJournal();
             String name = now.document().initial().name();
-            start(now.document().displayPath(), progress -> replay(name, journal.join(), progress));
+            start(now.document().displayPath(), progress -> {
+                Journal past = executed.join();
+                boolean foreign = past.setup().controller() instanceof ControllerSpec.Foreign;
+                return replay(name, foreign ? past.withRecordedController() : whole.join(), progress);
+            });
         });
     }
 

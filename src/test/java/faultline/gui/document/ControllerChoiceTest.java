@@ -12,6 +12,8 @@ import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
+import faultline.engine.recording.HashTrace;
+import faultline.engine.session.ReferenceRun;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
@@ -22,6 +24,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -157,6 +160,26 @@ class ControllerChoiceTest {
         RunResult replayed = HeadlessRun.run(Scenario.load(journal).setup(), ControllerMode.DIRECT, List.of());
         assertEquals(150, replayed.ticks());
         assertEquals(hash, replayed.trajectoryHash());
+    }
+
+    @Test
+    void aGhostIsTheRunAsItWasThoughTheProgramHasChanged() throws Exception {
+        Path script = script("CIRCLE");
+        ComparisonController comparison = callOnEdt(() -> new ComparisonController(workspace, run.navigator()));
+        choose("sh " + script);
+        waitFor("the second session", () -> sessionCount == 2);
+        runOnEdt(() -> run.navigator().seek(30));
+        waitFor("the third session", () -> sessionCount == 3);
+        HashTrace hashes = SessionFrames.frame(workspace).recording().hashTrace();
+        Files.writeString(script, Files.readString(script).replace("0.1", "0.3"));
+        runOnEdt(comparison::captureCurrentRun);
+        waitFor("the ghost", () -> !comparison.isLoading());
+        ReferenceRun ghost = callOnEdt(() -> SessionFrames.poll(workspace)
+                .flatMap(comparison::update)
+                .orElseThrow()
+                .run());
+        assertEquals(30, ghost.lastTick());
+        assertEquals(OptionalLong.empty(), ghost.hashTrace().firstDifference(hashes, 0));
     }
 
     @Test
