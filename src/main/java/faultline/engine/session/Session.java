@@ -192,15 +192,17 @@ public final class Session implements SessionView, AutoCloseable {
 
     /** Resumes the run. */
     public void resume() {
-        submit(() -> {
-            running = failure == null;
-            pacer.restart();
-        });
+        submit(() -> setRunning(true));
     }
 
     /** Pauses the run. */
     public void pause() {
-        submit(() -> running = false);
+        submit(() -> setRunning(false));
+    }
+
+    /** Resumes the run if it is paused when this request is performed, and pauses it otherwise. */
+    public void toggleRunning() {
+        submit(() -> setRunning(!running));
     }
 
     /**
@@ -319,6 +321,11 @@ public final class Session implements SessionView, AutoCloseable {
                 fail(e);
             }
         }
+    }
+
+    private void setRunning(boolean wanted) {
+        running = wanted && failure == null;
+        pacer.restart();
     }
 
     private void tick() {

@@ -145,13 +145,7 @@ public final class RunController implements WorkspaceListener {
 
     /** Resumes or pauses the run. */
     public void toggleRunning() {
-        submit(open -> {
-            if (open.session().status().running()) {
-                open.session().pause();
-            } else {
-                open.session().resume();
-            }
-        });
+        submit(open -> open.session().toggleRunning());
     }
 
     /** Makes one tick and pauses. */

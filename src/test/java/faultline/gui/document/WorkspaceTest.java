@@ -201,6 +201,21 @@ class WorkspaceTest {
     }
 
     @Test
+    void twoTogglesDuringASeekLeaveTheRunPaused() throws Exception {
+        runOnEdt(() -> {
+            run.navigator().seek(2000);
+            run.toggleRunning();
+            run.toggleRunning();
+        });
+        waitFor("the moved run", () -> sessionCount == 2 && workspace.task().isEmpty());
+        // The journal is answered after the toggles, which were requested before.
+        callOnEdt(() -> workspace.openDocument().orElseThrow().session().journal())
+                .get();
+        assertFalse(callOnEdt(
+                () -> workspace.session().map(SessionView::status).orElseThrow().running()));
+    }
+
+    @Test
     void aSavedJournalReplaysTheRunToTheBit() throws ScenarioException {
         runOnEdt(() -> {
             run.setSpeed(Double.POSITIVE_INFINITY);
