@@ -27,7 +27,7 @@ record CommandOutput(PrintStream out, PrintStream err) {
         exception.problems().forEach(problem -> printError(problem.toString()));
     }
 
-    /** Flushes both streams and returns whether everything was written; false if a pipe is closed or a disk is full. */
+    /** Flushes the output and returns whether all of it was written; false if a pipe is closed or a disk is full. */
     boolean isWritten() {
         return !out.checkError();
     }

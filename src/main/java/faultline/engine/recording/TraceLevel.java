@@ -23,11 +23,6 @@ public final class TraceLevel {
         return ticksPerBucket;
     }
 
-    /** {@return the number of channels} */
-    public int channelCount() {
-        return channels;
-    }
-
     /** {@return the index of the oldest bucket that is kept} */
     public long firstBucket() {
         return buckets.first();

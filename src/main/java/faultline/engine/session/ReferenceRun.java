@@ -15,8 +15,8 @@ import java.util.concurrent.CancellationException;
 import java.util.function.LongPredicate;
 
 /**
- * An earlier run to compare a later one with: the robot's pose at every tick, and the first difference between the two.
- * It is created by repeating the run, which gives the same bits.
+ * An earlier run to compare a later one with: the robot's pose and the hash at every tick, and the recording. It is
+ * created by repeating the run, which gives the same bits.
  */
 public final class ReferenceRun {
 
@@ -48,8 +48,8 @@ public final class ReferenceRun {
     }
 
     /**
-     * {@return the repeated run of a journal, at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES}
-     * ticks}
+     * {@return the repeated run of a journal, at full speed, up to its end, or until it has
+     * {@link HashTraceRecorder#MAX_HASHES} hashes}
      *
      * @param journal the journal of the earlier run
      * @param onward called before each tick with the tick before; false cancels the run
