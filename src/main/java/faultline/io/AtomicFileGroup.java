@@ -2,8 +2,8 @@ package faultline.io;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
  * The files that one command writes, which take their places together. If the group is closed without a commit, nothing
@@ -11,7 +11,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
  */
 public final class AtomicFileGroup implements AutoCloseable {
 
-    private final List<AtomicFile> files = new CopyOnWriteArrayList<>();
+    private final List<AtomicFile> files = new ArrayList<>();
+    private boolean closed;
 
     /** Creates a group without files. */
     public AtomicFileGroup() {}
@@ -22,8 +23,12 @@ public final class AtomicFileGroup implements AutoCloseable {
      * @param file the file to create or replace
      * @return the open file, which this group commits and closes
      * @throws IOException if the file cannot be written, in one sentence
+     * @throws IllegalStateException if the group has been closed
      */
-    public AtomicFile create(Path file) throws IOException {
+    public synchronized AtomicFile create(Path file) throws IOException {
+        if (closed) {
+            throw new IllegalStateException("the group is closed");
+        }
         AtomicFile created = AtomicFile.create(file);
         files.add(created);
         return created;
@@ -35,6 +40,7 @@ public final class AtomicFileGroup implements AutoCloseable {
      * @param file the file to create or replace
      * @param bytes the content
      * @throws IOException if the file cannot be written, in one sentence
+     * @throws IllegalStateException if the group has been closed
      */
     public void write(Path file, byte[] bytes) throws IOException {
         create(file).stream().write(bytes);
@@ -45,17 +51,18 @@ public final class AtomicFileGroup implements AutoCloseable {
      *
      * @throws IOException if one cannot be moved
      */
-    public void commit() throws IOException {
+    public synchronized void commit() throws IOException {
         AtomicFile.commitAll(files);
     }
 
     /**
-     * Closes all files, even if one of them cannot be deleted.
+     * Closes all files, even if one of them cannot be deleted. No file can be created after this.
      *
      * @throws IOException if a temporary file cannot be deleted
      */
     @Override
-    public void close() throws IOException {
+    public synchronized void close() throws IOException {
+        closed = true;
         IOException failure = null;
         for (AtomicFile file : files) {
             try {

@@ -161,13 +161,19 @@ final class TemporaryFile {
             return;
         }
         try (DirectoryStream<Path> files = list(folder)) {
-            for (Path file : files) {
-                if (!UnfinishedFiles.FILES.contains(file) && isAbandoned(file, now)) {
-                    Files.deleteIfExists(file);
-                }
-            }
+            files.forEach(file -> deleteIfAbandoned(file, now));
         } catch (IOException | DirectoryIteratorException e) {
             // The files may remain; they have no effect.
+        }
+    }
+
+    private static void deleteIfAbandoned(Path file, long now) {
+        try {
+            if (!UnfinishedFiles.FILES.contains(file) && isAbandoned(file, now)) {
+                Files.deleteIfExists(file);
+            }
+        } catch (IOException e) {
+            // The file may belong to another user. It has no effect.
         }
     }
 

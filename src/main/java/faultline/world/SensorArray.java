@@ -154,7 +154,7 @@ final class SensorArray {
         configure(robot);
     }
 
-    /** Reads all sensors, then lets their faults act: step 6 of a tick. */
+    /** Reads all sensors, then lets their faults act: step 4 of a tick. */
     void sense(ObstacleSet obstacles, RobotBody body, long tick) {
         shown = reported;
         boolean exact = true;

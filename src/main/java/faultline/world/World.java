@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** The live world, which executes steps 1 and 3 to 6 of a tick. Mutable; belongs to one thread. */
+/** The live world, which executes steps 1, 3 and 4 of a tick. Mutable; belongs to one thread. */
 public final class World {
 
     private final WorldSpec spec;
@@ -72,12 +72,12 @@ public final class World {
      */
     public CommandResult execute(Command command) {
         CommandResult result = commandHandler.execute(command);
-        motionStep.pollContact().ifPresent(contact -> recordCollision(contact, tick, tick * dt));
+        motionStep.pollContact().ifPresent(contact -> recordCollision(contact, result.tick(), tick * dt));
         return result;
     }
 
     /**
-     * Moves obstacles and robot by one tick and stops the robot at its first contact: steps 3 to 5.
+     * Moves obstacles and robot by one tick and stops the robot at its first contact: step 3.
      *
      * @param leftVolts the voltage on the left motors
      * @param rightVolts the voltage on the right motors
@@ -124,7 +124,7 @@ public final class World {
         return off;
     }
 
-    /** Reads all sensors, then lets their faults act: step 6. */
+    /** Reads all sensors, then lets their faults act: step 4. */
     public void sense() {
         sensors.sense(obstacleSet, body, tick);
         sensed = true;

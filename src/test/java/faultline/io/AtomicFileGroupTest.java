@@ -49,6 +49,14 @@ class AtomicFileGroupTest {
     }
 
     @Test
+    void aThreadThatIsLateCreatesNoFileInAClosedGroup() throws IOException {
+        AtomicFileGroup group = new AtomicFileGroup();
+        group.close();
+        assertThrows(IllegalStateException.class, () -> group.create(folder.resolve("late")));
+        assertEquals(List.of(), files());
+    }
+
+    @Test
     void aFileThatCannotBeDeletedDoesNotKeepTheOthers() throws IOException {
         AtomicFileGroup group = new AtomicFileGroup();
         group.create(folder.resolve("a"));

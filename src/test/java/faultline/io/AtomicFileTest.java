@@ -11,9 +11,12 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
+import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
@@ -343,6 +346,33 @@ class AtomicFileTest {
             write(folder.resolve("a.txt"), "new", true);
         }
         assertEquals(List.of(young, written, other, folder.resolve("a.txt")), files());
+    }
+
+    /** The temporary files of another user cannot be opened. */
+    private static final class SharedFolder extends ForwardingFileSystemProvider {
+        @Override
+        public FileChannel newFileChannel(Path path, Set<? extends OpenOption> options, FileAttribute<?>... attributes)
+                throws IOException {
+            if (path.toString().contains("foreign")) {
+                throw new AccessDeniedException(path.toString());
+            }
+            return super.newFileChannel(path, options, attributes);
+        }
+    }
+
+    @Test
+    void filesOfAnotherUserDoNotKeepWhatAKilledProcessHasLeft() throws IOException {
+        for (int i = 0; i < 20; i++) {
+            String name = ".faultline-" + i + (i % 4 == 3 ? "-foreign" : "") + ".tmp";
+            Files.setLastModifiedTime(
+                    Files.createFile(folder.resolve(name)),
+                    FileTime.from(Instant.now().minusSeconds(60)));
+        }
+        AtomicFile.write(new SharedFolder().forwarding(folder.resolve("a.txt")), new byte[] {'x'});
+        List<Path> left = files();
+        assertEquals(6, left.size(), left::toString);
+        assertTrue(left.stream()
+                .allMatch(file -> file.endsWith("a.txt") || file.toString().endsWith("-foreign.tmp")));
     }
 
     @Test

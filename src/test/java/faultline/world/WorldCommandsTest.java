@@ -368,6 +368,18 @@ class WorldCommandsTest {
     }
 
     @Test
+    void anObstacleMovedIntoTheRobotCollidesInTheTickOfItsCommand() {
+        world.sense();
+        world.move(0, 0);
+        world.sense();
+        CommandResult result = world.execute(new Command.MoveObstacle("desk", world.pose()));
+        Collision collision = world.collision().orElseThrow();
+        assertEquals(2, result.tick());
+        assertEquals(2, collision.tick());
+        assertEquals(0.01, collision.time());
+    }
+
+    @Test
     void aDriveIntoTheDeskIsRecordedWithItsTickAndTime() {
         for (int i = 0; i < 1000 && world.collision().isEmpty(); i++) {
             world.move(2, 2);

@@ -47,7 +47,13 @@ final class RunTable implements Closeable {
         next = first;
         long length = recover(folder.runs(), header, end);
         runs = Table.open(folder.runs(), length, header);
-        timing = Table.open(folder.timing(), recoverTiming(folder.timing(), first), TIMING_HEADER);
+        try {
+            timing = Table.open(folder.timing(), recoverTiming(folder.timing(), first), TIMING_HEADER);
+        } catch (IOException | RuntimeException e) {
+            try (runs) {
+                throw e;
+            }
+        }
     }
 
     /** Determines the number of valid bytes of a table, and the next run. */
@@ -168,13 +174,23 @@ final class RunTable implements Closeable {
 
         static Table open(Path file, long length, String header) throws IOException {
             Table table = new Table(file, FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE));
-            table.channel.truncate(length);
-            table.channel.position(length);
-            if (length == 0) {
-                table.write(header.getBytes(StandardCharsets.UTF_8));
-                table.channel.force(true);
+            try {
+                table.start(length, header);
+                return table;
+            } catch (IOException | RuntimeException e) {
+                try (table) {
+                    throw e;
+                }
             }
-            return table;
+        }
+
+        private void start(long length, String header) throws IOException {
+            channel.truncate(length);
+            channel.position(length);
+            if (length == 0) {
+                write(header.getBytes(StandardCharsets.UTF_8));
+                channel.force(true);
+            }
         }
 
         void write(byte[] bytes) throws IOException {

@@ -8,7 +8,11 @@ import faultline.io.WriteProblem;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -31,6 +35,24 @@ class RunTableTest {
         table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));
         MessageException e = assertThrows(MessageException.class, table::flush);
         assertEquals(folder.resolve("timing.csv") + ": the file cannot be written completely", e.getMessage());
+    }
+
+    @Test
+    @EnabledOnOs(value = OS.LINUX, disabledReason = "the open files are listed in /proc")
+    void aTableThatCannotBeOpenedLeavesNoFileOpen() throws IOException {
+        Files.createSymbolicLink(folder.resolve("timing.csv"), folder.resolve("no/such/folder"));
+        assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 1));
+        try (Stream<Path> open = Files.list(Path.of("/proc/self/fd"))) {
+            assertEquals(List.of(), open.filter(link -> leadsInto(folder, link)).toList());
+        }
+    }
+
+    private static boolean leadsInto(Path folder, Path link) {
+        try {
+            return Files.readSymbolicLink(link).startsWith(folder);
+        } catch (IOException closed) {
+            return false;
+        }
     }
 
     @Test
