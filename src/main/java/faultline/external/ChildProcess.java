@@ -3,6 +3,7 @@ package faultline.external;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
@@ -226,6 +227,10 @@ final class ChildProcess implements AutoCloseable {
         if (timeout.isExhausted()) {
             throw new ProtocolException(
                     ControllerProblem.SILENT, seconds, output.hasPart() ? ControllerProblem.OPEN_LINE.with() : "");
+        }
+        if (Thread.currentThread().isInterrupted()) {
+            // Waiting would end at once, and so would use a whole processor.
+            throw new InterruptedIOException("the wait for its answer was interrupted");
         }
         if (waited > SILENCE) {
             output.lookForEnd();

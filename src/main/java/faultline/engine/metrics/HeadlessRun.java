@@ -10,6 +10,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.engine.recording.DiagnosisRecorder;
 import faultline.engine.recording.RunEvent;
+import faultline.io.DecimalText;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -90,7 +91,8 @@ public final class HeadlessRun {
         long began = System.nanoTime();
         List<String> refused = new ArrayList<>();
         CommandListener noting = result -> result.refusal()
-                .ifPresent(refusal -> refused.add("at " + setup.timeOf(result.tick()) + " s: " + refusal.message()));
+                .ifPresent(refusal -> refused.add(
+                        "at " + DecimalText.format(setup.timeOf(result.tick())) + " s: " + refusal.message()));
         try (Simulation simulation = start.apply(noting)) {
             long ticks = setup.ticks();
             all.forEach(observer -> observer.observe(simulation));

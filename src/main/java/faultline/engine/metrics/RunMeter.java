@@ -4,14 +4,20 @@ import faultline.control.FollowerState;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import java.util.OptionalDouble;
 
-/** Measures a run while it is in progress. At the end the measures equal those of a run without a window. */
+/**
+ * Measures a run while it is in progress. At the end, the coverage and the errors of the distance equal those of a run
+ * without a window.
+ */
 public final class RunMeter implements TickObserver {
 
     private final SimulationSetup setup;
     private final WallFollowingMetrics wall;
     /** Null until the robot reaches a wall, because finding the paths along walls takes long in large worlds. */
     private CarryOnMetrics laps;
+    /** Whether the run is at the end of its duration. */
+    private boolean atEnd;
 
     /**
      * Creates a meter of one run of a setup.
@@ -26,6 +32,7 @@ public final class RunMeter implements TickObserver {
     @Override
     public void observe(Simulation simulation) {
         wall.observe(simulation);
+        atEnd = simulation.ticks() == setup.ticks();
         if (laps == null && simulation.telemetry().state() != FollowerState.SEARCH && !wall.isLarge()) {
             laps = new CarryOnMetrics(circuit(), setup.robot().speed(), 0);
         }
@@ -43,10 +50,11 @@ public final class RunMeter implements TickObserver {
         }
     }
 
-    /** {@return the measures so far} */
+    /** {@return the measures so far; in a world with many walls, the coverage is known at the end only} */
     public RunMeasures measures() {
+        OptionalDouble coverage = atEnd ? wall.coverage() : wall.liveCoverage();
         return new RunMeasures(
-                wall.liveCoverage().orElse(Double.NaN),
+                coverage.orElse(Double.NaN),
                 wall.distanceRms().orElse(Double.NaN),
                 wall.followRms().orElse(Double.NaN),
                 laps == null ? Double.NaN : laps.laps().orElse(Double.NaN));

@@ -4,8 +4,8 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongSupplier;
 
 /**
- * Determines how long to wait after a tick, and measures the speed of the run. It is the only class that reads a clock
- * during a run; it determines when a tick is made and never what the tick computes. Used by the thread of the run.
+ * Determines how long to wait after a tick, and measures the speed of the run. The clock that it reads determines when
+ * a tick is made and never what the tick computes. Used by the thread of the run.
  */
 public final class Pacer {
 

@@ -41,9 +41,16 @@ final class ErrorLines {
 
     /** Shows the newest line only, because lines may arrive faster than they can be shown. */
     private void add(ErrorLine line) {
-        if (unshown.getAndSet(line) == null) {
+        if (unshown.getAndAccumulate(line, this::newest) == null) {
             EventQueue.invokeLater(this::showNewest);
         }
+    }
+
+    /** Returns an added line, or the old one if the added one is of a controller that has been replaced since. */
+    private ErrorLine newest(ErrorLine oldOrNull, ErrorLine added) {
+        return oldOrNull != null && added.controller() < Math.min(oldOrNull.controller(), created.get())
+                ? oldOrNull
+                : added;
     }
 
     private void showNewest() {

@@ -93,8 +93,9 @@ public final class RunController implements WorkspaceListener {
     }
 
     /**
-     * Changes the edited scenario, but not the length of its tick. If that changes its setup, the run is simulated
-     * again up to the present tick, asynchronously, with the commands that it was sent; if it was running, it resumes.
+     * Changes the edited scenario. If that changes its setup, the run is simulated again up to the present tick,
+     * asynchronously, with the commands that it was sent; if it was running, it resumes. If it changes the length of a
+     * tick, the run restarts.
      */
     public void change(UnaryOperator<Scenario> change) {
         workspace.openDocument().ifPresent(now -> {

@@ -98,18 +98,22 @@ public final class RunNavigator implements WorkspaceListener {
 
     @Override
     public void runRepositioned(long tick) {
-        boolean resume = resuming;
-        endResimulation();
-        if (resume) {
-            workspace.openDocument().ifPresent(now -> now.session().resume());
-        }
+        endResimulationAndResume();
     }
 
     @Override
     public void taskFinished() {
         if (resimulating) {
-            runRepositioned(0);
+            endResimulationAndResume();
             workspace.fire(WorkspaceListener::setupChangeDeferred);
+        }
+    }
+
+    private void endResimulationAndResume() {
+        boolean resume = resuming;
+        endResimulation();
+        if (resume) {
+            workspace.openDocument().ifPresent(now -> now.session().resume());
         }
     }
 

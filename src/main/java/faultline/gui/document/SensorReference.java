@@ -1,5 +1,6 @@
 package faultline.gui.document;
 
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import java.util.Optional;
@@ -27,6 +28,11 @@ public final class SensorReference {
 
     private static <C> Function<C, Optional<String>> none() {
         return command -> Optional.empty();
+    }
+
+    /** Returns whether a robot has the sensor that a command is about, or the command is about something else. */
+    static boolean isOn(RobotSpec robot, Command command) {
+        return in(command).map(id -> robot.indexOf(id) >= 0).orElse(true);
     }
 
     /** Returns the id of the sensor that a command is about; empty if it is about something else. */

@@ -115,7 +115,7 @@ final class SetupEditor {
      * about a sensor that has been removed while the run was busy with the command.
      */
     void add(CommandResult result) {
-        if (!hasSensorOf(result.command())) {
+        if (!SensorReference.isOn(robot, result.command())) {
             return;
         }
         moveTo(result.tick() - 1, position);
@@ -175,10 +175,6 @@ final class SetupEditor {
         return new SetupEditor(edited, obstacles.hidden(), obstacles, reversals);
     }
 
-    private boolean hasSensorOf(Command command) {
-        return SensorReference.in(command).filter(id -> robot.indexOf(id) < 0).isEmpty();
-    }
-
     /**
      * Returns an editor of another setup with the executed commands, except for those about sensors and obstacles that
      * the other setup lacks, what undoes or redoes these, and events that are not on its timeline.
@@ -216,7 +212,7 @@ final class SetupEditor {
 
     private boolean hasSubjectOf(CommandResult entry) {
         boolean places = entry.command() instanceof Command.PlaceObstacle;
-        return hasSensorOf(entry.command())
+        return SensorReference.isOn(robot, entry.command())
                 && (places
                         || ObstacleOrigins.subject(entry.command())
                                 .filter(id -> !obstacles.contains(entry.tick(), id))

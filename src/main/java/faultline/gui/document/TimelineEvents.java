@@ -75,9 +75,7 @@ public final class TimelineEvents {
     public static Scenario with(Scenario scenario, List<TimedCommand> events) {
         List<TimedCommand> timeline = new ArrayList<>(scenario.setup().timeline());
         events.stream()
-                .filter(event -> SensorReference.in(event.command())
-                        .filter(id -> scenario.setup().robot().indexOf(id) < 0)
-                        .isEmpty())
+                .filter(event -> SensorReference.isOn(scenario.setup().robot(), event.command()))
                 .forEach(timeline::add);
         return scenario.withSetup(scenario.setup().withTimeline(timeline));
     }

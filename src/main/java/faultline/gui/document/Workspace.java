@@ -185,9 +185,7 @@ public final class Workspace implements AutoCloseable {
         boolean places = command instanceof Command.PlaceObstacle;
         Optional<String> obstacle = places ? Optional.empty() : ObstacleOrigins.subject(command);
         return obstacle.map(ObstacleOrigins.idsIn(setup)::contains).orElse(true)
-                && SensorReference.in(command)
-                        .map(id -> setup.robot().indexOf(id) >= 0)
-                        .orElse(true);
+                && SensorReference.isOn(setup.robot(), command);
     }
 
     /** Returns the scenario that the file holds, as far as is known; empty if there is none. */

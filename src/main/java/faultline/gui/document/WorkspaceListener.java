@@ -20,7 +20,10 @@ public interface WorkspaceListener {
      */
     default void runRepositioned(long tick) {}
 
-    /** The user has cancelled the simulation of a changed setup: it takes effect when the run is moved or restarted. */
+    /**
+     * The simulation of a changed setup has been cancelled or has failed: the change takes effect when the run is moved
+     * or restarted.
+     */
     default void setupChangeDeferred() {}
 
     /** A new session has started. */

@@ -10,10 +10,12 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** Tests the measures during a run and at its end, in a room of 3.7 m by 2.9 m with a cupboard. */
@@ -53,6 +55,26 @@ class RunMeterTest {
         assertEquals(whole.coverage().orElseThrow(), last.coverage());
         assertEquals(whole.distanceRms().orElseThrow(), last.distanceRms());
         assertTrue(last.followRms() > 0 && last.followRms() < 0.05, "of all walls: " + last.followRms());
+    }
+
+    @Test
+    void inAWorldWithManyWallsTheCoverageIsKnownAtTheEnd() {
+        List<Vector2> zigzag = IntStream.rangeClosed(0, 5200)
+                .mapToObj(i -> new Vector2(i % 2 * 0.5, i * 0.0003))
+                .toList();
+        Obstacle wall = new Obstacle("zigzag", new ObstacleShape.WallShape(zigzag), new Pose(3.1, 1, 0));
+        SimulationSetup many =
+                SETUP.withWorld(new WorldSpec(3.7, 2.9, true, 3, List.of(wall))).withDuration(30);
+        RunMeter meter = new RunMeter(many);
+        try (Simulation simulation = new Simulation(many, ControllerMode.DIRECT)) {
+            while (simulation.ticks() < many.ticks()) {
+                assertTrue(Double.isNaN(meter.measures().coverage()));
+                simulation.tick();
+                meter.observe(simulation);
+            }
+        }
+        RunResult whole = HeadlessRun.run(many, ControllerMode.DIRECT, List.of());
+        assertEquals(whole.coverage().orElseThrow(), meter.measures().coverage());
     }
 
     /** The way along the walls is some 10 m long, and the robot drives at 0.3 m/s. */

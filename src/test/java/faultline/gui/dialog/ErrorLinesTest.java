@@ -42,6 +42,33 @@ class ErrorLinesTest {
     }
 
     @Test
+    void theLastWordsOfTheOldControllerDoNotDisplaceALineOfTheNewOne() {
+        Consumer<String> old = lines.forNewController();
+        Consumer<String> next = lines.forNewController();
+        runOnEdt(() -> {
+            lines.controllerStarted();
+            next.accept("ready");
+            old.accept("interrupted");
+        });
+        runOnEdt(() -> {});
+        assertEquals(List.of("ready"), shown);
+    }
+
+    @Test
+    void ofTwoLinesTheNewestIsShown() {
+        Consumer<String> ghost = lines.forGhost();
+        Consumer<String> run = lines.forNewController();
+        runOnEdt(() -> {
+            lines.controllerStarted();
+            run.accept("run");
+            ghost.accept("ghost");
+            run.accept("run again");
+        });
+        runOnEdt(() -> {});
+        assertEquals(List.of("run again"), shown);
+    }
+
+    @Test
     void aLineWrittenDuringTheStartStays() {
         lines.forNewController();
         runOnEdt(lines::controllerStarted);
