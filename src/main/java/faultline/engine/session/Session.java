@@ -200,9 +200,14 @@ public final class Session implements SessionView, AutoCloseable {
         submit(() -> setRunning(false));
     }
 
-    /** Resumes the run if it is paused when this request is performed, and pauses it otherwise. */
-    public void toggleRunning() {
-        submit(() -> setRunning(!running));
+    /**
+     * Pauses the run if it is running, and resumes it if it is paused. A run that was seen running and has paused in
+     * the meantime stays paused.
+     *
+     * @param seenRunning whether the user has seen the run running
+     */
+    public void toggleRunning(boolean seenRunning) {
+        submit(() -> setRunning(!running && !seenRunning));
     }
 
     /**

@@ -146,7 +146,7 @@ public final class RunController implements WorkspaceListener {
 
     /** Resumes or pauses the run. */
     public void toggleRunning() {
-        submit(open -> open.session().toggleRunning());
+        submit(open -> open.session().toggleRunning(open.session().status().running()));
     }
 
     /** Makes one tick and pauses. */

@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.engine.SimulationSetup;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.engine.session.SessionView;
@@ -20,6 +21,7 @@ final class RunPoller implements WorkspaceListener {
     private final MainPanel mainPanel;
     private final ProgressDialogs progressDialogs;
     private final ReplayNotifier replayNotifier;
+    private final EndNotifier endNotifier;
     private final List<BiConsumer<SessionFrame, SessionStatus>> listeners = new ArrayList<>();
     private final PollTimer timer = new PollTimer(this::poll);
     /** The status at the last poll; null before the first. */
@@ -31,6 +33,7 @@ final class RunPoller implements WorkspaceListener {
         this.mainPanel = mainPanel;
         this.progressDialogs = progressDialogs;
         replayNotifier = new ReplayNotifier(navigator, mainPanel.statusBar()::showNote);
+        endNotifier = new EndNotifier(mainPanel.statusBar()::showNote);
         workspace.addListener(this);
         // A screen reader chooses without an event of the mouse or the keyboard.
         mainPanel.addChoiceListener(this::wake);
@@ -100,7 +103,11 @@ final class RunPoller implements WorkspaceListener {
         SessionFrame frame = session.frame();
         mainPanel.setFrame(frame, status);
         replayNotifier.update(frame.frame());
-        workspace.scenario().ifPresent(open -> mainPanel.setRun(frame, status, open, navigator.furthestTick()));
+        workspace.scenario().ifPresent(open -> {
+            mainPanel.setRun(frame, status, open, navigator.furthestTick());
+            SimulationSetup setup = open.setup();
+            endNotifier.update(frame.snapshot().tick(), setup.ticks(), setup.duration());
+        });
         listeners.forEach(listener -> listener.accept(frame, status));
         return status;
     }

@@ -93,6 +93,19 @@ class SessionTest {
     }
 
     @Test
+    void aToggleMeantAsAPauseDoesNotResumeARunThatHasPausedItself() throws Exception {
+        session.toggleRunning(true);
+        session.journal().get();
+        assertFalse(session.status().running());
+        session.toggleRunning(false);
+        session.journal().get();
+        assertTrue(session.status().running());
+        session.toggleRunning(false);
+        session.journal().get();
+        assertFalse(session.status().running());
+    }
+
+    @Test
     void changesOfAPausedRunAreReportedWhenTheyAreVisible() {
         BlockingQueue<Long> ticks = new LinkedBlockingQueue<>();
         session.setPausedChangeListener(() -> ticks.add(tick()));

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Journal;
+import faultline.engine.metrics.Expectation;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
@@ -39,13 +40,16 @@ class RunPanelTest {
     }
 
     private void show(double seconds) {
-        long tick = scenario.setup().tickAt(seconds);
+        show(scenario.setup().tickAt(seconds), PAUSED);
+    }
+
+    private void show(long tick, SessionStatus status) {
         try (Session session = Session.replay(new Journal(scenario.setup(), List.of(), tick), tick, reached -> true)) {
             SessionFrame frame = session.frame();
             // A number of calls, as the window makes them.
             runOnEdt(() -> {
                 for (int i = 0; i < 10; i++) {
-                    panel.setRun(frame, PAUSED, scenario);
+                    panel.setRun(frame, status, scenario);
                 }
                 panel.setSize(450, 600);
                 ComponentFinder.layOut(panel);
@@ -103,5 +107,24 @@ class RunPanelTest {
                 .filter(part -> part instanceof JLabel)
                 .map(Component::getBounds)
                 .toList());
+    }
+
+    @Test
+    void whatWasNotMetStaysFailedIfTheRunContinuesAfterItsEnd() {
+        scenario = scenario.withExpectation(new Expectation(List.of(new Expectation.MinCoverage(1))));
+        show(10);
+        assertEquals("does not hold yet", coverageStatus());
+        show(scenario.setup().duration());
+        assertEquals("does not hold", coverageStatus());
+        show(scenario.setup().ticks() + 1, new SessionStatus(true, 1, 1, 0, null, null));
+        assertEquals("does not hold", coverageStatus());
+    }
+
+    private String coverageStatus() {
+        return callOnEdt(() -> ComponentFinder.findAll(panel, JLabel.class)
+                .filter(label -> label.getText().startsWith("Coverage at least"))
+                .map(JLabel::getToolTipText)
+                .findFirst()
+                .orElseThrow());
     }
 }
