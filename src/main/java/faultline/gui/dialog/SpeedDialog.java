@@ -7,6 +7,7 @@ import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
 import java.awt.Component;
 import java.awt.FlowLayout;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import javax.swing.JPanel;
 
@@ -32,10 +33,14 @@ public final class SpeedDialog {
         line.add(FormConstraints.label("motionSpeed", field));
         line.add(field);
         line.add(new MutedLabel("m/s"));
-        boolean accepted;
-        do {
-            accepted = FormDialog.showDialog(parent, Messages.get("motionSpeed.title"), line, field.textField());
-        } while (accepted && !field.commitValidEdit());
+        boolean accepted = FormDialog.showDialog(
+                parent,
+                Messages.get("motionSpeed.title"),
+                line,
+                field.textField(),
+                () -> field.commitValidEdit()
+                        ? Optional.empty()
+                        : Optional.of(new FormDialog.Problem("", field.textField())));
         return accepted ? OptionalDouble.of(field.doubleValue()) : OptionalDouble.empty();
     }
 }

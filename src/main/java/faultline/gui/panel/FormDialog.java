@@ -3,31 +3,50 @@ package faultline.gui.panel;
 import faultline.gui.theme.ScreenFit;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Window;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.ComponentListener;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.Optional;
+import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JOptionPane;
+import javax.swing.SwingUtilities;
 
 /** A form in a dialog that can be accepted or cancelled. */
 public final class FormDialog {
 
+    /** The greatest length of a line of a warning, in characters. */
+    private static final int MAX_LINE_LENGTH = 80;
+
     private FormDialog() {}
+
+    /**
+     * What keeps a form from being accepted.
+     *
+     * @param sentence what is wrong; empty if the form itself shows it
+     * @param field the component to correct, which gets the focus
+     */
+    public record Problem(String sentence, Component field) {}
 
     /**
      * Shows a form, which scrolls if the screen is too small for it, waits for the answer, and returns whether the form
      * was accepted. The dialog grows with the form; {@code first} has the focus initially.
      */
     public static boolean showDialog(Component parent, String title, JComponent form, Component first) {
-        JOptionPane pane =
-                new JOptionPane(ScreenFit.scrolling(form), JOptionPane.PLAIN_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
-                    @Override
-                    public void selectInitialValue() {
-                        super.selectInitialValue();
-                        first.requestFocusInWindow();
-                    }
-                };
+        return showDialog(parent, title, form, first, Optional::empty);
+    }
+
+    /**
+     * Shows a form as {@link #showDialog(Component, String, JComponent, Component)} does. When the user accepts the
+     * form, {@code check} returns what is wrong with it. As long as something is, the dialog stays and shows it.
+     */
+    public static boolean showDialog(
+            Component parent, String title, JComponent form, Component first, Supplier<Optional<Problem>> check) {
+        JOptionPane pane = new FormPane(title, form, first, check);
         NumberSpinner.findIn(form).forEach(NumberSpinner::passKeysOn);
         JDialog dialog = pane.createDialog(parent, title);
         dialog.setResizable(true);
@@ -38,7 +57,72 @@ public final class FormDialog {
         dialog.setVisible(true);
         form.removeComponentListener(growth);
         dialog.dispose();
-        return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
+        return FormPane.ACCEPTED.equals(pane.getValue());
+    }
+
+    /** Asks for a form; its dialog closes when the value is set. */
+    private static final class FormPane extends JOptionPane {
+
+        private static final Integer ACCEPTED = OK_OPTION;
+
+        private final String title;
+        private final JComponent form;
+        private final Component first;
+        private final transient Supplier<Optional<Problem>> check;
+
+        FormPane(String title, JComponent form, Component first, Supplier<Optional<Problem>> check) {
+            super(ScreenFit.scrolling(form), PLAIN_MESSAGE, OK_CANCEL_OPTION);
+            this.title = title;
+            this.form = form;
+            this.first = first;
+            this.check = check;
+        }
+
+        @Override
+        public void selectInitialValue() {
+            super.selectInitialValue();
+            first.requestFocusInWindow();
+        }
+
+        @Override
+        public void setValue(Object value) {
+            Optional<Problem> problem = ACCEPTED.equals(value) ? check.get() : Optional.empty();
+            problem.ifPresentOrElse(this::show, () -> super.setValue(value));
+        }
+
+        private void show(Problem problem) {
+            if (!problem.sentence().isEmpty()) {
+                showWarning(problem.sentence());
+            }
+            focus(SwingUtilities.getWindowAncestor(this), problem.field());
+        }
+
+        /** Gives a component the focus, which its window may get only later, when the warning is gone. */
+        private static void focus(Window window, Component field) {
+            if (window.isFocused()) {
+                field.requestFocusInWindow();
+            } else {
+                window.addWindowFocusListener(new WindowAdapter() {
+                    @Override
+                    public void windowGainedFocus(WindowEvent event) {
+                        window.removeWindowFocusListener(this);
+                        field.requestFocusInWindow();
+                    }
+                });
+            }
+        }
+
+        private void showWarning(String sentence) {
+            JOptionPane pane = new JOptionPane(sentence, WARNING_MESSAGE) {
+                @Override
+                public int getMaxCharactersPerLineCount() {
+                    return MAX_LINE_LENGTH;
+                }
+            };
+            JDialog dialog = pane.createDialog(form, title);
+            dialog.setVisible(true);
+            dialog.dispose();
+        }
     }
 
     /** Enlarges a dialog whose form needs more room than before, such as for a field that has become visible. */

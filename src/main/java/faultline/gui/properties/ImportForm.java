@@ -49,7 +49,6 @@ public final class ImportForm extends JPanel {
     /** Fewer than fit below the preview, which determines the width. */
     private static final int STATUS_COLUMNS = 20;
 
-    private static final int MAX_LINE_LENGTH = 80;
     private static final double USUAL_RESOLUTION = 0.05;
     private static final double MAX_RESOLUTION = 10;
     private static final int MAX_CELLS = 100_000;
@@ -81,47 +80,37 @@ public final class ImportForm extends JPanel {
     public static Optional<Scenario> showDialog(Component parent, Path file) {
         ImportForm form = new ImportForm(file);
         String title = Messages.get("import.title", FileNames.lastOf(file));
-        Component focused = form.unknownIsWall;
-        while (FormDialog.showDialog(parent, title, form, focused)) {
-            Optional<NumberSpinner> refused = form.commitNumbers();
-            Optional<String> problem = refused.map(PropertiesForm::refusal);
-            focused = refused.<Component>map(NumberSpinner::textField).orElse(form.unknownIsWall);
-            if (problem.isEmpty()) {
-                form.awaitReading(parent, title);
-            }
-            if (problem.isEmpty() && form.scenario().isPresent()) {
-                return form.scenario();
-            }
-            if (!form.isReading) {
-                showProblem(parent, title, problem.orElseGet(form::status));
-            }
+        boolean accepted = FormDialog.showDialog(parent, title, form, form.firstField(), () -> form.findProblem(title));
+        return accepted ? form.scenario() : Optional.empty();
+    }
+
+    private Component firstField() {
+        return FloorPlan.isYaml(file) ? unknownIsWall : resolution.textField();
+    }
+
+    /** Commits the numbers, waits for the plan, and returns what is wrong; empty if there is a scenario. */
+    private Optional<FormDialog.Problem> findProblem(String title) {
+        Optional<NumberSpinner> refused = commitNumbers();
+        if (refused.isPresent()) {
+            return refused.map(field -> new FormDialog.Problem(PropertiesForm.refusal(field), field.textField()));
         }
-        return Optional.empty();
+        awaitReading(title);
+        return scenario().isPresent()
+                ? Optional.empty()
+                : Optional.of(new FormDialog.Problem(isReading ? "" : status(), firstField()));
     }
 
     /** Shows that the plan is read until it has been read or the user cancels. */
-    private void awaitReading(Component parent, String title) {
+    private void awaitReading(String title) {
         if (isReading) {
             JOptionPane pane = new JOptionPane(Messages.get("import.reading"), JOptionPane.INFORMATION_MESSAGE);
             pane.setOptions(new Object[] {UIManager.getString("OptionPane.cancelButtonText")});
-            JDialog dialog = pane.createDialog(parent, title);
+            JDialog dialog = pane.createDialog(this, title);
             onRead = dialog::dispose;
             dialog.setVisible(true);
             onRead = () -> {};
             dialog.dispose();
         }
-    }
-
-    private static void showProblem(Component parent, String title, String sentence) {
-        JOptionPane pane = new JOptionPane(sentence, JOptionPane.WARNING_MESSAGE) {
-            @Override
-            public int getMaxCharactersPerLineCount() {
-                return MAX_LINE_LENGTH;
-            }
-        };
-        JDialog dialog = pane.createDialog(parent, title);
-        dialog.setVisible(true);
-        dialog.dispose();
     }
 
     ImportForm(Path file) {

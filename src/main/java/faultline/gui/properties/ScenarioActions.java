@@ -18,7 +18,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 
 /** The actions that start a new scenario and change the properties of the open one. */
@@ -98,15 +97,9 @@ public final class ScenarioActions {
             JComponent first,
             String titleKey,
             Supplier<Optional<String>> problem) {
-        JComponent focused = first;
-        while (FormDialog.showDialog(parent, Messages.get(titleKey), content, focused)) {
-            Optional<String> found = problem.get();
-            if (found.isEmpty()) {
-                return true;
-            }
-            JOptionPane.showMessageDialog(parent, found.get(), Messages.get(titleKey), JOptionPane.WARNING_MESSAGE);
-            focused = form.invalidField().<JComponent>map(field -> field).orElse(first);
-        }
-        return false;
+        return FormDialog.showDialog(parent, Messages.get(titleKey), content, first, () -> problem.get()
+                .map(sentence -> new FormDialog.Problem(
+                        sentence,
+                        form.invalidField().<JComponent>map(field -> field).orElse(first))));
     }
 }

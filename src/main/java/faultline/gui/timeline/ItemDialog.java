@@ -16,7 +16,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 
 /** Asks for the lane, the details and the times of an item. */
@@ -95,28 +94,22 @@ final class ItemDialog {
         JPanel content = new JPanel(new BorderLayout());
         content.add(form, BorderLayout.NORTH);
         // The start has the focus initially: the kind would take the arrow keys.
-        NumberSpinner focused = from;
-        Optional<TimelineItem> result;
-        boolean accepted;
-        do {
-            accepted = FormDialog.showDialog(parent, TimelineText.dialogTitle(item), content, focused.textField());
-            result = accepted ? read() : Optional.empty();
-            focused = refusedField().orElse(from);
-            if (accepted && endsBeforeItStarts()) {
-                JOptionPane.showMessageDialog(
-                        parent,
-                        Messages.get("timeline.order"),
-                        TimelineText.dialogTitle(item),
-                        JOptionPane.WARNING_MESSAGE);
-            }
-        } while (accepted && result.isEmpty());
-        return result;
+        boolean accepted = FormDialog.showDialog(
+                parent, TimelineText.dialogTitle(item), content, from.textField(), this::findProblem);
+        return accepted ? read() : Optional.empty();
     }
 
-    private Optional<NumberSpinner> refusedField() {
-        return NumberSpinner.findIn(form)
+    /** Commits what is being typed, and returns what is wrong; empty if nothing is. */
+    private Optional<FormDialog.Problem> findProblem() {
+        Optional<NumberSpinner> refused = NumberSpinner.findIn(form)
                 .filter(field -> field.isVisible() && !field.commitValidEdit())
                 .findFirst();
+        if (refused.isPresent()) {
+            return refused.map(field -> new FormDialog.Problem("", field.textField()));
+        }
+        return endsBeforeItStarts()
+                ? Optional.of(new FormDialog.Problem(Messages.get("timeline.order"), from.textField()))
+                : Optional.empty();
     }
 
     private boolean endsBeforeItStarts() {

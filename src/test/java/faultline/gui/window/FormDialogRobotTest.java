@@ -18,6 +18,7 @@ import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import javax.swing.Box;
@@ -133,6 +134,40 @@ class FormDialogRobotTest {
                 () -> ComponentFinder.findAll(dialog, JToolTip.class).count() == fields.size());
         robot.pressKeys(KeyEvent.VK_ESCAPE);
         robot.waitFor("the dialog is closed", closed::get);
+    }
+
+    @Test
+    void aFormThatIsWrongStaysAndTheFieldToCorrectGetsTheFocus() {
+        List<JTextField> fields = callOnEdt(() -> {
+            Theme.LIGHT.install();
+            return List.of(new JTextField("5", 12), new JTextField("3", 12));
+        });
+        JTextField until = fields.get(1);
+        AtomicBoolean accepted = new AtomicBoolean();
+        EventQueue.invokeLater(() -> {
+            Box form = Box.createVerticalBox();
+            fields.forEach(form::add);
+            accepted.set(FormDialog.showDialog(
+                    null,
+                    "Times",
+                    form,
+                    fields.get(0),
+                    () -> until.getText().startsWith("3")
+                            ? Optional.of(new FormDialog.Problem("Until must be after From", until))
+                            : Optional.empty()));
+        });
+        robot.waitFor("the first field has the focus", fields.get(0)::isFocusOwner);
+        Window dialog = callOnEdt(() -> SwingUtilities.getWindowAncestor(until));
+        robot.pressKeys(KeyEvent.VK_ENTER);
+        robot.waitFor("the warning", () -> dialog.getOwnedWindows().length > 0 && !dialog.isFocused());
+        assertTrue(callOnEdt(dialog::isShowing));
+        robot.pressKeys(KeyEvent.VK_ENTER);
+        robot.waitFor("the field to correct has the focus", until::isFocusOwner);
+        robot.pressKeys(KeyEvent.VK_HOME);
+        robot.pressKeys(KeyEvent.VK_9);
+        robot.waitFor("the corrected text", () -> until.getText().equals("93"));
+        robot.pressKeys(KeyEvent.VK_ENTER);
+        robot.waitFor("the form is accepted", accepted::get);
     }
 
     private static JTextField textOf(NumberSpinner field) {

@@ -7,10 +7,12 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.world.ObstacleShape;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import javax.swing.JDialog;
 import javax.swing.JScrollBar;
 import javax.swing.JTextField;
@@ -91,12 +93,15 @@ class ImportRobotTest {
         });
         driver.robot().waitFor("the field has the focus", smoothing::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
-        driver.robot().waitFor("the form is gone", () -> !dialog.isShowing());
-        driver.dialog(TITLE);
+        driver.robot()
+                .waitFor(
+                        "the message",
+                        () -> !dialog.isFocused()
+                                && Stream.of(dialog.getOwnedWindows()).anyMatch(Window::isFocused));
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the refused field has the focus", smoothing::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
-        driver.robot().waitFor("the form is gone again", () -> !smoothing.isShowing());
+        driver.robot().waitFor("the form is gone", () -> !smoothing.isShowing());
     }
 
     private static long rings(Frame frame) {
