@@ -40,7 +40,7 @@ public final class SpeedDialog {
                 field.textField(),
                 () -> field.commitValidEdit()
                         ? Optional.empty()
-                        : Optional.of(new FormDialog.Problem("", field.textField())));
+                        : Optional.of(new FormDialog.FormProblem("", field.textField())));
         return accepted ? OptionalDouble.of(field.doubleValue()) : OptionalDouble.empty();
     }
 }

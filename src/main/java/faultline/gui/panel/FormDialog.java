@@ -30,7 +30,7 @@ public final class FormDialog {
      * @param sentence what is wrong; empty if the form itself shows it
      * @param field the component to correct, which gets the focus
      */
-    public record Problem(String sentence, Component field) {}
+    public record FormProblem(String sentence, Component field) {}
 
     /**
      * Shows a form, which scrolls if the screen is too small for it, waits for the answer, and returns whether the form
@@ -45,7 +45,7 @@ public final class FormDialog {
      * form, {@code check} returns what is wrong with it. As long as something is, the dialog stays and shows it.
      */
     public static boolean showDialog(
-            Component parent, String title, JComponent form, Component first, Supplier<Optional<Problem>> check) {
+            Component parent, String title, JComponent form, Component first, Supplier<Optional<FormProblem>> check) {
         JOptionPane pane = new FormPane(title, form, first, check);
         NumberSpinner.findIn(form).forEach(NumberSpinner::passKeysOn);
         JDialog dialog = pane.createDialog(parent, title);
@@ -68,9 +68,9 @@ public final class FormDialog {
         private final String title;
         private final JComponent form;
         private final Component first;
-        private final transient Supplier<Optional<Problem>> check;
+        private final transient Supplier<Optional<FormProblem>> check;
 
-        FormPane(String title, JComponent form, Component first, Supplier<Optional<Problem>> check) {
+        FormPane(String title, JComponent form, Component first, Supplier<Optional<FormProblem>> check) {
             super(ScreenFit.scrolling(form), PLAIN_MESSAGE, OK_CANCEL_OPTION);
             this.title = title;
             this.form = form;
@@ -86,11 +86,11 @@ public final class FormDialog {
 
         @Override
         public void setValue(Object value) {
-            Optional<Problem> problem = ACCEPTED.equals(value) ? check.get() : Optional.empty();
+            Optional<FormProblem> problem = ACCEPTED.equals(value) ? check.get() : Optional.empty();
             problem.ifPresentOrElse(this::show, () -> super.setValue(value));
         }
 
-        private void show(Problem problem) {
+        private void show(FormProblem problem) {
             if (!problem.sentence().isEmpty()) {
                 showWarning(problem.sentence());
             }

@@ -89,15 +89,15 @@ public final class ImportForm extends JPanel {
     }
 
     /** Commits the numbers, waits for the plan, and returns what is wrong; empty if there is a scenario. */
-    private Optional<FormDialog.Problem> findProblem(String title) {
+    private Optional<FormDialog.FormProblem> findProblem(String title) {
         Optional<NumberSpinner> refused = commitNumbers();
         if (refused.isPresent()) {
-            return refused.map(field -> new FormDialog.Problem(PropertiesForm.refusal(field), field.textField()));
+            return refused.map(field -> new FormDialog.FormProblem(PropertiesForm.refusal(field), field.textField()));
         }
         awaitReading(title);
         return scenario().isPresent()
                 ? Optional.empty()
-                : Optional.of(new FormDialog.Problem(isReading ? "" : status(), firstField()));
+                : Optional.of(new FormDialog.FormProblem(isReading ? "" : status(), firstField()));
     }
 
     /** Shows that the plan is read until it has been read or the user cancels. */

@@ -98,7 +98,7 @@ public final class ScenarioActions {
             String titleKey,
             Supplier<Optional<String>> problem) {
         return FormDialog.showDialog(parent, Messages.get(titleKey), content, first, () -> problem.get()
-                .map(sentence -> new FormDialog.Problem(
+                .map(sentence -> new FormDialog.FormProblem(
                         sentence,
                         form.invalidField().<JComponent>map(field -> field).orElse(first))));
     }

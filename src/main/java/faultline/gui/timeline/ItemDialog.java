@@ -100,15 +100,15 @@ final class ItemDialog {
     }
 
     /** Commits what is being typed, and returns what is wrong; empty if nothing is. */
-    private Optional<FormDialog.Problem> findProblem() {
+    private Optional<FormDialog.FormProblem> findProblem() {
         Optional<NumberSpinner> refused = NumberSpinner.findIn(form)
                 .filter(field -> field.isVisible() && !field.commitValidEdit())
                 .findFirst();
         if (refused.isPresent()) {
-            return refused.map(field -> new FormDialog.Problem("", field.textField()));
+            return refused.map(field -> new FormDialog.FormProblem("", field.textField()));
         }
         return endsBeforeItStarts()
-                ? Optional.of(new FormDialog.Problem(Messages.get("timeline.order"), from.textField()))
+                ? Optional.of(new FormDialog.FormProblem(Messages.get("timeline.order"), from.textField()))
                 : Optional.empty();
     }
 

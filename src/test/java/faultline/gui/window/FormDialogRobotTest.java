@@ -153,7 +153,7 @@ class FormDialogRobotTest {
                     form,
                     fields.get(0),
                     () -> until.getText().startsWith("3")
-                            ? Optional.of(new FormDialog.Problem("Until must be after From", until))
+                            ? Optional.of(new FormDialog.FormProblem("Until must be after From", until))
                             : Optional.empty()));
         });
         robot.waitFor("the first field has the focus", fields.get(0)::isFocusOwner);
