@@ -16,7 +16,6 @@ import java.awt.Font;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -25,6 +24,7 @@ import javax.swing.ImageIcon;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 
 /** The window's messages: failures, problems in a file, shortcuts and the about box. */
@@ -119,14 +119,10 @@ public final class Dialogs {
     }
 
     private JDialog createShortcutsDialog(ActionRegistry actions) {
-        List<List<String>> rows = new ArrayList<>();
-        actions.allActions().forEach(action -> action.accelerator()
-                .ifPresent(stroke -> rows.add(List.of(
-                        Keystrokes.toText(stroke), String.valueOf(action.getValue(UiAction.LONG_DESCRIPTION))))));
-        for (String gesture : Messages.get("shortcuts.canvas").split(";")) {
-            rows.add(List.of(gesture.split(":")));
-        }
+        List<List<String>> rows =
+                ShortcutRows.of(SwingUtilities.getRootPane(owner).getJMenuBar(), actions);
         List<TableDialog.DialogColumn> columns = List.of(
+                new TableDialog.DialogColumn(Messages.get("shortcuts.place"), 90),
                 new TableDialog.DialogColumn(Messages.get("shortcuts.key"), 150),
                 new TableDialog.DialogColumn(Messages.get("shortcuts.action"), 420));
         return new TableDialog(

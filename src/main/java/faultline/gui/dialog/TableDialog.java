@@ -1,7 +1,10 @@
 package faultline.gui.dialog;
 
 import faultline.gui.action.Keystrokes;
+import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.RowTable;
+import faultline.gui.panel.TextListener;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
@@ -11,6 +14,7 @@ import java.awt.Dimension;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.JComponent;
@@ -20,12 +24,18 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
+import javax.swing.JTextField;
 import javax.swing.table.DefaultTableModel;
 
-/** A modal dialog with a heading, a read-only table and a button. Escape and Enter close it. */
+/**
+ * A modal dialog with a heading, a read-only table and a button. Escape and Enter close it. A long table has a field
+ * above it that hides the rows without the text that is typed.
+ */
 final class TableDialog extends JDialog {
 
     private static final int MAX_TABLE_HEIGHT = 360;
+    /** The greatest number of rows without a field to search them. */
+    private static final int MAX_UNSEARCHED_ROWS = 15;
 
     /** A column: its heading and its minimum width, pixels. */
     record DialogColumn(String heading, int minWidth) {}
@@ -41,10 +51,14 @@ final class TableDialog extends JDialog {
         super(owner, title, ModalityType.APPLICATION_MODAL);
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
-        content.add(createHeading(heading, icon), BorderLayout.NORTH);
         JTable table = createTable(columns, rows);
-        WrappedCellRenderer.install(
+        WrappedCellRenderer cells = WrappedCellRenderer.install(
                 table, columns.stream().map(DialogColumn::minWidth).toList());
+        JPanel top = createHeading(heading, icon);
+        if (rows.size() > MAX_UNSEARCHED_ROWS) {
+            top.add(createSearch(rows, table, cells), BorderLayout.SOUTH);
+        }
+        content.add(top, BorderLayout.NORTH);
         content.add(createScrollPane(table, title), BorderLayout.CENTER);
         content.add(DialogButtons.createSingleButton(this, "dialog.close", this::dispose), BorderLayout.SOUTH);
         setContentPane(content);
@@ -60,10 +74,38 @@ final class TableDialog extends JDialog {
         JTextArea text = UiText.wrappedText(heading);
         JLabel label = new JLabel(icon);
         label.setVerticalAlignment(JLabel.TOP);
-        JPanel row = new JPanel(new BorderLayout(12, 0));
+        JPanel row = new JPanel(new BorderLayout(12, 12));
         row.add(label, BorderLayout.LINE_START);
         row.add(text, BorderLayout.CENTER);
         return row;
+    }
+
+    private static JPanel createSearch(List<List<String>> rows, JTable table, WrappedCellRenderer cells) {
+        JTextField search = new JTextField();
+        search.getAccessibleContext().setAccessibleName(Messages.get("table.search"));
+        search.getDocument().addDocumentListener(new TextListener(() -> {
+            show(rowsWith(search.getText(), rows), table);
+            cells.fitRows(table);
+        }));
+        JPanel line = new JPanel(new BorderLayout(8, 0));
+        line.add(FormConstraints.label("table.search", search), BorderLayout.LINE_START);
+        line.add(search, BorderLayout.CENTER);
+        return line;
+    }
+
+    /** Returns the rows with a text in one of their cells, in capital or small letters. */
+    private static List<List<String>> rowsWith(String text, List<List<String>> rows) {
+        String wanted = text.strip().toLowerCase(Locale.ROOT);
+        return rows.stream()
+                .filter(row -> row.stream()
+                        .anyMatch(cell -> cell.toLowerCase(Locale.ROOT).contains(wanted)))
+                .toList();
+    }
+
+    private static void show(List<List<String>> rows, JTable table) {
+        DefaultTableModel model = (DefaultTableModel) table.getModel();
+        model.setRowCount(0);
+        rows.forEach(row -> model.addRow(row.toArray()));
     }
 
     private static JTable createTable(List<DialogColumn> columns, List<List<String>> rows) {
@@ -74,8 +116,8 @@ final class TableDialog extends JDialog {
                 return false;
             }
         };
-        rows.forEach(row -> model.addRow(row.toArray()));
         JTable table = new RowTable(model);
+        show(rows, table);
         table.getTableHeader().setReorderingAllowed(false);
         // Enter presses the button; otherwise it would select the next row.
         table.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)

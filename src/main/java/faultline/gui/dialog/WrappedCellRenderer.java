@@ -21,9 +21,9 @@ final class WrappedCellRenderer extends JTextArea implements TableCellRenderer {
 
     /**
      * Gives columns at least the given widths, in pixels, and the width of their headings, and rows the height of their
-     * texts.
+     * texts. Returns the renderer, which fits the rows again when they change.
      */
-    static void install(JTable table, List<Integer> minWidths) {
+    static WrappedCellRenderer install(JTable table, List<Integer> minWidths) {
         List<Integer> widths = IntStream.range(0, minWidths.size())
                 .mapToObj(column -> Math.max(minWidths.get(column), headingWidth(table, column)))
                 .toList();
@@ -40,10 +40,11 @@ final class WrappedCellRenderer extends JTextArea implements TableCellRenderer {
                 cells.fitRows(table);
             }
         });
+        return cells;
     }
 
     /** Gives each row the height that its texts need in the present columns. */
-    private void fitRows(JTable table) {
+    void fitRows(JTable table) {
         for (int row = 0; row < table.getRowCount(); row++) {
             int height = 0;
             for (int column = 0; column < table.getColumnCount(); column++) {

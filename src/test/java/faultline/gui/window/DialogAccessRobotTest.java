@@ -148,6 +148,7 @@ class DialogAccessRobotTest {
         driver.chooseLater("shortcuts");
         JDialog dialog = driver.dialog("Keyboard and mouse");
         JTable table = ComponentFinder.findAll(dialog, JTable.class).findFirst().orElseThrow();
+        runOnEdt(table::requestFocusInWindow);
         driver.robot().waitFor("the table has the focus", table::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());

@@ -157,12 +157,18 @@ class FileEditingRobotTest {
     }
 
     @Test
-    void theShortcutsDialogListsEveryKey() {
+    void theShortcutsDialogListsEveryKeyAndFindsSome() {
         driver.robot().pressKeys(KeyEvent.VK_F1);
         JDialog dialog = dialog("Keyboard and mouse");
         JTable table = ComponentFinder.findAll(dialog, JTable.class).findFirst().orElseThrow();
         assertTrue(callOnEdt(table::getRowCount) > 25);
-        assertEquals("Ctrl+O", callOnEdt(() -> table.getValueAt(0, 0)));
+        assertEquals("File", callOnEdt(() -> table.getValueAt(0, 0)));
+        assertEquals("Ctrl+N", callOnEdt(() -> table.getValueAt(0, 1)));
+        driver.robot().pressKeys(KeyEvent.VK_G);
+        driver.robot().pressKeys(KeyEvent.VK_H);
+        driver.robot().pressKeys(KeyEvent.VK_O);
+        driver.robot().waitFor("the rows about ghosts", () -> table.getRowCount() == 1);
+        assertEquals("Ctrl+G", callOnEdt(() -> table.getValueAt(0, 1)));
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
     }
