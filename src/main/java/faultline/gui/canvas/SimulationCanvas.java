@@ -146,17 +146,6 @@ public final class SimulationCanvas extends AccessibleComponent {
         viewport.fit();
     }
 
-    /** Returns whether the whole world is fitted into the canvas. */
-    public boolean isFitting() {
-        return viewport.isFitting();
-    }
-
-    /** Sets the height at the upper edge, pixels, that a component covers; a fitted world is shown below it. */
-    public void setCovered(int height) {
-        assert EventQueue.isDispatchThread();
-        viewport.setCovered(height);
-    }
-
     /** Zooms in on the centre. */
     public void zoomIn() {
         assert EventQueue.isDispatchThread();

@@ -13,9 +13,9 @@ import java.util.List;
 import javax.swing.JComponent;
 
 /**
- * Places the components on top of the canvas where they do not hide the robot. The banner is along the upper edge, and
- * a fitted world is shown below it; in a view that the user has chosen, it goes to the lower edge if the robot is at
- * the upper one. The card of the tour is in a corner, which it leaves only when the robot comes near.
+ * Places the components on top of the canvas where they do not hide the robot, and leaves the view as it is. The banner
+ * is along the upper edge, or along the lower one if the robot is at the upper one. The card of the tour is in a
+ * corner, which it leaves only when the robot comes near.
  */
 final class CanvasOverlays extends StatelessLayout {
 
@@ -49,12 +49,10 @@ final class CanvasOverlays extends StatelessLayout {
 
     @Override
     public void layoutContainer(Container parent) {
-        int bannerHeight = banner.isVisible() ? banner.getPreferredSize().height : 0;
-        canvas.setCovered(bannerHeight);
         List<Rectangle2D> avoided = new ArrayList<>(canvas.robotArea().stream().toList());
         if (banner.isVisible()) {
-            CornerChoice edge = canvas.isFitting() ? new CornerChoice(Corner.UPPER_LEFT) : bannerEdge;
-            move(banner, new Dimension(parent.getWidth(), bannerHeight), edge, avoided);
+            Dimension size = new Dimension(parent.getWidth(), banner.getPreferredSize().height);
+            move(banner, size, bannerEdge, avoided);
             avoided.add(banner.getBounds());
         }
         if (card != null && card.isVisible()) {

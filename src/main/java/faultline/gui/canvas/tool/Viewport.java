@@ -19,9 +19,6 @@ public final class Viewport {
     private final ObservableValue<Camera> camera = new ObservableValue<>(new Camera(0, 0, 100, 1, 1));
     private Snapshot world;
     private boolean fitting = true;
-    /** The height at the upper edge that something covers, pixels. */
-    private int covered;
-
     private boolean following;
 
     public ObservableValue<Camera> camera() {
@@ -45,7 +42,6 @@ public final class Viewport {
             return;
         }
         camera.set(resized);
-        covered = Math.min(covered, camera.get().height() / 2);
         if (fitting) {
             fit();
         }
@@ -55,27 +51,7 @@ public final class Viewport {
         fitting = true;
         Camera now = camera.get();
         if (world != null) {
-            camera.set(FrameRenderer.fitCamera(world, now.width(), now.height() - covered)
-                    .resized(now.width(), now.height())
-                    .panned(0, covered / 2.0));
-        }
-    }
-
-    /** Returns whether the whole world is fitted into the canvas. */
-    public boolean isFitting() {
-        return fitting;
-    }
-
-    /**
-     * Sets the height at the upper edge below which the world is fitted, pixels; at most half of the canvas is used.
-     */
-    public void setCovered(int height) {
-        int usable = Math.min(height, camera.get().height() / 2);
-        if (usable != covered) {
-            covered = usable;
-            if (fitting) {
-                fit();
-            }
+            camera.set(FrameRenderer.fitCamera(world, now.width(), now.height()));
         }
     }
 

@@ -49,22 +49,6 @@ class ViewportTest {
     }
 
     @Test
-    void aWorldIsFittedBelowWhatCoversTheUpperEdge() {
-        viewport.resize(800, 300);
-        viewport.setCovered(100);
-        assertEquals(152 / 4.0, camera().scale());
-        assertEquals(new Vector2(400, 200), camera().toScreen(new Vector2(3, 2)));
-    }
-
-    @Test
-    void whatCoversTheUpperEdgeCountsForAtMostHalfOfTheCanvas() {
-        viewport.setCovered(400);
-        assertEquals(252 / 4.0, camera().scale());
-        viewport.resize(800, 300);
-        assertEquals(102 / 4.0, camera().scale());
-    }
-
-    @Test
     void aZoomedViewKeepsItsScaleWhenTheCanvasIsResized() {
         viewport.zoom(2);
         viewport.resize(440, 600);
