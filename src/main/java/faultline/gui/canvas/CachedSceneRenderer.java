@@ -83,7 +83,10 @@ final class CachedSceneRenderer {
                 division.separate(),
                 driven.tailStart(path.shownContent().orElse(null)));
         paintSelection(context, scene);
-        painter.paintOverlays(context, frame.snapshot(), covered);
+        painter.paintScaleBar(context);
+        if (scene.isCollisionReported()) {
+            painter.paintCollisionReport(context, frame.snapshot(), covered);
+        }
         reference.ifPresent(earlier ->
                 ReferenceOverlayPainter.paintAnnotations(context, earlier, frame.snapshot(), captionCorner, covered));
     }

@@ -140,6 +140,15 @@ public final class SimulationCanvas extends AccessibleComponent {
         return model.layers().contains(layer);
     }
 
+    /** Sets whether the first collision is reported; a component on top of the canvas may report it instead. */
+    public void setCollisionReported(boolean reported) {
+        assert EventQueue.isDispatchThread();
+        if (reported != model.isCollisionReported()) {
+            model.setCollisionReported(reported);
+            repaint();
+        }
+    }
+
     /** Fits the whole world into the canvas, also when the canvas is resized, until the user zooms or pans. */
     public void fit() {
         assert EventQueue.isDispatchThread();

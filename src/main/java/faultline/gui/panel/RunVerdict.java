@@ -74,7 +74,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
                         unmet.stream()
                                 .map(item ->
                                         ExpectationText.format(item) + " (" + ExpectationText.value(item, frame) + ")"),
-                        collision.map(RunVerdict::collisionText).stream())
+                        collision.map(contact -> collisionText(contact) + ". " + faultText(contact)).stream())
                 .collect(Collectors.joining("; "));
         String title = unmet.isEmpty()
                 ? Messages.get(
@@ -93,14 +93,18 @@ public record RunVerdict(boolean success, String title, String detail, long even
         boolean expected = required.contains(new Expectation.Collides(true));
         return new RunVerdict(
                 expected,
-                Messages.get("verdict.collided", collision.obstacle(), NumberText.format("%.3f", collision.time())),
+                collisionText(collision),
                 (expected ? Messages.get("verdict.asExpected") + " " : "") + faultText(collision),
                 collision.tick());
     }
 
     private static String collisionText(Collision collision) {
-        return Messages.get("verdict.collided", collision.obstacle(), NumberText.format("%.3f", collision.time()))
-                + ". " + faultText(collision);
+        return Messages.get(
+                "verdict.collided",
+                collision.obstacle(),
+                NumberText.format("%.3f", collision.time()),
+                NumberText.format("%.3f", collision.point().x()),
+                NumberText.format("%.3f", collision.point().y()));
     }
 
     /** Returns which faults were active at a collision, in a text that is short however many there were. */

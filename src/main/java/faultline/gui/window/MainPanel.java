@@ -188,6 +188,8 @@ final class MainPanel extends JPanel {
         RunVerdict.of(frame, now, scenario)
                 .ifPresentOrElse(
                         verdict -> banner.setVerdict(verdict, scenario.setup().dt()), banner::clearVerdict);
+        // The banner names the first collision, too, unless it is about a failure.
+        canvas.setCollisionReported(!banner.isVisible() || now.failure().isPresent());
     }
 
     /** Shows a reference run and where it first differs from the run, each null for none. */

@@ -38,7 +38,8 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         List<Obstacle> moving =
                 world.obstacles().stream().filter(Obstacle::isMoving).toList();
         paintDynamic(context, frame, moving, 0);
-        paintOverlays(context, world, List.of());
+        paintScaleBar(context);
+        paintCollisionReport(context, world, List.of());
         references.forEach(reference -> ReferenceOverlayPainter.paintAnnotations(
                 context, reference, world, ReferenceOverlayPainter.createCornerChoice(), List.of()));
     }
@@ -96,14 +97,18 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         CollisionPainter.paint(context, world);
     }
 
-    /**
-     * Paints what belongs to the picture and not to the world, on top of everything, so that it can be seen beside the
-     * areas that will be covered, pixels.
-     */
-    public void paintOverlays(DrawContext context, Snapshot world, List<Rectangle2D> covered) {
+    /** Paints the scale bar, on top of the world. */
+    public void paintScaleBar(DrawContext context) {
         if (layers.contains(Layer.SCALE_BAR)) {
             ScaleBarPainter.paint(context.withFont(labels.font()));
         }
+    }
+
+    /**
+     * Paints the report of the first collision, if there was one, on top of the world, so that it can be seen beside
+     * the areas that will be covered, pixels.
+     */
+    public void paintCollisionReport(DrawContext context, Snapshot world, List<Rectangle2D> covered) {
         if (world.collision().isPresent()) {
             CollisionPainter.paintBadge(context.withFont(labels.font()), world, labels, covered);
         }

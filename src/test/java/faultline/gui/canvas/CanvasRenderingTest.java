@@ -158,6 +158,21 @@ class CanvasRenderingTest {
     }
 
     @Test
+    void aCollisionThatIsReportedElsewhereIsOnlyMarked() {
+        Frame frame = SampleFrames.fullFrame();
+        runOnEdt(() -> canvas.setCollisionReported(false));
+        BufferedImage marked = shown(frame);
+        assertTrue(Pixels.countDifferent(picture(frame), marked) > 1000, "the report is still there");
+        assertEquals(0, Pixels.countDifferent(belowReport(picture(frame)), belowReport(marked)));
+        runOnEdt(() -> canvas.setCollisionReported(true));
+        assertLooksLikeAFile(frame);
+    }
+
+    private static BufferedImage belowReport(BufferedImage image) {
+        return image.getSubimage(0, 80, WIDTH, HEIGHT - 80);
+    }
+
+    @Test
     void theSelectedObstacleIsMarkedAndTheMarkGoesAway() {
         Frame frame = SampleFrames.frameOf(ROBOT, BOX);
         shown(frame);

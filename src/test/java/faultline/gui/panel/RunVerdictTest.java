@@ -79,7 +79,7 @@ class RunVerdictTest {
         Scenario crash = Scenario.loadShipped("collision-on-purpose.xml");
         RunVerdict verdict =
                 RunVerdict.of(frameAt(crash.setup(), 1000), RUNNING, crash).orElseThrow();
-        assertEquals("Collision with pole at 9.562 s", verdict.title());
+        assertEquals("Collision with pole at 9.562 s (x 3.980 m, y 2.050 m)", verdict.title());
         assertEquals("As expected. Active faults: front off, no reading", verdict.detail());
         assertTrue(verdict.success());
         assertEquals(957 - 200, verdict.tickBefore(0.01));

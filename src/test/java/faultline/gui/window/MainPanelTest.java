@@ -42,6 +42,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineEditor;
+import faultline.paint.scene.Pixels;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
@@ -61,6 +62,7 @@ import javax.swing.AbstractButton;
 import javax.swing.Box;
 import javax.swing.CellRendererPane;
 import javax.swing.DefaultBoundedRangeModel;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
@@ -340,6 +342,20 @@ class MainPanelTest {
     private Object chosenSensor() {
         return ComponentFinder.find(mainPanel.controlPanel().sensorDetails(), JComboBox.class, "Sensor")
                 .getSelectedItem();
+    }
+
+    @Test
+    void aCollisionIsReportedOnTheCanvasOnlyWhileNoBannerReportsIt() throws ScenarioException {
+        Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
+        SessionFrame collided = new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY);
+        runOnEdt(() -> {
+            setSizeAndLayOut(1360, 840);
+            mainPanel.setRun(collided, FAST, office, 100);
+            ComponentFinder.find(canvas, JButton.class, "Close this message").doClick();
+        });
+        BufferedImage before = callOnEdt(this::picture);
+        runOnEdt(() -> mainPanel.setRun(collided, FAST, office, 100));
+        assertTrue(Pixels.countDifferent(before, callOnEdt(this::picture)) > 1000, "no report after the banner");
     }
 
     @Test

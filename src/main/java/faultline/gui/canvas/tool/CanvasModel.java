@@ -24,6 +24,7 @@ public final class CanvasModel {
     private final ObservableValue<Optional<ReferenceOverlay>> referenceOverlay =
             new ObservableValue<>(Optional.empty());
     private final Set<Layer> layers = Layer.defaults();
+    private boolean collisionReported = true;
     private Supplier<Set<String>> reservedIds = Set::of;
     private Frame frame;
     private Set<String> pendingSelection = Set.of();
@@ -62,6 +63,15 @@ public final class CanvasModel {
         } else {
             layers.remove(layer);
         }
+    }
+
+    /** Sets whether the first collision is reported in the picture. */
+    public void setCollisionReported(boolean reported) {
+        collisionReported = reported;
+    }
+
+    public boolean isCollisionReported() {
+        return collisionReported;
     }
 
     public ObservableValue<Set<String>> selection() {
