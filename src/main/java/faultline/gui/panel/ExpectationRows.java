@@ -66,7 +66,7 @@ final class ExpectationRows extends JPanel {
             ValueLabel value = new ValueLabel(
                     () -> ExpectationText.format(item),
                     () -> List.of(
-                            "0.0000 m",
+                            "0000.0 mm",
                             Messages.get("expect.none"),
                             Messages.get("expect.collided"),
                             Messages.get("expect.notReached")));

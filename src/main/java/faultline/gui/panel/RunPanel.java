@@ -33,8 +33,6 @@ public final class RunPanel extends JPanel {
 
     private static final int FRAMES_PER_UPDATE = 6;
     private static final int COLUMN_GAP = 18;
-    private static final double PERCENT = 100;
-    private static final double MILLIMETRES = 1000;
 
     private final JPanel numbers = new JPanel(new WrappingGridLayout());
     private final ValueLabel state = addValue("run.state", 0, 0, () -> Stream.of(FollowerState.values())
@@ -124,10 +122,10 @@ public final class RunPanel extends JPanel {
         state.setValue(StateText.name(frame.telemetry().state()));
         linear.setValue(signed("%.3f m/s", velocity.linear(), 1000));
         angular.setValue(signed("%.1f °/s", Math.toDegrees(velocity.angular()), 10));
-        coverage.setValue(ExpectationText.number("%.1f %%", PERCENT * measures.coverage()));
+        coverage.setValue(ExpectationText.percent(measures.coverage()));
         laps.setValue(ExpectationText.number("%.2f", measures.laps()));
-        straightRms.setValue(ExpectationText.number("%.1f mm", MILLIMETRES * measures.distanceRms()));
-        followRms.setValue(ExpectationText.number("%.1f mm", MILLIMETRES * measures.followRms()));
+        straightRms.setValue(ExpectationText.millimetres(measures.distanceRms()));
+        followRms.setValue(ExpectationText.millimetres(measures.followRms()));
         rung.setValue(rungText(frame.telemetry().diagnosis().rung()));
     }
 

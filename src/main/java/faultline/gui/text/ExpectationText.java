@@ -4,10 +4,14 @@ import faultline.engine.metrics.Expectation;
 import faultline.engine.metrics.Expectation.ConditionCases;
 import faultline.engine.metrics.RunOutcome;
 import faultline.io.DecimalText;
+import java.math.BigDecimal;
 import java.util.Locale;
 
-/** Describes what is expected of a run, and its result so far. */
+/** Describes what is expected of a run, and its result so far, in percent and millimetres. */
 public final class ExpectationText {
+
+    private static final int PERCENT_DIGITS = 2;
+    private static final int MILLIMETRE_DIGITS = 3;
 
     private ExpectationText() {}
 
@@ -15,8 +19,8 @@ public final class ExpectationText {
     public static String format(Expectation.Condition condition) {
         return condition.match(new ConditionCases<>(
                 collides -> Messages.get(collides.wanted() ? "expect.collision" : "expect.noCollision"),
-                coverage -> Messages.get("expect.coverage", DecimalText.format(coverage.share())),
-                distance -> Messages.get("expect.distance", DecimalText.format(distance.metres())),
+                coverage -> Messages.get("expect.coverage", scaled(coverage.share(), PERCENT_DIGITS)),
+                distance -> Messages.get("expect.distance", scaled(distance.metres(), MILLIMETRE_DIGITS)),
                 visited -> Messages.get("expect.state", StateText.name(visited.state())),
                 last -> Messages.get("expect.finalState", StateText.name(last.state()))));
     }
@@ -25,11 +29,29 @@ public final class ExpectationText {
     public static String value(Expectation.Condition condition, RunOutcome outcome) {
         return condition.match(new ConditionCases<>(
                 collides -> Messages.get(outcome.collision().isEmpty() ? "expect.none" : "expect.collided"),
-                coverage -> number("%.3f", outcome.coverage().orElse(Double.NaN)),
-                distance -> number("%.4f m", outcome.distanceRms().orElse(Double.NaN)),
+                coverage -> percent(outcome.coverage().orElse(Double.NaN)),
+                distance -> millimetres(outcome.distanceRms().orElse(Double.NaN)),
                 visited -> Messages.get(
                         outcome.visitedStates().contains(visited.state()) ? "expect.reached" : "expect.notReached"),
                 last -> StateText.name(outcome.finalState())));
+    }
+
+    /** Returns a value times a power of ten, without the error of a multiplication of doubles. */
+    private static String scaled(double value, int digits) {
+        return new BigDecimal(DecimalText.format(value))
+                .movePointRight(digits)
+                .stripTrailingZeros()
+                .toPlainString();
+    }
+
+    /** Returns a share in percent, or a dash for NaN. */
+    public static String percent(double share) {
+        return number("%.1f %%", Math.pow(10, PERCENT_DIGITS) * share);
+    }
+
+    /** Returns a distance in metres in millimetres, or a dash for NaN. */
+    public static String millimetres(double metres) {
+        return number("%.1f mm", Math.pow(10, MILLIMETRE_DIGITS) * metres);
     }
 
     /** Returns a number in a format, or a dash for NaN. */

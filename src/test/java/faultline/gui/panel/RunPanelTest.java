@@ -75,6 +75,21 @@ class RunPanelTest {
     }
 
     @Test
+    void expectationsHaveTheUnitsOfTheNumbersAbove() throws ScenarioException {
+        Scenario shipped = Scenario.loadShipped("left-sensor-stuck.xml");
+        scenario = new Scenario(
+                shipped.name(),
+                shipped.description(),
+                false,
+                shipped.setup(),
+                new Expectation(List.of(new Expectation.MinCoverage(0.285), new Expectation.MaxDistanceRms(0.0047))));
+        show(20);
+        assertTrue(value("Coverage").endsWith(" %") && value("RMS straight").endsWith(" mm"));
+        assertEquals(value("Coverage"), value("Coverage at least 28.5 %"));
+        assertEquals(value("RMS straight"), value("RMS at most 4.7 mm"));
+    }
+
+    @Test
     void aStuckSensorIsNamedWithItsReasonAndTheStrategyChanges() {
         double end = scenario.setup().duration();
         show(end);

@@ -69,7 +69,7 @@ class RunVerdictTest {
             assertEquals(-1, verdict.event());
             if (!verdict.success()) {
                 assertEquals("End of the run at 31.000 s: 1 of 2 expectations not met", verdict.title());
-                assertTrue(verdict.detail().startsWith("Coverage at least 0.999 ("), verdict.detail());
+                assertTrue(verdict.detail().startsWith("Coverage at least 99.9 % ("), verdict.detail());
             }
         }
     }
