@@ -211,9 +211,7 @@ public final class CanvasMouse extends MouseAdapter {
             panByWheel(event.getPreciseWheelRotation());
             return;
         }
-        Vector2 at = screenPoint(event);
-        viewport.moveCamera(
-                camera -> camera.zoomedAbout(at, Math.pow(WHEEL_ZOOM_FACTOR, -event.getPreciseWheelRotation())));
+        viewport.zoomAbout(screenPoint(event), Math.pow(WHEEL_ZOOM_FACTOR, -event.getPreciseWheelRotation()));
     }
 
     /** Pans horizontally by notches of the wheel, positive to the right. */

@@ -8,8 +8,8 @@ import java.util.function.UnaryOperator;
 
 /**
  * The view of the canvas. It fits the whole world into the canvas, also when the canvas is resized, until the user
- * zooms or pans. If it follows the robot, it moves only as far as necessary to keep the robot in the middle part,
- * because every move repaints the ground.
+ * zooms or pans. A robot that it follows begins in the centre; then the view moves only as far as necessary to keep the
+ * robot in the middle part, because every move repaints the ground.
  */
 public final class Viewport {
 
@@ -62,12 +62,22 @@ public final class Viewport {
     }
 
     public void zoom(double factor) {
-        moveCamera(c -> c.zoomedAbout(new Vector2(c.width() / 2.0, c.height() / 2.0), factor));
+        Camera now = camera.get();
+        zoomAbout(new Vector2(now.width() / 2.0, now.height() / 2.0), factor);
     }
 
+    /** Zooms about a position, pixels; a followed robot is kept in the middle part. */
+    public void zoomAbout(Vector2 screen, double factor) {
+        moveCamera(c -> c.zoomedAbout(screen, factor));
+        followRobot();
+    }
+
+    /** Sets whether the view follows the robot, which begins in the centre. */
     public void setFollowing(boolean follow) {
         following = follow;
-        followRobot();
+        if (follow && world != null) {
+            moveRobot(0);
+        }
     }
 
     public boolean isFollowing() {
@@ -76,16 +86,17 @@ public final class Viewport {
 
     private void followRobot() {
         if (following && world != null) {
-            keepRobotInMiddle(world.pose().position());
+            moveRobot(MAX_OFFSET);
         }
     }
 
-    private void keepRobotInMiddle(Vector2 robot) {
+    /** Moves the view so that the robot is at most so far from the centre, as a fraction of the size of the canvas. */
+    private void moveRobot(double maxOffset) {
         Camera now = camera.get();
-        Vector2 place = now.toScreen(robot);
+        Vector2 place = now.toScreen(world.pose().position());
         // The view moves by whole pixels, so that cached layers can be shifted.
-        double dx = Math.rint(excess(place.x() - now.width() / 2.0, MAX_OFFSET * now.width()));
-        double dy = Math.rint(excess(place.y() - now.height() / 2.0, MAX_OFFSET * now.height()));
+        double dx = Math.rint(excess(place.x() - now.width() / 2.0, maxOffset * now.width()));
+        double dy = Math.rint(excess(place.y() - now.height() / 2.0, maxOffset * now.height()));
         if (dx != 0 || dy != 0) {
             moveCamera(c -> c.panned(-dx, -dy));
         }

@@ -97,6 +97,26 @@ class ViewportTest {
     }
 
     @Test
+    void followingBringsTheRobotToTheCentre() {
+        viewport.zoom(4);
+        viewport.setFollowing(true);
+        Vector2 robot = camera().toScreen(new Vector2(1, 1));
+        assertEquals(400, robot.x(), 0.5);
+        assertEquals(300, robot.y(), 0.5);
+    }
+
+    @Test
+    void afterZoomingAFollowedRobotIsStillInTheMiddlePart() {
+        viewport.setFollowing(true);
+        viewport.zoomAbout(new Vector2(0, 0), 8);
+        Vector2 robot = camera().toScreen(new Vector2(1, 1));
+        assertTrue(Math.abs(robot.x() - 400) <= 161 && Math.abs(robot.y() - 300) <= 121, "the robot is at " + robot);
+        viewport.setFollowing(false);
+        viewport.zoomAbout(new Vector2(0, 0), 2);
+        assertNotEquals(robot, camera().toScreen(new Vector2(1, 1)));
+    }
+
+    @Test
     void followingLeavesTheViewUnchangedWhileTheRobotIsInTheMiddlePart() {
         viewport.zoom(4);
         viewport.setFollowing(true);
