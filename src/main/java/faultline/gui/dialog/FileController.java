@@ -159,6 +159,13 @@ public final class FileController {
         }
     }
 
+    /** Asks whether to discard a recording; closing the question does not. */
+    public boolean confirmDiscardRecording() {
+        return fileDialogs.showOptions(
+                        "recording", Messages.get("recording.question"), "recording.save", "recording.discard")
+                == 1;
+    }
+
     /** Asks whether to reload the open file after another program has changed it. */
     public void onFileChangedOnDisk(Path file) {
         String name = FileNames.lastOf(file);

@@ -31,6 +31,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -58,6 +59,7 @@ public final class ExportController implements WorkspaceListener {
     private Theme theme = Theme.LIGHT;
     private Supplier<Optional<StripContent>> chart = Optional::empty;
     private Supplier<PrintService[]> printers = PrinterJob::lookupPrintServices;
+    private BooleanSupplier discardQuestion = () -> true;
     private long recordingStart;
 
     /**
@@ -84,6 +86,11 @@ public final class ExportController implements WorkspaceListener {
     /** Sets what returns the content of the strip chart; empty if it has none. */
     public void setChart(Supplier<Optional<StripContent>> newChart) {
         chart = newChart;
+    }
+
+    /** Sets what asks whether a recording may be discarded for which no file has been chosen. */
+    public void setDiscardQuestion(BooleanSupplier newQuestion) {
+        discardQuestion = newQuestion;
     }
 
     /** Sets what finds the printers of this machine. */
@@ -158,9 +165,20 @@ public final class ExportController implements WorkspaceListener {
         if (on) {
             recordingStart = tick();
         } else {
-            // A run that has been restarted since is exported from its start.
-            withRenderRequest(request -> exportGif(request, recordingStart <= tick() ? recordingStart : 0));
+            withRenderRequest(this::saveRecording);
         }
+    }
+
+    private void saveRecording(RenderRequest request) {
+        // A run that has been restarted since is exported from its start.
+        long from = recordingStart <= tick() ? recordingStart : 0;
+        workspace.replayScenario().ifPresent(run -> {
+            AnimatedGifExport recording = new AnimatedGifExport(request, run, from);
+            boolean settled;
+            do {
+                settled = write("exportGif", ".gif", recording) || discardQuestion.getAsBoolean();
+            } while (!settled);
+        });
     }
 
     @Override
@@ -202,24 +220,29 @@ public final class ExportController implements WorkspaceListener {
         }
     }
 
-    private void write(String action, String ending, FileExport export) {
-        fileSelector.apply(action, ending).ifPresent(file -> {
-            if (LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file))
-                    .isPresent()) {
-                showError(failureText(file, new MessageException("", WriteProblem.OWN_INPUT.with(), null)));
-            } else {
-                String writing = Messages.get("export.writing", FileNames.lastOf(file));
-                notes.show(writing);
-                new ExportTask(
-                                parent,
-                                export,
-                                file,
-                                () -> notes.remove(writing),
-                                onWritten,
-                                failure -> showError(failureText(file, failure)))
-                        .start();
-            }
-        });
+    /** Asks for a file and starts to write it; returns whether it does. */
+    private boolean write(String action, String ending, FileExport export) {
+        Optional<Path> chosen = fileSelector.apply(action, ending);
+        if (chosen.isEmpty()) {
+            return false;
+        }
+        Path file = chosen.get();
+        if (LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file))
+                .isPresent()) {
+            showError(failureText(file, new MessageException("", WriteProblem.OWN_INPUT.with(), null)));
+            return false;
+        }
+        String writing = Messages.get("export.writing", FileNames.lastOf(file));
+        notes.show(writing);
+        new ExportTask(
+                        parent,
+                        export,
+                        file,
+                        () -> notes.remove(writing),
+                        onWritten,
+                        failure -> showError(failureText(file, failure)))
+                .start();
+        return true;
     }
 
     private void showError(String sentence) {

@@ -119,6 +119,7 @@ public final class MainWindow extends JFrame {
         addActions();
         mainPanel = new MainPanel(canvas, createEditors(), actionRegistry, speed, runController.navigator()::seek);
         comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun);
+        exportController.setDiscardQuestion(fileController::confirmDiscardRecording);
         exportController.setChart(mainPanel.instruments().chart()::content);
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
         setJMenuBar(Menus.createMenuBar(actionRegistry));

@@ -81,6 +81,9 @@ class ExportControllerTest {
     private ExportController controller;
     private DocumentStore documentStore;
     private List<UiAction> actions;
+    /** The number of times that the choice of a file will be cancelled. */
+    private int refusals;
+
     private final List<Path> written = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
     private final List<String> notes = new ArrayList<>();
@@ -99,7 +102,8 @@ class ExportControllerTest {
                     canvas,
                     workspace,
                     canvas,
-                    (action, extension) -> Optional.of(folder.resolve("out" + extension)),
+                    (action, extension) ->
+                            refusals-- > 0 ? Optional.empty() : Optional.of(folder.resolve("out" + extension)),
                     written::add,
                     new Notes(notes::add, removedNotes::add));
             actions = controller.actions();
@@ -250,6 +254,25 @@ class ExportControllerTest {
         runOnEdt(() -> setRecording(true));
         runOnEdt(controller::scenarioOpened);
         assertEquals(3, recordedFrameCount(), "ticks 0, 5 and 10 of 12");
+    }
+
+    @Test
+    void aRecordingWithoutAFileIsDiscardedOnlyOnRequest() throws IOException {
+        List<Boolean> answers = new ArrayList<>(List.of(false, true));
+        runOnEdt(() -> {
+            controller.setDiscardQuestion(() -> answers.remove(0));
+            refusals = 1;
+            setRecording(true);
+        });
+        stepTo(STEPS + 6);
+        assertEquals(2, recordedFrameCount(), "ticks 12 and 17 of 18");
+        assertEquals(List.of(true), answers);
+        runOnEdt(() -> {
+            refusals = 1;
+            setRecording(true);
+            setRecording(false);
+        });
+        assertEquals(List.of(), answers, "discarded");
     }
 
     private void setRecording(boolean on) {
