@@ -17,6 +17,7 @@ import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeColours;
 import faultline.paint.chart.StateDiagramLayout;
+import faultline.paint.surface.DashPattern;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.GraphicsSurface;
 import faultline.paint.surface.LineStyle;
@@ -26,10 +27,12 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /**
  * Paints the state diagram. The current state is filled and bold; the last transition is a thick arrow and is described
@@ -46,6 +49,9 @@ final class DiagramPainter {
 
     private static final double TEXT_MARGIN = 8;
     private static final double ARROWHEAD_SIZE = 8;
+    private static final double DIGIT_HEIGHT = 8;
+    /** The width of the other arrows as a share of that of the wall follower's own. */
+    private static final double OTHER_WIDTH = 0.75;
 
     private final Graphics2D g;
     private final ThemeColours colours;
@@ -69,8 +75,9 @@ final class DiagramPainter {
         Optional<RunEvent.StateChanged> last = lastTransition(frame);
         Predicate<Arrow> isLast =
                 arrow -> last.filter(transition -> connects(arrow, transition)).isPresent();
-        StateDiagram.TRANSITIONS.stream().filter(isLast.negate()).forEach(arrow -> paintArrow(arrow, false));
-        StateDiagram.TRANSITIONS.stream().filter(isLast).forEach(arrow -> paintArrow(arrow, true));
+        List<Arrow> arrows = arrows(tally);
+        arrows.stream().filter(isLast.negate()).forEach(arrow -> paintArrow(arrow, false));
+        arrows.stream().filter(isLast).forEach(arrow -> paintArrow(arrow, true));
         for (FollowerState state : FollowerState.values()) {
             paintState(state);
         }
@@ -85,6 +92,21 @@ final class DiagramPainter {
                 width - TEXT_MARGIN,
                 bold,
                 last.isPresent() ? colours.accent() : colours.muted());
+    }
+
+    /**
+     * Returns the transitions of the wall follower, and those that a run has taken besides, such as the ones of its
+     * other strategies, which have no condition.
+     */
+    static List<Arrow> arrows(StateTally tally) {
+        Stream<Arrow> others = tally.transitions().stream()
+                .filter(taken -> StateDiagram.TRANSITIONS.stream()
+                        .noneMatch(arrow -> arrow.from() == taken.from() && arrow.to() == taken.to()))
+                .filter(taken -> !taken.from().equals(taken.to()))
+                .flatMap(taken -> taken.from() instanceof FollowerState from && taken.to() instanceof FollowerState to
+                        ? Stream.of(new Arrow(from, to, ""))
+                        : Stream.empty());
+        return Stream.concat(StateDiagram.TRANSITIONS.stream(), others).toList();
     }
 
     /** Returns the name that the controller gives itself, if it does, shortened to a width in pixels. */
@@ -130,19 +152,23 @@ final class DiagramPainter {
 
     private void paintArrow(Arrow arrow, boolean lit) {
         StateDiagramLayout.ArrowRoute route = layout.route(arrow);
-        route.paint(
-                new GraphicsSurface(g),
-                LineStyle.solid(lit ? colours.accent() : colours.border(), lit ? 3 : 1.3),
-                lit ? ARROWHEAD_SIZE * 1.4 : ARROWHEAD_SIZE);
+        route.paint(new GraphicsSurface(g), style(arrow, lit), lit ? ARROWHEAD_SIZE * 1.4 : ARROWHEAD_SIZE);
         long count = tally.transitionCount(arrow.from(), arrow.to());
         if (count > 0) {
+            String number = Long.toString(count);
+            Font font = lit ? SMALL_FONT.deriveFont(Font.BOLD) : SMALL_FONT;
+            Vector2 centre = route.numberCentre(g.getFontMetrics(font).stringWidth(number), DIGIT_HEIGHT);
             drawCentred(
-                    Long.toString(count),
-                    route.middle().x(),
-                    route.middle().y() + 4,
-                    lit ? SMALL_FONT.deriveFont(Font.BOLD) : SMALL_FONT,
-                    lit ? colours.accent() : colours.muted());
+                    number, centre.x(), centre.y() + DIGIT_HEIGHT / 2, font, lit ? colours.accent() : colours.muted());
         }
+    }
+
+    /** Returns the style of an arrow; one that is not the wall follower's own is dashed. */
+    private LineStyle style(Arrow arrow, boolean lit) {
+        boolean own = StateDiagram.TRANSITIONS.contains(arrow);
+        Color colour = lit ? colours.accent() : colours.border();
+        double width = (lit ? 3 : 1.3) * (own ? 1 : OTHER_WIDTH);
+        return new LineStyle(colour, width, own ? DashPattern.SOLID : DashPattern.DASHED);
     }
 
     private void paintState(FollowerState state) {

@@ -4,9 +4,9 @@ import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.control.ladder.FaultTolerantFollower;
-import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.ControllerFactory;
+import faultline.engine.recording.StateTally;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
@@ -164,10 +164,11 @@ public final class StateDiagramView extends AccessibleComponent {
 
     @Override
     public String getToolTipText(MouseEvent event) {
-        return StateDiagram.TRANSITIONS.stream()
+        StateTally tally = frame == null ? StateTally.EMPTY : frame.recording().stateTally();
+        return DiagramPainter.arrows(tally).stream()
                 .filter(arrow -> isNear(arrow, event))
                 .findFirst()
-                .map(this::arrowText)
+                .map(arrow -> arrowText(arrow, tally.transitionCount(arrow.from(), arrow.to())))
                 .orElseGet(() -> super.getToolTipText(event));
     }
 
@@ -177,13 +178,10 @@ public final class StateDiagramView extends AccessibleComponent {
                 .contains(event.getX() / scale(), event.getY() / scale());
     }
 
-    private String arrowText(Arrow arrow) {
-        long count = frame == null ? 0 : frame.recording().stateTally().transitionCount(arrow.from(), arrow.to());
+    private static String arrowText(Arrow arrow, long count) {
         return Messages.get(
                 "diagram.arrow",
-                StateText.name(arrow.from()),
-                StateText.name(arrow.to()),
-                StateText.condition(arrow),
+                StateText.transition(arrow.from(), arrow.to(), arrow.condition()),
                 String.format(Locale.ROOT, "%d", count));
     }
 }

@@ -1,7 +1,6 @@
 package faultline.gui.text;
 
 import faultline.control.ControllerState;
-import faultline.control.wallfollower.StateDiagram;
 
 /** The names of controller states and transition conditions. */
 public final class StateText {
@@ -20,11 +19,6 @@ public final class StateText {
         return shown.isEmpty()
                 ? Messages.get("diagram.change", name(from), name(to))
                 : Messages.get("diagram.last", name(from), name(to), shown);
-    }
-
-    /** Returns the condition of an arrow in the user's language. */
-    public static String condition(StateDiagram.Arrow arrow) {
-        return Messages.get("arrow." + arrow.from() + "." + arrow.to());
     }
 
     /** Returns the condition of a transition in the user's language, or the controller's own text if there is none. */

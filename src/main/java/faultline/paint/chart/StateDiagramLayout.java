@@ -50,6 +50,14 @@ public final class StateDiagramLayout {
     /** Offset of two opposite arrows between the same boxes from the centre line, pixels. */
     private static final double LANE_OFFSET = 7;
 
+    /** The least distance of a number from its line, pixels. */
+    private static final double NUMBER_GAP = 2;
+
+    /** Where arrows between the rows start and end, from the centre of a box, as a share of its width. */
+    private static final double START_SHARE = 0.15;
+
+    private static final double END_SHARE = 0.35;
+
     /** Height above the boxes of the arrow that spans a row, pixels. */
     private static final double ARCH_HEIGHT = 22;
 
@@ -84,15 +92,31 @@ public final class StateDiagramLayout {
     }
 
     public Rectangle2D box(FollowerState state) {
-        int row = ROWS.get(0).contains(state) ? 0 : 1;
-        int column = ROWS.get(row).indexOf(state);
-        double x = area.x() + sideMargin + column * (area.width() - 2 * sideMargin - boxWidth) / 2;
+        int row = row(state);
+        double x = area.x() + sideMargin + column(state) * (area.width() - 2 * sideMargin - boxWidth) / 2;
         double y = area.y() + (row == 0 ? topMargin : area.height() - bottomMargin - boxHeight);
         return new Rectangle2D.Double(x, y, boxWidth, boxHeight);
     }
 
-    /** The line of an arrow from box to box, its tip with a unit vector, and the position of its number. */
-    public record ArrowRoute(Path2D shaft, Vector2 tip, Vector2 direction, Vector2 middle) {
+    private static int row(FollowerState state) {
+        return ROWS.get(0).contains(state) ? 0 : 1;
+    }
+
+    private static int column(FollowerState state) {
+        return ROWS.get(row(state)).indexOf(state);
+    }
+
+    /**
+     * The line of an arrow from box to box, its tip with a unit vector, the position of a short number, and the unit
+     * vector from the line to the number.
+     */
+    public record ArrowRoute(Path2D shaft, Vector2 tip, Vector2 direction, Vector2 middle, Vector2 aside) {
+
+        /** Returns the centre of a number of a size in pixels at which it does not touch the line. */
+        public Vector2 numberCentre(double width, double height) {
+            double reach = Math.abs(aside.x()) * width / 2 + Math.abs(aside.y()) * height / 2 + NUMBER_GAP;
+            return middle.plus(aside.times(Math.max(0, reach - LANE_OFFSET)));
+        }
 
         /** Paints the arrow; the length of its head in pixels. */
         public void paint(Surface surface, LineStyle style, double headLength) {
@@ -101,9 +125,12 @@ public final class StateDiagramLayout {
         }
     }
 
-    /** Returns the line of an arrow. */
+    /** Returns the line of an arrow between two different states, which crosses no box. */
     public ArrowRoute route(Arrow arrow) {
-        return arrow.from() == MEASURE && arrow.to() == SEARCH ? archRoute(arrow) : straightRoute(arrow);
+        if (arrow.from() == MEASURE && arrow.to() == SEARCH) {
+            return archRoute(arrow);
+        }
+        return Math.abs(column(arrow.from()) - column(arrow.to())) > 1 ? gapRoute(arrow) : straightRoute(arrow);
     }
 
     private ArrowRoute straightRoute(Arrow arrow) {
@@ -111,14 +138,16 @@ public final class StateDiagramLayout {
         Vector2 to = centre(arrow.to());
         Vector2 along = to.minus(from).times(1 / to.distanceTo(from));
         // Each direction keeps to its right, so that opposite arrows do not coincide.
-        Vector2 lane = new Vector2(-along.y(), along.x()).times(LANE_OFFSET);
+        Vector2 aside = new Vector2(-along.y(), along.x());
+        Vector2 lane = aside.times(LANE_OFFSET);
         Vector2 start = boxEdge(from.plus(lane), along, arrow.from());
         Vector2 tip = boxEdge(to.plus(lane), along.times(-1), arrow.to());
         return new ArrowRoute(
                 Shapes.polyline(List.of(start, tip)),
                 tip,
                 along,
-                start.plus(tip).times(0.5).plus(lane));
+                start.plus(tip).times(0.5).plus(lane),
+                aside);
     }
 
     /** Returns a route over the box in between. */
@@ -141,7 +170,36 @@ public final class StateDiagramLayout {
                 shaft,
                 new Vector2(to.getCenterX(), y),
                 new Vector2(0, 1),
-                new Vector2((from.getCenterX() + to.getCenterX()) / 2, y - ARCH_HEIGHT + 9));
+                new Vector2((from.getCenterX() + to.getCenterX()) / 2, y - ARCH_HEIGHT + 9),
+                new Vector2(0, 1));
+    }
+
+    /** Returns a route between the rows, which passes the box in between. */
+    private ArrowRoute gapRoute(Arrow arrow) {
+        double side = Math.signum(column(arrow.to()) - column(arrow.from()));
+        Vector2 start = gapEdge(arrow.from(), side * START_SHARE);
+        Vector2 tip = gapEdge(arrow.to(), -side * END_SHARE);
+        double gap = box(FOLLOW).getY() - box(TURN).getMaxY();
+        double y = box(FOLLOW).getY() - gap / 2 + side * Math.min(gap, LANE_OFFSET) / 2;
+        double bend = side * gap / 2;
+        Path2D shaft = new Path2D.Double();
+        shaft.moveTo(start.x(), start.y());
+        shaft.quadTo(start.x(), y, start.x() + bend, y);
+        shaft.lineTo(tip.x() - bend, y);
+        shaft.quadTo(tip.x(), y, tip.x(), tip.y());
+        double quarter = (3 * centre(arrow.from()).x() + centre(arrow.to()).x()) / 4;
+        return new ArrowRoute(
+                shaft,
+                tip,
+                new Vector2(0, row(arrow.to()) == 0 ? -1 : 1),
+                new Vector2(quarter, y + side * LANE_OFFSET),
+                new Vector2(0, side));
+    }
+
+    /** Returns the point of a box at the gap between the rows, at a share of its width from its centre. */
+    private Vector2 gapEdge(FollowerState state, double share) {
+        Rectangle2D box = box(state);
+        return new Vector2(box.getCenterX() + share * boxWidth, row(state) == 0 ? box.getMaxY() : box.getY());
     }
 
     private Vector2 centre(FollowerState state) {

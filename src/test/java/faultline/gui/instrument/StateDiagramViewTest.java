@@ -16,6 +16,7 @@ import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.ControllerFactory;
 import faultline.engine.Frame;
+import faultline.engine.recording.StateTally;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
 import faultline.gui.text.ShortenedText;
@@ -23,9 +24,11 @@ import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
 import faultline.paint.chart.StateDiagramLayout;
 import faultline.paint.surface.PixelRectangle;
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
+import java.awt.Shape;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -95,6 +98,49 @@ class StateDiagramViewTest {
             assertEquals(0, Math.min(across, down), 1e-9, arrow.toString());
             assertTrue(box.intersects(tip.x() - 1, tip.y() - 1, 2, 2), arrow.toString());
         }
+    }
+
+    @Test
+    void noArrowBetweenAnyTwoStatesCrossesABoxOrItsNumber() {
+        for (PixelRectangle area : List.of(
+                new PixelRectangle(0, 0, 330, 150),
+                new PixelRectangle(0, 0, WIDTH, 105),
+                new PixelRectangle(0, 0, WIDTH, HEIGHT))) {
+            StateDiagramLayout layout = new StateDiagramLayout(area);
+            for (FollowerState from : FollowerState.values()) {
+                for (FollowerState to : FollowerState.values()) {
+                    if (from != to) {
+                        assertNothingIsCrossed(layout, new Arrow(from, to, ""));
+                    }
+                }
+            }
+        }
+    }
+
+    private static void assertNothingIsCrossed(StateDiagramLayout layout, Arrow arrow) {
+        StateDiagramLayout.ArrowRoute route = layout.route(arrow);
+        Shape line = new BasicStroke(1).createStrokedShape(route.shaft());
+        for (FollowerState state : FollowerState.values()) {
+            Rectangle2D box = layout.box(state);
+            Rectangle2D inside =
+                    new Rectangle2D.Double(box.getX() + 1, box.getY() + 1, box.getWidth() - 2, box.getHeight() - 2);
+            assertFalse(line.intersects(inside), arrow + " crosses " + state);
+        }
+        Vector2 number = route.numberCentre(21, 8);
+        assertFalse(line.intersects(number.x() - 10.5, number.y() - 4, 21, 8), arrow + " crosses its number");
+    }
+
+    @Test
+    void aTransitionOfAnotherStrategyHasAnArrow() {
+        StateTally tally = new StateTally(
+                List.of(),
+                List.of(
+                        new StateTally.TransitionCount(FollowerState.SEARCH, FollowerState.TURN, 1),
+                        new StateTally.TransitionCount(FollowerState.FOLLOW, FollowerState.MEASURE, 12),
+                        new StateTally.TransitionCount(FollowerState.FOLLOW, FaultTolerantFollower.STOP, 1)));
+        List<Arrow> arrows = DiagramPainter.arrows(tally);
+        assertEquals(StateDiagram.TRANSITIONS.size() + 1, arrows.size());
+        assertEquals(new Arrow(FollowerState.FOLLOW, FollowerState.MEASURE, ""), arrows.get(arrows.size() - 1));
     }
 
     @Test
@@ -169,7 +215,7 @@ class StateDiagramViewTest {
             // F3 and F4 are the moments that the timing rule finds, not those of the transitions, and the wall of a
             // scenario may be on the right.
             String own = arrow.condition().replaceAll(" \\(F\\d\\)", "").replace("left sensor", "side sensor");
-            assertEquals(own, StateText.condition(arrow));
+            assertEquals(own, StateText.condition(arrow.from(), arrow.to(), ""));
         }
         for (FollowerState state : FollowerState.values()) {
             assertFalse(StateText.name(state).equals(state.name()), state + " has no name for people");
