@@ -38,9 +38,14 @@ public final class BatchActions {
         actions.add(UiAction.of("batch", this::showDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_B)));
     }
 
-    /** Returns whether the window may be closed: no batch has unsaved results, or the user agrees to lose them. */
-    public boolean confirmClose() {
-        return dialogs().allMatch(BatchDialog::confirmClose);
+    /** Runs an action that would lose the unsaved results of all batches, after asking whether to save them. */
+    public void runIfResultsHandled(Runnable action) {
+        Runnable rest = action;
+        for (BatchDialog dialog : dialogs().toList()) {
+            Runnable next = rest;
+            rest = () -> dialog.runIfResultsHandled(next);
+        }
+        rest.run();
     }
 
     private Stream<BatchDialog> dialogs() {

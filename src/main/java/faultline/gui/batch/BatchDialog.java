@@ -2,6 +2,7 @@ package faultline.gui.batch;
 
 import faultline.campaign.run.CampaignRunner;
 import faultline.campaign.run.RunScenario;
+import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -23,7 +24,6 @@ import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JDialog;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.Timer;
@@ -46,7 +46,7 @@ final class BatchDialog extends JDialog {
     private final JButton start = button("batch.start", this::start);
     private final JButton cancel = button("batch.cancel", this::cancel);
     private final JButton savePlan = button("batch.savePlan", this::savePlan);
-    private final JButton saveResults = button("batch.saveResults", this::saveResults);
+    private final JButton saveResults = button("batch.saveResults", () -> saveResults(() -> {}));
     private final JButton close = button("dialog.close", this::close);
     private final Timer poll = new Timer(POLL_MILLIS, event -> update());
     /** Null before the first batch. */
@@ -56,6 +56,8 @@ final class BatchDialog extends JDialog {
 
     private transient ResultTabs resultTabs;
     private boolean running;
+    /** Runs when the batch has ended, null for nothing. */
+    private transient Runnable afterEnd;
     /** The number of plans and results that are being written. */
     private int writes;
 
@@ -149,9 +151,15 @@ final class BatchDialog extends JDialog {
     }
 
     private void start() {
-        if (!confirmLoss("batch.loss.start")) {
-            return;
-        }
+        runIfResultsHandled(() -> {
+            // The dialog may have been closed while the results were saved.
+            if (isDisplayable()) {
+                startHandled();
+            }
+        });
+    }
+
+    private void startHandled() {
         checkedPlan().ifPresent(plan -> {
             discardRun();
             BatchRun started = new BatchRun(plan, form.jobs());
@@ -187,6 +195,10 @@ final class BatchDialog extends JDialog {
                 Long.toString(result.runs()),
                 Long.toString(result.broken()),
                 DurationText.text(ended.completion().seconds())));
+        if (afterEnd != null) {
+            afterEnd.run();
+            afterEnd = null;
+        }
     }
 
     private void failed(BatchRun failed, Throwable failure) {
@@ -196,6 +208,7 @@ final class BatchDialog extends JDialog {
             return;
         }
         stopProgress();
+        afterEnd = null;
         progress.showStatus(() -> " ");
         showFailure(failure);
     }
@@ -256,11 +269,21 @@ final class BatchDialog extends JDialog {
                 .ifPresent(file -> write(file, () -> plan.save(file), () -> {})));
     }
 
-    private void saveResults() {
-        BatchRun ended = run;
-        actions.chooseResultsFolder()
-                .ifPresent(
-                        folder -> write(folder, () -> ended.saveResults(folder), () -> saved = saved || run == ended));
+    /** Saves the results, after the batch has been stopped if it is still being made; {@code then} runs afterwards. */
+    private void saveResults(Runnable then) {
+        BatchRun made = run;
+        actions.chooseResultsFolder().ifPresent(folder -> {
+            Runnable save = () -> write(folder, () -> made.saveResults(folder), () -> {
+                saved = saved || run == made;
+                then.run();
+            });
+            if (running) {
+                afterEnd = save;
+                cancel();
+            } else {
+                save.run();
+            }
+        });
     }
 
     /** Writes a file or a folder in the background. No run can be started during that time. */
@@ -272,8 +295,8 @@ final class BatchDialog extends JDialog {
                 work,
                 () -> {
                     endWriting(source);
-                    onWritten.run();
                     progress.showStatus(() -> Messages.get("saved", String.valueOf(target.getFileName())));
+                    onWritten.run();
                 },
                 failure -> {
                     endWriting(source);
@@ -308,27 +331,24 @@ final class BatchDialog extends JDialog {
         actions.showProblem(this, sentence);
     }
 
-    /** Returns whether there are no unsaved results, or the user agrees to lose them. */
-    private boolean confirmLoss(String question) {
-        return saved
-                || JOptionPane.showConfirmDialog(
-                                this,
-                                Messages.get(question),
-                                getTitle(),
-                                JOptionPane.OK_CANCEL_OPTION,
-                                JOptionPane.WARNING_MESSAGE)
-                        == JOptionPane.OK_OPTION;
-    }
-
-    /** Returns whether the dialog may be closed: it has no unsaved results, or the user agrees to lose them. */
-    boolean confirmClose() {
-        return confirmLoss("batch.loss.close");
+    /** Runs an action that would lose unsaved results, after asking whether to save them. */
+    void runIfResultsHandled(Runnable action) {
+        if (saved) {
+            action.run();
+            return;
+        }
+        String question = Messages.get(running ? "batch.loss.running" : "batch.loss");
+        int answer =
+                Dialogs.ask(this, getTitle(), question, "batch.saveResults", "batch.loss.discard", "unsaved.cancel");
+        if (answer == 0) {
+            saveResults(action);
+        } else if (answer == 1) {
+            action.run();
+        }
     }
 
     private void close() {
-        if (confirmClose()) {
-            dispose();
-        }
+        runIfResultsHandled(this::dispose);
     }
 
     private void discardRun() {

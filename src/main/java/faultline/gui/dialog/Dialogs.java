@@ -12,6 +12,7 @@ import faultline.gui.theme.Glyph;
 import faultline.io.ProgramVersion;
 import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.ScenarioException;
+import java.awt.Component;
 import java.awt.Font;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
@@ -53,6 +54,23 @@ public final class Dialogs {
         open.ifPresent(Window::toFront);
         open.ifPresent(Window::requestFocus);
         return open.isPresent();
+    }
+
+    /**
+     * Asks a question and returns the index of the chosen answer, or a negative number if the dialog was closed. Enter
+     * chooses the first answer.
+     */
+    public static int ask(Component parent, String title, String question, String... answerKeys) {
+        String[] answers = Stream.of(answerKeys).map(Messages::get).toArray(String[]::new);
+        return JOptionPane.showOptionDialog(
+                parent,
+                TextWrap.wrap(question),
+                title,
+                JOptionPane.DEFAULT_OPTION,
+                JOptionPane.QUESTION_MESSAGE,
+                null,
+                answers,
+                answers[0]);
     }
 
     /** Shows the reason why a task failed, and whether the scenario that was open before is still open. */

@@ -16,7 +16,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.JComponent;
@@ -252,21 +251,9 @@ final class FileDialogs {
         }
     }
 
-    /**
-     * Asks a question and returns the index of the chosen answer, or a negative number if the dialog was closed. Enter
-     * chooses the first answer.
-     */
+    /** Asks a question of the window, as {@link Dialogs#ask}, with the title of a key. */
     int showOptions(String key, String question, String... answerKeys) {
-        String[] answers = Stream.of(answerKeys).map(Messages::get).toArray(String[]::new);
-        return JOptionPane.showOptionDialog(
-                parent,
-                TextWrap.wrap(question),
-                Messages.get(key + ".title"),
-                JOptionPane.DEFAULT_OPTION,
-                JOptionPane.QUESTION_MESSAGE,
-                null,
-                answers,
-                answers[0]);
+        return Dialogs.ask(parent, Messages.get(key + ".title"), question, answerKeys);
     }
 
     private boolean confirmReplace(Path file) {

@@ -274,12 +274,10 @@ public final class MainWindow extends JFrame {
     }
 
     private void quit() {
-        fileController.runIfChangesHandled(() -> {
-            if (batchActions.confirmClose()) {
-                windowBounds.save();
-                dispose();
-            }
-        });
+        batchActions.runIfResultsHandled(() -> fileController.runIfChangesHandled(() -> {
+            windowBounds.save();
+            dispose();
+        }));
     }
 
     ActionRegistry actions() {

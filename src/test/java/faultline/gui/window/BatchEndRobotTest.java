@@ -22,6 +22,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.UUID;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
@@ -94,13 +95,13 @@ class BatchEndRobotTest {
         return ComponentFinder.find(dialog, JTable.class, "Runs");
     }
 
-    /** Waits for the question whether the results may be lost, and answers it with a key. */
-    private void answerLoss(int key) {
+    /** Waits for the question whether to save the results, and answers it with keys. */
+    private void answerLoss(int... keys) {
         driver.robot().waitFor("the question about the results shows", () -> lossQuestion()
                 .filter(JDialog::isFocused)
                 .findAny()
                 .isPresent());
-        driver.robot().pressKeys(key);
+        IntStream.of(keys).forEach(key -> driver.robot().pressKeys(key));
         driver.robot()
                 .waitFor("the question is gone", () -> lossQuestion().findAny().isEmpty());
     }
@@ -160,9 +161,25 @@ class BatchEndRobotTest {
         int before = callOnEdt(() -> runsOf(dialog).getModel().getRowCount());
         waitForRuns(dialog, before + 3);
         driver.chooseLater("quit");
-        answerLoss(KeyEvent.VK_ENTER);
+        answerLoss(KeyEvent.VK_RIGHT, KeyEvent.VK_ENTER);
         driver.robot().waitFor("the window is gone", () -> !driver.window().isDisplayable());
         assertFalse(callOnEdt(dialog::isDisplayable));
+        assertNothingIsLeft();
+    }
+
+    /** Enter gives the first answer, which keeps the results. */
+    @Test
+    void closingDuringABatchCanStopItAndSaveItsResults() throws Exception {
+        JDialog dialog = startBatch("9000", "3");
+        waitForRuns(dialog, 3);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        answerLoss(KeyEvent.VK_ENTER);
+        Path results = folder.resolve("kept");
+        driver.enterFile("Save results of the batch to a new folder", results);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
+        int lines = Files.readAllLines(results.resolve("runs.csv")).size();
+        assertTrue(lines > 3 && lines < 9000, lines + " lines");
+        assertTrue(callOnEdt(driver.window()::isShowing));
         assertNothingIsLeft();
     }
 
