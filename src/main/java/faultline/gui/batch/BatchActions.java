@@ -57,12 +57,16 @@ public final class BatchActions {
 
     /** Shows the dialog of the open scenario as it is now; a batch of another scenario keeps its own dialog. */
     private void showDialog() {
-        files.editedScenario().ifPresent(edited -> edited.thenAccept(this::showDialog));
+        Path stem = files.suggestedFile("");
+        Consumer<Scenario> reopening = files.reopening();
+        files.editedScenario()
+                .ifPresent(edited -> edited.thenAccept(
+                        open -> showDialog(new BatchSource(open, stem, () -> reopening.accept(open)))));
     }
 
-    private void showDialog(Scenario open) {
+    private void showDialog(BatchSource open) {
         dialogs()
-                .filter(dialog -> dialog.isFor(open))
+                .filter(dialog -> dialog.isFor(open.scenario()))
                 .findFirst()
                 .ifPresentOrElse(BatchDialog::bringToFront, () -> new BatchDialog(owner, open, this).setVisible(true));
     }
@@ -78,13 +82,13 @@ public final class BatchActions {
     }
 
     /** Asks for the file of a plan; empty if cancelled. */
-    Optional<Path> choosePlanFile() {
-        return files.chooseExportFile("batchPlan", "-batch.xml");
+    Optional<Path> choosePlanFile(BatchSource source) {
+        return files.chooseFile("batchPlan", source.file("-batch.xml"));
     }
 
     /** Asks for the folder of results; empty if cancelled. */
-    Optional<Path> chooseResultsFolder() {
-        return files.chooseNewFolder("batchResults", "-batch");
+    Optional<Path> chooseResultsFolder(BatchSource source) {
+        return files.chooseNewFolder("batchResults", source.file("-batch"));
     }
 
     void showProblem(Component parent, String sentence) {

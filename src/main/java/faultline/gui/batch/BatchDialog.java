@@ -37,8 +37,7 @@ final class BatchDialog extends JDialog {
     private static final Dimension SIZE = new Dimension(1080, 580);
     private static final int POLL_MILLIS = 200;
 
-    private final transient Scenario scenario;
-
+    private final transient BatchSource source;
     private final transient BatchActions actions;
     private final BatchForm form;
     private final JTabbedPane tabs = new JTabbedPane();
@@ -47,6 +46,7 @@ final class BatchDialog extends JDialog {
     private final JButton cancel = button("batch.cancel", this::cancel);
     private final JButton savePlan = button("batch.savePlan", this::savePlan);
     private final JButton saveResults = button("batch.saveResults", () -> saveResults(() -> {}));
+    private final JButton reopen = button("batch.reopen", this::reopen);
     private final JButton close = button("dialog.close", this::close);
     private final Timer poll = new Timer(POLL_MILLIS, event -> update());
     /** Null before the first batch. */
@@ -64,20 +64,24 @@ final class BatchDialog extends JDialog {
     private boolean saved = true;
 
     /** Creates a dialog for runs of a scenario that is not yet visible. */
-    BatchDialog(Window owner, Scenario scenario, BatchActions actions) {
+    BatchDialog(Window owner, BatchSource source, BatchActions actions) {
         super(owner, ModalityType.MODELESS);
         assert EventQueue.isDispatchThread();
-        this.scenario = scenario;
+        this.source = source;
         this.actions = actions;
-        form = new BatchForm(scenario);
+        form = new BatchForm(source.scenario());
         UiText.addTab(tabs, "batch.tab.plan", form);
         UiText.name(tabs, "batch.tabs");
-        RefreshSteps.add(getRootPane(), root -> setTitle(Messages.get("batch.title", scenario.name())));
+        RefreshSteps.add(
+                getRootPane(),
+                root -> setTitle(Messages.get("batch.title", source.scenario().name())));
         JPanel content = new JPanel(new BorderLayout(0, 8));
         content.setBorder(BorderFactory.createEmptyBorder(8, 12, 8, 12));
         content.add(tabs, BorderLayout.CENTER);
         content.add(createFooter(), BorderLayout.SOUTH);
         setContentPane(content);
+        UiText.tip(reopen, "batch.reopen.tip");
+        reopen.setEnabled(false);
         installClosing();
         setRunning(false);
         content.setPreferredSize(new Dimension(TextSize.scaled(SIZE.width), TextSize.scaled(SIZE.height)));
@@ -110,7 +114,7 @@ final class BatchDialog extends JDialog {
 
     private JPanel createFooter() {
         JPanel buttons = new WrappedRow();
-        List.of(start, cancel, savePlan, saveResults, close).forEach(buttons::add);
+        List.of(start, cancel, savePlan, saveResults, reopen, close).forEach(buttons::add);
         JPanel footer = new JPanel(new BorderLayout(0, 4));
         footer.add(progress, BorderLayout.CENTER);
         footer.add(buttons, BorderLayout.SOUTH);
@@ -119,7 +123,7 @@ final class BatchDialog extends JDialog {
 
     /** Returns whether the dialog is for a scenario, or hidden because the user looks at one of its runs. */
     boolean isFor(Scenario other) {
-        return scenario.equals(other) || !isShowing();
+        return source.scenario().equals(other) || !isShowing();
     }
 
     /** Shows the dialog where the user left it. */
@@ -261,18 +265,23 @@ final class BatchDialog extends JDialog {
 
     private void openRun(Scenario opened) {
         setVisible(false);
+        reopen.setEnabled(true);
         actions.openRun(opened);
     }
 
+    private void reopen() {
+        source.reopen().run();
+    }
+
     private void savePlan() {
-        checkedPlan().ifPresent(plan -> actions.choosePlanFile()
+        checkedPlan().ifPresent(plan -> actions.choosePlanFile(source)
                 .ifPresent(file -> write(file, () -> plan.save(file), () -> {})));
     }
 
     /** Saves the results, after the batch has been stopped if it is still being made; {@code then} runs afterwards. */
     private void saveResults(Runnable then) {
         BatchRun made = run;
-        actions.chooseResultsFolder().ifPresent(folder -> {
+        actions.chooseResultsFolder(source).ifPresent(folder -> {
             Runnable save = () -> write(folder, () -> made.saveResults(folder), () -> {
                 saved = saved || run == made;
                 then.run();
@@ -290,16 +299,16 @@ final class BatchDialog extends JDialog {
     void write(Path target, BackgroundTasks.Work work, Runnable onWritten) {
         writes++;
         enableStart();
-        BatchRun source = run;
+        BatchRun written = run;
         BackgroundTasks.runBeforeExit(
                 work,
                 () -> {
-                    endWriting(source);
+                    endWriting(written);
                     progress.showStatus(() -> Messages.get("saved", String.valueOf(target.getFileName())));
                     onWritten.run();
                 },
                 failure -> {
-                    endWriting(source);
+                    endWriting(written);
                     if (isDisplayable()) {
                         showProblem(Messages.get(
                                 "failed.SAVE",
@@ -310,11 +319,11 @@ final class BatchDialog extends JDialog {
     }
 
     /** Deletes a batch whose dialog was closed while it was written. */
-    private void endWriting(BatchRun source) {
+    private void endWriting(BatchRun written) {
         writes--;
         enableStart();
-        if (!isDisplayable() && source != null && !isInUse()) {
-            delete(source);
+        if (!isDisplayable() && written != null && !isInUse()) {
+            delete(written);
         }
     }
 

@@ -151,6 +151,16 @@ public final class FileController {
         return documentStore.editedScenario();
     }
 
+    /**
+     * Returns what opens the scenario that is open now again, with its file and the edits that it is given, after
+     * another one has been opened. It asks about unsaved changes of that one first.
+     */
+    public Consumer<Scenario> reopening() {
+        Path file = workspace.file().orElse(null);
+        Scenario saved = workspace.savedScenario().orElse(null);
+        return edited -> runIfChangesHandled(() -> documentStore.openEdited(file, saved, edited));
+    }
+
     private void revert() {
         if (workspace.isChanged()
                 && fileDialogs.showOptions("revert", Messages.get("revert.question"), "revert.revert", "unsaved.cancel")
@@ -241,12 +251,17 @@ public final class FileController {
 
     /** Asks for an export file; its suggested name follows that of the open file. */
     public Optional<Path> chooseExportFile(String action, String extension) {
-        return fileDialogs.chooseFileToSave(action, suggestedFile(extension));
+        return chooseFile(action, suggestedFile(extension));
     }
 
-    /** Asks for a folder that is empty or does not exist yet; its suggested name follows that of the open file. */
-    public Optional<Path> chooseNewFolder(String action, String ending) {
-        return fileDialogs.chooseNewFolder(action, suggestedFile(ending));
+    /** Asks for a file to write, of the same type as the suggestion; empty if cancelled. */
+    public Optional<Path> chooseFile(String action, Path suggestion) {
+        return fileDialogs.chooseFileToSave(action, suggestion);
+    }
+
+    /** Asks for a folder that is empty or does not exist yet, given a suggestion; empty if cancelled. */
+    public Optional<Path> chooseNewFolder(String action, Path suggestion) {
+        return fileDialogs.chooseNewFolder(action, suggestion);
     }
 
     /** Returns the open file with its folder, also if the command line names it without one; empty if there is none. */
@@ -263,7 +278,7 @@ public final class FileController {
     }
 
     /** Returns the name of the open file, or of the scenario, with another ending. */
-    Path suggestedFile(String ending) {
+    public Path suggestedFile(String ending) {
         String scenario =
                 FileNames.forScenario(workspace.scenario().map(Scenario::name).orElse(""));
         Path file = openFile().orElse(Path.of(scenario + ".xml"));

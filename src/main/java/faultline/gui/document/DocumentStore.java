@@ -90,10 +90,17 @@ public final class DocumentStore {
 
     /** Opens a recovered scenario; its edits are still unsaved. */
     public void recover(RecoveryStore.RecoveredFile recovered) {
-        Path origin = recovered.origin().orElse(null);
+        openEdited(recovered.origin().orElse(null), null, recovered.scenario());
+    }
+
+    /**
+     * Opens a scenario as an edit of a file, null for none, or as an edit of another scenario if it has no file, null
+     * for a new one.
+     */
+    public void openEdited(Path file, Scenario saved, Scenario edited) {
         start(
-                recovered.origin().orElse(recovered.recoveryFile()),
-                () -> new ScenarioDocument(origin, loadIfReadable(origin), recovered.scenario()));
+                file == null ? Path.of(FileNames.forScenario(edited.name())) : file,
+                () -> new ScenarioDocument(file, file == null ? saved : loadIfReadable(file), edited));
     }
 
     private void start(Path name, Callable<ScenarioDocument> loader) {
@@ -112,10 +119,10 @@ public final class DocumentStore {
                 then);
     }
 
-    /** Returns the scenario that a file holds, null if there is no file or it cannot be read. */
+    /** Returns the scenario that a file holds, null if it cannot be read. */
     private static Scenario loadIfReadable(Path file) {
         try {
-            return file == null ? null : Scenario.load(file);
+            return Scenario.load(file);
         } catch (ScenarioException unreadable) {
             return null;
         }

@@ -47,7 +47,7 @@ class BatchDialogRobotTest {
         BatchDialog dialog = callOnEdt(() -> {
             Theme.LIGHT.install();
             owner = new JFrame();
-            BatchDialog shown = new BatchDialog(owner, scenario, null);
+            BatchDialog shown = new BatchDialog(owner, new BatchSource(scenario, Path.of("office"), () -> {}), null);
             shown.write(TARGET, copied::await, () -> first.set(true));
             shown.write(TARGET, () -> {}, () -> second.set(true));
             return shown;

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
@@ -11,8 +12,10 @@ import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JTable;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -85,6 +88,46 @@ class BatchRobotTest {
         driver.enterFile("Save scenario", saved);
         driver.waitForTitle("run.xml");
         assertEquals(hash, Scenario.load(saved).run().trajectoryHash());
+    }
+
+    @Test
+    void aRunInTheWindowDoesNotReplaceTheScenarioOfTheBatch() {
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
+        JDialog dialog = driver.dialog(TITLE);
+        driver.robot().waitFor("the number of seeds has the focus", () -> "Number of seeds"
+                .equals(ComponentFinder.accessibleName(dialog.getFocusOwner())));
+        driver.robot().pressKeys(KeyEvent.VK_1);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("all runs are made", () -> dialogHasRuns(dialog, 9));
+        driver.robot().waitFor("the summary has the focus", () -> table(dialog, "Summary")
+                .isFocusOwner());
+        driver.robot().pressKeys(KeyEvent.VK_DOWN);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the runs have the focus", table(dialog, "Runs")::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.waitForTitle("Run 0");
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
+        driver.robot().waitFor("the results show again", dialog::isFocused);
+        driver.click(button(dialog, "Save results…"));
+        JDialog chooser = driver.dialog("Save results of the batch to a new folder");
+        String suggested = callOnEdt(() -> ComponentFinder.findAll(chooser, JTextField.class)
+                .findFirst()
+                .orElseThrow()
+                .getText());
+        assertEquals(folder.resolve("short-batch"), Path.of(suggested));
+        driver.robot().waitFor("the chooser has the focus", chooser::isFocused);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the results have the focus", dialog::isFocused);
+        driver.click(button(dialog, "Open scenario"));
+        driver.waitForTitle("short.xml");
+        assertTrue(dialog.isShowing());
+    }
+
+    private static JButton button(JDialog dialog, String text) {
+        return ComponentFinder.findAll(dialog, JButton.class)
+                .filter(button -> text.equals(button.getText()))
+                .findFirst()
+                .orElseThrow();
     }
 
     private static boolean dialogHasRuns(JDialog dialog, int count) {
