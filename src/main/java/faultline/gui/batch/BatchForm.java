@@ -12,6 +12,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.UiText;
+import faultline.gui.timeline.CommandRole;
 import faultline.io.DecimalText;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
@@ -139,7 +140,17 @@ final class BatchForm extends JPanel {
         fields.add(healthy, FormConstraints.fillRow(0, row++));
         fields.add(count, FormConstraints.fillRow(0, row++));
         fields.add(remark, FormConstraints.fillRow(0, row++));
+        if (hasFaults(scenario)) {
+            JLabel own = UiText.tip(UiText.label("batch.ownFaults"), "batch.ownFaults.tip");
+            fields.add(own, FormConstraints.fillRow(0, row++));
+        }
         return fields;
+    }
+
+    /** Returns whether faults begin on the timeline of a scenario; they do so in every run. */
+    private static boolean hasFaults(Scenario scenario) {
+        return scenario.setup().timeline().stream()
+                .anyMatch(event -> CommandRole.of(event.command()).isFaultStart());
     }
 
     private void addField(JPanel fields, String key, JComponent field, String unit) {

@@ -143,6 +143,7 @@ final class ResultTable extends RowTable {
                             table, headingText(String.valueOf(value), textual), selected, focused, row, column);
             if (heading instanceof JLabel label) {
                 label.setHorizontalAlignment(alignment(column));
+                label.setToolTipText(tip(model.columns.get(convertColumnIndexToModel(column))));
             }
             return heading;
         };
@@ -181,6 +182,12 @@ final class ResultTable extends RowTable {
     private static String title(String column) {
         String key = "batch.column." + column;
         return Messages.contains(key) ? Messages.get(key) : column.replace('_', ' ');
+    }
+
+    /** Returns what a column means, null if its title says enough. */
+    private static String tip(String column) {
+        String key = "batch.column." + column + ".tip";
+        return Messages.contains(key) ? Messages.get(key) : null;
     }
 
     /** Returns the index of the selected row, in the order in which rows were added. */

@@ -76,7 +76,7 @@ public record CommandRole(Lane lane, ChangedProperty effect, List<Command> endin
     }
 
     /** Returns whether the command adds a fault. */
-    boolean isFaultStart() {
+    public boolean isFaultStart() {
         return effect == ChangedProperty.FAULT && !endings.isEmpty();
     }
 

@@ -89,6 +89,15 @@ class BatchFormTest {
         assertFalse(labels().contains(remark), "there are no faults");
     }
 
+    @Test
+    void aRemarkSaysThatTheFaultsOfTheScenarioAreInAllRuns() throws Exception {
+        String remark = "|The scenario's own faults act in all runs";
+        assertFalse(labels().contains(remark), labels());
+        Scenario faulty = Scenario.load(Path.of("scenarios/every-fault.xml"));
+        form = callOnEdt(() -> new BatchForm(faulty));
+        assertTrue(labels().contains(remark), labels());
+    }
+
     /** A controller that is chosen for the window has no effect on a batch. */
     @Test
     void theControllerIsThatOfTheScenario() {

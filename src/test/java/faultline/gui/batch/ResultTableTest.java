@@ -109,6 +109,15 @@ class ResultTableTest {
         }
     }
 
+    @Test
+    void aHeadingSaysWhatItsColumnMeans() {
+        Rectangle heading = callOnEdt(() -> table.getTableHeader().getHeaderRect(0));
+        MouseEvent over = new MouseEvent(
+                table.getTableHeader(), MouseEvent.MOUSE_MOVED, 0, 0, heading.x + 5, heading.y + 5, 0, false);
+        String tip = callOnEdt(() -> table.getTableHeader().getToolTipText(over));
+        assertTrue(tip.contains("Undecided: the run is shorter than two laps"), tip);
+    }
+
     private int cellAlignment(int column) {
         return callOnEdt(() ->
                 ((JLabel) table.prepareRenderer(table.getCellRenderer(0, column), 0, column)).getHorizontalAlignment());
