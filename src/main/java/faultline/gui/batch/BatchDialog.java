@@ -34,7 +34,7 @@ import javax.swing.Timer;
  */
 final class BatchDialog extends JDialog {
 
-    private static final Dimension SIZE = new Dimension(1080, 580);
+    private static final Dimension SIZE = new Dimension(1080, 620);
     private static final int POLL_MILLIS = 200;
 
     private final transient BatchSource source;

@@ -80,15 +80,22 @@ final class BatchForm extends JPanel {
         RefreshSteps.add(count, label -> updateCount());
     }
 
-    /** Shows the faults below the other fields where there is no room beside them. */
+    /**
+     * Shows the faults in as many columns as there is room for, below the other fields if there is none beside them.
+     */
     @Override
     public void doLayout() {
         int room = getWidth() - scroll.getVerticalScrollBar().getPreferredSize().width;
-        boolean beside = first.getPreferredSize().width + second.getPreferredSize().width <= room;
+        boolean beside = fitBeside(2, room) || fitBeside(1, room);
         columnLayout.removeLayoutComponent(first);
         columnLayout.addLayoutComponent(first, beside ? BorderLayout.LINE_START : BorderLayout.PAGE_START);
         columns.invalidate();
         super.doLayout();
+    }
+
+    private boolean fitBeside(int faultColumns, int room) {
+        faults.arrange(faultColumns);
+        return first.getPreferredSize().width + second.getPreferredSize().width <= room;
     }
 
     private void setInitialValues() {

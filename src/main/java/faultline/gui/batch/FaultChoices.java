@@ -11,6 +11,7 @@ import faultline.io.DecimalText;
 import faultline.sensor.FaultKind;
 import java.awt.BorderLayout;
 import java.awt.FlowLayout;
+import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.GridLayout;
 import java.util.ArrayList;
@@ -27,19 +28,25 @@ final class FaultChoices extends JPanel {
 
     private static final int VALUE_COLUMNS = 9;
     private static final double SPREAD = 2;
+    /** The cells of a kind: its check box, its field and its unit. */
+    private static final int CELLS = 3;
+
+    private static final int COLUMN_GAP = 24;
 
     private final List<FaultChoiceRow> rows = new ArrayList<>();
+    private final GridBagLayout layout = new GridBagLayout();
+    private final JPanel grid = new JPanel(layout);
 
     /** A kind, whether it is chosen, and its number; kinds without a number have no visible field. */
-    private record FaultChoiceRow(FaultKind kind, JCheckBox box, JTextField value) {}
+    private record FaultChoiceRow(FaultKind kind, JCheckBox box, JTextField value, JLabel unit) {}
 
     /** Creates choices with one kind selected; {@code onChange} is called after every change. */
     FaultChoices(Runnable onChange) {
         super(new BorderLayout(0, 6));
-        JPanel grid = new JPanel(new GridBagLayout());
         for (FaultKind kind : FaultKind.values()) {
-            rows.add(createRow(kind, grid, onChange));
+            rows.add(createRow(kind, onChange));
         }
+        arrange(1);
         JPanel buttons = new JPanel(new GridLayout(2, 2, 6, 4));
         buttons.add(button("batch.all", () -> select(true), onChange));
         buttons.add(button("batch.drawn", () -> setValues(FaultChoices::drawnValues), onChange));
@@ -52,7 +59,24 @@ final class FaultChoices extends JPanel {
         setValues(FaultChoices::drawnValues);
     }
 
-    private FaultChoiceRow createRow(FaultKind kind, JPanel grid, Runnable onChange) {
+    /** Arranges the kinds in a number of columns, one after the other. */
+    void arrange(int columns) {
+        int height = (rows.size() + columns - 1) / columns;
+        for (int i = 0; i < rows.size(); i++) {
+            FaultChoiceRow kind = rows.get(i);
+            int column = i / height;
+            GridBagConstraints box = FormConstraints.cell(CELLS * column, i % height);
+            box.insets.left = column == 0 ? 0 : COLUMN_GAP;
+            layout.setConstraints(kind.box, box);
+            layout.setConstraints(kind.value, FormConstraints.cell(CELLS * column + 1, i % height));
+            GridBagConstraints unit = FormConstraints.cell(CELLS * column + 2, i % height);
+            unit.weightx = column == columns - 1 ? 1 : 0;
+            layout.setConstraints(kind.unit, unit);
+        }
+        grid.invalidate();
+    }
+
+    private FaultChoiceRow createRow(FaultKind kind, Runnable onChange) {
         JCheckBox box = new JCheckBox("", kind == FaultKind.STUCK);
         box.addActionListener(event -> onChange.run());
         JTextField value = new JTextField(VALUE_COLUMNS);
@@ -62,14 +86,13 @@ final class FaultChoices extends JPanel {
             value.getAccessibleContext().setAccessibleName(Messages.get("batch.valueOf", self.getText()));
         });
         value.getDocument().addDocumentListener(new TextListener(onChange));
-        int row = rows.size();
-        grid.add(box, FormConstraints.cell(0, row));
+        JLabel unit = new JLabel();
+        grid.add(box);
         if (kind.takesValue()) {
-            grid.add(value, FormConstraints.cell(1, row));
-            JLabel unit = RefreshSteps.add(new JLabel(), label -> label.setText(MotorFaultText.fieldUnitOf(kind)));
-            grid.add(unit, FormConstraints.fillCell(2, row));
+            grid.add(value);
+            grid.add(RefreshSteps.add(unit, label -> label.setText(MotorFaultText.fieldUnitOf(kind))));
         }
-        return new FaultChoiceRow(kind, box, value);
+        return new FaultChoiceRow(kind, box, value, unit);
     }
 
     private static JButton button(String key, Runnable action, Runnable onChange) {

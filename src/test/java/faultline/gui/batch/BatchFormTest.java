@@ -10,6 +10,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
+import java.awt.Point;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -17,10 +18,12 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import javax.swing.AbstractButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JViewport;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -152,6 +155,29 @@ class BatchFormTest {
                 assertEquals(width == 600, viewport.getView().getHeight() > viewport.getHeight());
             }
         }
+    }
+
+    @Test
+    void aWideDialogShowsTheFaultsInTwoColumns() {
+        runOnEdt(() -> form.setSize(1050, 600));
+        for (int pass = 0; pass < 2; pass++) {
+            runOnEdt(() -> ComponentFinder.layOut(form));
+        }
+        assertEquals(locationOf("off, no reading").y, locationOf("dropout in bursts").y, 1);
+        assertTrue(locationOf("dropout in bursts").x > locationOf("Value of the fault: stuck").x);
+        runOnEdt(() -> form.setSize(600, 600));
+        for (int pass = 0; pass < 2; pass++) {
+            runOnEdt(() -> ComponentFinder.layOut(form));
+        }
+        assertTrue(locationOf("dropout in bursts").y > locationOf("Value of the fault: stuck").y);
+    }
+
+    /** Returns where a check box or a field is in the form. */
+    private Point locationOf(String name) {
+        return callOnEdt(() -> {
+            JComponent part = ComponentFinder.find(form, JComponent.class, name);
+            return SwingUtilities.convertPoint(part, 0, 0, form);
+        });
     }
 
     private void layOut(int width) {
