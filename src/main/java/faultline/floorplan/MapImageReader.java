@@ -132,7 +132,7 @@ final class MapImageReader {
             reader.setInput(in, true, true);
             // A size that is stored in 32 bits without a sign is negative here.
             requireSize(file, Integer.toUnsignedLong(reader.getWidth(0)), Integer.toUnsignedLong(reader.getHeight(0)));
-            return toMapImage(file, reader.read(0));
+            return toMapImage(file, reader);
         } finally {
             reader.dispose();
         }
@@ -144,35 +144,59 @@ final class MapImageReader {
         }
     }
 
-    private static MapImage toMapImage(Path file, BufferedImage image) throws FloorPlanException {
+    private static MapImage toMapImage(Path file, ImageReader reader) throws IOException {
+        BufferedImage image = reader.read(0);
         ColorModel colors = image.getColorModel();
         // getRGB would convert grey values from a linear colour space; the raw values of the file are required.
-        boolean grey = !(colors instanceof IndexColorModel) && colors.getNumColorComponents() == 1;
-        if (grey && colors.getComponentSize(0) > MAX_GREY_BITS) {
-            throw new FloorPlanException(
-                    file, FloorPlanProblem.PIXEL_BITS.with(colors.getComponentSize(0), MAX_GREY_BITS));
+        if (colors instanceof IndexColorModel || colors.getNumColorComponents() > 1) {
+            return readColors(image);
         }
+        int bits = colors.getComponentSize(0);
+        if (bits > MAX_GREY_BITS) {
+            throw new FloorPlanException(file, FloorPlanProblem.PIXEL_BITS.with(bits, MAX_GREY_BITS));
+        }
+        int white = (1 << bits) - 1;
+        return colors.hasAlpha()
+                ? readGreyWithAlpha(image.getRaster(), new StandardMetadata(reader.getImageMetadata(0)), white)
+                : readGrey(image.getRaster(), white);
+    }
+
+    private static MapImage readColors(BufferedImage image) {
         // getRGB rounds 16 bits of opacity to 8.
         Raster alpha = image.getAlphaRaster();
-        int white = grey ? (1 << colors.getComponentSize(0)) - 1 : WHITE_SUM;
-        MapImage map = new MapImage(image.getWidth(), image.getHeight(), white);
+        MapImage map = new MapImage(image.getWidth(), image.getHeight(), WHITE_SUM);
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
-                int index = y * image.getWidth() + x;
-                if (grey) {
-                    setGrey(map, index, image.getRaster(), colors, x, y);
-                } else {
-                    int argb = image.getRGB(x, y);
-                    int sum = (argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff);
-                    map.set(index, sum, argb >>> 24 < 255 || alpha != null && !isOpaque(alpha, 0, x, y));
-                }
+                int argb = image.getRGB(x, y);
+                int sum = (argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff);
+                boolean isTransparent = argb >>> 24 < 255 || alpha != null && !isOpaque(alpha, 0, x, y);
+                map.set(y * map.width() + x, sum, isTransparent);
             }
         }
         return map;
     }
 
-    private static void setGrey(MapImage map, int index, Raster raster, ColorModel colors, int x, int y) {
-        map.set(index, raster.getSample(x, y, 0), colors.hasAlpha() && !isOpaque(raster, 1, x, y));
+    private static MapImage readGrey(Raster raster, int white) {
+        MapImage map = new MapImage(raster.getWidth(), raster.getHeight(), white);
+        for (int y = 0; y < raster.getHeight(); y++) {
+            for (int x = 0; x < raster.getWidth(); x++) {
+                map.set(y * map.width() + x, raster.getSample(x, y, 0), false);
+            }
+        }
+        return map;
+    }
+
+    private static MapImage readGreyWithAlpha(Raster raster, StandardMetadata metadata, int white) {
+        // The JDK compares the transparent level of a PNG image of few bits with pixels that are already scaled.
+        int transparent = metadata.transparentSample(white).orElse(-1);
+        MapImage map = new MapImage(raster.getWidth(), raster.getHeight(), white);
+        for (int y = 0; y < raster.getHeight(); y++) {
+            for (int x = 0; x < raster.getWidth(); x++) {
+                int sample = raster.getSample(x, y, 0);
+                map.set(y * map.width() + x, sample, sample == transparent || !isOpaque(raster, 1, x, y));
+            }
+        }
+        return map;
     }
 
     private static boolean isOpaque(Raster raster, int band, int x, int y) {

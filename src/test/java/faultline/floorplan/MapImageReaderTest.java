@@ -1,0 +1,92 @@
+package faultline.floorplan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.zip.CRC32;
+import java.util.zip.DeflaterOutputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Images that the JDK's readers do not read as the formats define them. */
+class MapImageReaderTest {
+
+    @TempDir
+    private Path folder;
+
+    /** Writes a grey PNG with one row of all levels from black to white, one of which is transparent. */
+    private Path greyPng(int bits, int transparent) throws IOException {
+        int size = 1 << bits;
+        ByteArrayOutputStream row = new ByteArrayOutputStream();
+        row.write(0); // no filter
+        int packed = 1;
+        for (int level = 0; level < size; level++) {
+            packed = packed << bits | level;
+            if (packed >= 256) {
+                row.write(packed);
+                packed = 1;
+            }
+        }
+        if (packed > 1) {
+            row.write(packed << 8 - bits * size);
+        }
+        ByteArrayOutputStream pixels = new ByteArrayOutputStream();
+        try (DeflaterOutputStream out = new DeflaterOutputStream(pixels)) {
+            row.writeTo(out);
+        }
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        png.write(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
+        writeChunk(png, "IHDR", bytes(0, 0, size >> 8, size, 0, 0, 0, 1, bits, 0, 0, 0, 0));
+        writeChunk(png, "tRNS", bytes(transparent >> 8, transparent));
+        writeChunk(png, "IDAT", pixels.toByteArray());
+        writeChunk(png, "IEND", bytes());
+        return Files.write(folder.resolve("grey.png"), png.toByteArray());
+    }
+
+    private static byte[] bytes(int... values) {
+        byte[] bytes = new byte[values.length];
+        for (int i = 0; i < values.length; i++) {
+            bytes[i] = (byte) values[i];
+        }
+        return bytes;
+    }
+
+    private static void writeChunk(ByteArrayOutputStream png, String type, byte[] content) throws IOException {
+        ByteArrayOutputStream chunk = new ByteArrayOutputStream();
+        chunk.writeBytes(type.getBytes(StandardCharsets.US_ASCII));
+        chunk.writeBytes(content);
+        CRC32 checksum = new CRC32();
+        checksum.update(chunk.toByteArray());
+        DataOutputStream out = new DataOutputStream(png);
+        out.writeInt(content.length);
+        chunk.writeTo(out);
+        out.writeInt((int) checksum.getValue());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1,0", "1,1", "2,0", "2,1", "2,2", "2,3", "4,0", "4,7", "4,15", "8,0", "8,254", "8,255"})
+    void theTransparentLevelOfAGreyPngIsThatOfItsPixels(int bits, int transparent) throws IOException {
+        MapImage map = MapImageReader.read(greyPng(bits, transparent));
+        int max = (1 << bits) - 1;
+        for (int level = 0; level <= max; level++) {
+            assertEquals(level == transparent, map.isTransparent(level, 0), "level " + level);
+            assertEquals(level * 255 / max, map.sample(level, 0) * 255 / map.white(), "level " + level);
+        }
+    }
+
+    @Test
+    void unusedBitsOfATransparentLevelDoNotCount() throws IOException {
+        MapImage map = MapImageReader.read(greyPng(2, 0x0107));
+        assertFalse(map.isTransparent(2, 0));
+        assertTrue(map.isTransparent(3, 0));
+    }
+}
