@@ -169,7 +169,7 @@ final class MapImageReader {
             for (int x = 0; x < image.getWidth(); x++) {
                 int argb = image.getRGB(x, y);
                 int sum = (argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff);
-                boolean isTransparent = argb >>> 24 < 255 || alpha != null && !isOpaque(alpha, 0, x, y);
+                boolean isTransparent = argb >>> 24 < 255 || alpha != null && !isOpaque(alpha, x, y);
                 map.set(y * map.width() + x, sum, isTransparent);
             }
         }
@@ -189,18 +189,21 @@ final class MapImageReader {
     private static MapImage readGreyWithAlpha(Raster raster, StandardMetadata metadata, int white) {
         // The JDK compares the transparent level of a PNG image of few bits with pixels that are already scaled.
         int transparent = metadata.transparentSample(white).orElse(-1);
+        // The JDK inverts all samples of a TIFF image that stores white as 0, also those of the opacity.
+        int opaque = metadata.isWhiteZero() ? 0 : white;
         MapImage map = new MapImage(raster.getWidth(), raster.getHeight(), white);
         for (int y = 0; y < raster.getHeight(); y++) {
             for (int x = 0; x < raster.getWidth(); x++) {
                 int sample = raster.getSample(x, y, 0);
-                map.set(y * map.width() + x, sample, sample == transparent || !isOpaque(raster, 1, x, y));
+                boolean isTransparent = sample == transparent || raster.getSample(x, y, 1) != opaque;
+                map.set(y * map.width() + x, sample, isTransparent);
             }
         }
         return map;
     }
 
-    private static boolean isOpaque(Raster raster, int band, int x, int y) {
-        int bits = raster.getSampleModel().getSampleSize(band);
-        return bits > MAX_GREY_BITS || raster.getSample(x, y, band) == (1 << bits) - 1;
+    private static boolean isOpaque(Raster alpha, int x, int y) {
+        int bits = alpha.getSampleModel().getSampleSize(0);
+        return bits > MAX_GREY_BITS || alpha.getSample(x, y, 0) == (1 << bits) - 1;
     }
 }

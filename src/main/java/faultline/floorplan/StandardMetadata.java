@@ -30,6 +30,11 @@ final class StandardMetadata {
         return OptionalInt.of((Integer.parseInt(level) & max) * (white / max));
     }
 
+    /** Returns whether the file stores white as 0. */
+    boolean isWhiteZero() {
+        return value("BlackIsZero").equals("FALSE");
+    }
+
     /** Returns the value of an element; empty if there is no such element. */
     private String value(String element) {
         return root.getElementsByTagName(element).item(0) instanceof IIOMetadataNode node

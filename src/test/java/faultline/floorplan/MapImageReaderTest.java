@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -88,5 +90,38 @@ class MapImageReaderTest {
         MapImage map = MapImageReader.read(greyPng(2, 0x0107));
         assertFalse(map.isTransparent(2, 0));
         assertTrue(map.isTransparent(3, 0));
+    }
+
+    /** Writes a TIFF of three pixels with a grey and an opacity of 8 bits each. */
+    private Path greyTiff(int photometric, int extraSample, int... samples) throws IOException {
+        int[][] tags = {
+            {256, 3},
+            {257, 1},
+            {258, 8 << 16 | 8},
+            {259, 1},
+            {262, photometric},
+            {273, 8},
+            {277, 2},
+            {279, 6},
+            {338, extraSample}
+        };
+        ByteBuffer tiff = ByteBuffer.allocate(20 + 12 * tags.length).order(ByteOrder.LITTLE_ENDIAN);
+        tiff.put(bytes('I', 'I', 42, 0)).putInt(14).put(bytes(samples)).putShort((short) tags.length);
+        for (int[] tag : tags) {
+            tiff.putShort((short) tag[0]).putShort((short) 3).putInt(tag[0] == 258 ? 2 : 1);
+            tiff.putInt(tag[1]);
+        }
+        return Files.write(folder.resolve("grey.tiff"), tiff.array());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0,0", "0,1", "0,2", "1,0", "1,1", "1,2"})
+    void aTiffWithOpacityMayStoreWhiteOrBlackAsZero(int photometric, int extraSample) throws IOException {
+        MapImage map = MapImageReader.read(greyTiff(photometric, extraSample, 0, 255, 255, 255, 60, 254));
+        int[] expected = photometric == 0 ? new int[] {255, 0, 195} : new int[] {0, 255, 60};
+        for (int x = 0; x < 3; x++) {
+            assertEquals(expected[x], map.sample(x, 0), "pixel " + x);
+            assertEquals(x == 2, map.isTransparent(x, 0), "pixel " + x);
+        }
     }
 }
