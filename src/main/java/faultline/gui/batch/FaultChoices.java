@@ -80,9 +80,13 @@ final class FaultChoices extends JPanel {
         JCheckBox box = new JCheckBox("", kind == FaultKind.STUCK);
         box.addActionListener(event -> onChange.run());
         JTextField value = new JTextField(VALUE_COLUMNS);
-        UiText.tip(value, "batch.syntax");
+        RefreshSteps.add(
+                value,
+                self -> self.setToolTipText(
+                        Messages.get(MotorFaultText.valueKeyOf(kind)) + ". " + Messages.get("batch.syntax")));
         RefreshSteps.add(box, self -> {
             self.setText(ReadingText.nameOf(kind));
+            self.setToolTipText(MotorFaultText.describe(kind));
             value.getAccessibleContext().setAccessibleName(Messages.get("batch.valueOf", self.getText()));
         });
         value.getDocument().addDocumentListener(new TextListener(onChange));

@@ -34,8 +34,14 @@ import javax.swing.SwingConstants;
  */
 public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
+    /** The row of the number below that of the kind. */
+    static final int VALUE_ROW = 2;
+
     private static final int COLUMNS = 5;
     private static final int MIN_TEXT_COLUMNS = 6;
+    private static final int DESCRIPTION_COLUMNS = 26;
+    /** Enough for the longest sentence, so that the fields below stay where they are. */
+    private static final int DESCRIPTION_ROWS = 3;
 
     private final JComboBox<K> kind;
     private final Function<K, String> names;
@@ -46,6 +52,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     private final JLabel lengthLabel = FormConstraints.label("faults.length", length);
     private final MutedLabel unit = new MutedLabel("m");
     private final MutedLabel lengthUnit = new MutedLabel("s");
+    private final JTextArea description = UiText.wrappedText();
     private final JTextArea problem = new NarrowText();
     private final JPanel problemRow = new JPanel(new BorderLayout(4, 0));
 
@@ -57,6 +64,9 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         configureKind(kinds.length);
         configure(value, "faults.value");
         configure(length, "faults.length");
+        length.setTip("faults.length.tip");
+        description.setColumns(DESCRIPTION_COLUMNS);
+        description.setRows(DESCRIPTION_ROWS);
         kind.setSelectedItem(initial);
         JLabel icon = new JLabel("", new GlyphIcon(Glyph.WARNING, 14, colours -> colours.warning()), JLabel.LEADING);
         icon.setVerticalAlignment(SwingConstants.TOP);
@@ -82,10 +92,10 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     }
 
     private void configureKind(int count) {
-        kind.setRenderer(NamedChoice.rendererOf(names));
+        kind.setRenderer(NamedChoice.rendererOf(names, MotorFaultText::describe));
         kind.setMaximumRowCount(count);
         kind.addActionListener(event -> updateKind());
-        UiText.nameAndTip(kind, "faults.kind");
+        UiText.name(kind, "faults.kind");
     }
 
     private void configure(NumberSpinner spinner, String key) {
@@ -94,7 +104,10 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         spinner.addChangeListener(event -> updateProblem());
     }
 
-    /** Adds the fields to four rows of a form with a {@link java.awt.GridBagLayout}, below a gap in pixels. */
+    /**
+     * Adds the fields to five rows of a form with a {@link java.awt.GridBagLayout}, below a gap in pixels. The second
+     * row is empty.
+     */
     public void addTo(JPanel form, int row, int gap) {
         GridBagConstraints first = FormConstraints.cell(0, row);
         first.insets.top += gap;
@@ -102,13 +115,19 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         GridBagConstraints second = FormConstraints.fillRow(1, row);
         second.insets.top += gap;
         form.add(kind, second);
-        form.add(FormConstraints.label("faults.value", value), FormConstraints.cell(0, row + 1));
-        form.add(value, FormConstraints.cell(1, row + 1));
-        form.add(unit, FormConstraints.cell(2, row + 1));
-        form.add(lengthLabel, FormConstraints.cell(0, row + 2));
-        form.add(length, FormConstraints.cell(1, row + 2));
-        form.add(lengthUnit, FormConstraints.cell(2, row + 2));
-        form.add(problemRow, FormConstraints.fillRow(1, row + 3));
+        form.add(FormConstraints.label("faults.value", value), FormConstraints.cell(0, row + VALUE_ROW));
+        form.add(value, FormConstraints.cell(1, row + VALUE_ROW));
+        form.add(unit, FormConstraints.cell(2, row + VALUE_ROW));
+        form.add(lengthLabel, FormConstraints.cell(0, row + VALUE_ROW + 1));
+        form.add(length, FormConstraints.cell(1, row + VALUE_ROW + 1));
+        form.add(lengthUnit, FormConstraints.cell(2, row + VALUE_ROW + 1));
+        form.add(problemRow, FormConstraints.fillRow(1, row + VALUE_ROW + 2));
+    }
+
+    /** Adds the fields to five rows of a form, with a text in the second row that says what the fault does. */
+    public void addWithDescription(JPanel form, int row) {
+        addTo(form, row, 0);
+        form.add(description, FormConstraints.fillRow(1, row + 1));
     }
 
     private void updateKind() {
@@ -127,6 +146,9 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private void updateTexts() {
         unit.setText(MotorFaultText.fieldUnitOf(selected()));
+        value.setTip(MotorFaultText.valueKeyOf(selected()));
+        description.setText(MotorFaultText.describe(selected()));
+        kind.setToolTipText(description.getText());
         updateProblem();
     }
 

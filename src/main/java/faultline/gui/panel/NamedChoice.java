@@ -27,12 +27,18 @@ public final class NamedChoice<T> extends JComboBox<T> {
 
     /** Returns a renderer of values by their names. */
     public static <T> ListCellRenderer<Object> rendererOf(Function<T, String> name) {
+        return rendererOf(name, item -> null);
+    }
+
+    /** Returns a renderer of values by their names, with tool tips in the list, null for none. */
+    public static <T> ListCellRenderer<Object> rendererOf(Function<T, String> name, Function<T, String> tip) {
         return new DefaultListCellRenderer() {
             @Override
             @SuppressWarnings("unchecked")
             public Component getListCellRendererComponent(
                     JList<?> items, Object item, int index, boolean selected, boolean focused) {
                 String text = item == null ? "" : name.apply((T) item);
+                setToolTipText(item == null ? null : tip.apply((T) item));
                 return super.getListCellRendererComponent(items, text, index, selected, focused);
             }
         };

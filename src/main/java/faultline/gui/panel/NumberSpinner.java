@@ -161,13 +161,15 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
         getAccessibleContext().setAccessibleName(name);
         textField().getAccessibleContext().setAccessibleName(name);
         String limits = formatter.limitsText();
-        String tip = tipKey.isEmpty() ? name + ": " + limits : Messages.get(tipKey) + " (" + limits + ")";
+        String tip = tipKey.isEmpty()
+                ? name + ": " + limits
+                : Messages.get(tipKey) + (model.getMinimum().equals(model.getMaximum()) ? "" : " (" + limits + ")");
         setToolTipText(tip);
         textField().setToolTipText(tip);
         nameArrows(name);
     }
 
-    /** Shows the text of a key, and the limits, as the tool tip. */
+    /** Shows the text of a key, and the limits unless they are equal, as the tool tip. */
     void setTip(String key) {
         tipKey = key;
         updateAccessibleText();

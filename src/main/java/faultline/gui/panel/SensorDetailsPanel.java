@@ -26,6 +26,7 @@ public final class SensorDetailsPanel extends JPanel {
 
     private static final int SECTION_GAP = 8;
     private static final int BUTTON_GAP = 2;
+    private static final int FAULT_ROW = 3;
 
     private final transient UndoController editor;
     private final transient SensorMountFields mountFields;
@@ -74,8 +75,8 @@ public final class SensorDetailsPanel extends JPanel {
         choiceCell.anchor = GridBagConstraints.CENTER;
         form.add(createChoiceRow(), choiceCell);
         mountFields.addTo(form, 1);
-        fault.addTo(form, 3, SECTION_GAP);
-        GridBagConstraints right = FormConstraints.fillCell(3, 4);
+        fault.addTo(form, FAULT_ROW, SECTION_GAP);
+        GridBagConstraints right = FormConstraints.fillCell(3, FAULT_ROW + FaultFields.VALUE_ROW);
         right.fill = GridBagConstraints.NONE;
         right.anchor = GridBagConstraints.BASELINE_TRAILING;
         form.add(inject, right);

@@ -8,7 +8,7 @@ import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.util.Locale;
 
-/** The faults of motors in the user's language. */
+/** The faults of motors, and what faults of both motors and sensors have in common, in the user's language. */
 public final class MotorFaultText {
 
     /** The pattern of the numbers of faults, in texts and in fields. */
@@ -24,7 +24,21 @@ public final class MotorFaultText {
     }
 
     public static String nameOf(MotorFaultKind kind) {
-        return Messages.get("motorFault." + kind.fileName());
+        return Messages.get(keyOf(kind));
+    }
+
+    /** Returns a sentence that says what a kind of fault does. */
+    public static String describe(FaultDescriptor<?> kind) {
+        return Messages.get(keyOf(kind) + ".tip");
+    }
+
+    /** Returns the key of the text that says what the number of a kind of fault means, and its unit. */
+    public static String valueKeyOf(FaultDescriptor<?> kind) {
+        return kind.takesValue() ? keyOf(kind) + ".value" : "faults.noValue";
+    }
+
+    private static String keyOf(FaultDescriptor<?> kind) {
+        return (kind instanceof MotorFaultKind ? "motorFault." : "fault.") + kind.fileName();
     }
 
     /** Formats a fault, for example "weak 0.70". */

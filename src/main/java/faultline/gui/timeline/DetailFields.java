@@ -29,7 +29,7 @@ import javax.swing.JPanel;
 final class DetailFields {
 
     /** The row of the start, between the details and the fields of a controller; the end is in the next one. */
-    static final int TIMES_ROW = 5;
+    static final int TIMES_ROW = 6;
 
     private static final int FIRST_ROW = 1;
     private static final int CONTROLLER_ROW = TIMES_ROW + 2;
@@ -99,7 +99,7 @@ final class DetailFields {
         updateRange(fault);
         Fault old = command.fault();
         fault.setFault(old.kind(), old.value(), old.length());
-        fault.addTo(form, FIRST_ROW, 0);
+        fault.addWithDescription(form, FIRST_ROW);
         return () -> fault.commitFault().map(valid -> new Command.InjectFault(command.sensor(), valid));
     }
 
@@ -112,7 +112,7 @@ final class DetailFields {
     private Supplier<Optional<Command>> addMotorFault(Command.InjectMotorFault command) {
         FaultFields<MotorFaultKind, MotorFault> fault = FaultFields.forMotors();
         fault.setFault(command.fault().kind(), command.fault().value(), 0);
-        fault.addTo(form, FIRST_ROW, 0);
+        fault.addWithDescription(form, FIRST_ROW);
         return () -> fault.commitFault().map(valid -> new Command.InjectMotorFault(command.motor(), valid));
     }
 

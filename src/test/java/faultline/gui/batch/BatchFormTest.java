@@ -18,6 +18,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import javax.swing.AbstractButton;
+import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
@@ -123,6 +124,19 @@ class BatchFormTest {
             }
             Files.delete(folder);
         }
+    }
+
+    @Test
+    void aKindAndItsValueAreExplained() {
+        runOnEdt(() -> {
+            JCheckBox kind = ComponentFinder.findAll(form, JCheckBox.class)
+                    .filter(box -> box.getText().equals("quantised"))
+                    .findFirst()
+                    .orElseThrow();
+            assertEquals("Every distance is rounded to a multiple of a step", kind.getToolTipText());
+            JTextField value = ComponentFinder.find(form, JTextField.class, "Value of the fault: quantised");
+            assertTrue(value.getToolTipText().startsWith("Step, m. A number such as"), value.getToolTipText());
+        });
     }
 
     @Test

@@ -9,11 +9,15 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
 import faultline.gui.theme.Theme;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import java.awt.GridBagLayout;
 import java.util.Optional;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
@@ -70,6 +74,47 @@ class FaultFieldsTest {
             assertEquals(Optional.empty(), fields.commitFault());
             assertTrue(description(value).startsWith("Invalid value."), description(value));
             assertFalse(description(length).startsWith("Invalid value."), description(length));
+        });
+    }
+
+    @Test
+    void theChosenKindIsExplainedBesideTheListAndInTheForm() {
+        runOnEdt(() -> {
+            FaultFields<FaultKind, Fault> fields = FaultFields.forSensors();
+            JPanel form = new JPanel(new GridBagLayout());
+            fields.addWithDescription(form, 0);
+            fields.setFault(FaultKind.MISALIGNED, 15, 0);
+            JComboBox<?> kind = ComponentFinder.find(form, JComboBox.class, "Fault");
+            String sentence = "The sensor measures in a direction that differs from its bearing";
+            assertEquals(sentence, kind.getToolTipText());
+            assertEquals(sentence, kind.getAccessibleContext().getAccessibleDescription());
+            assertEquals(1, countTexts(form, sentence));
+            JTextField value = ComponentFinder.find(form, JTextField.class, "Value");
+            assertEquals("Angle from the bearing, °, positive to the left (-180 to 180)", value.getToolTipText());
+            assertEquals(value.getToolTipText(), description(value));
+            fields.setFault(FaultKind.OFF, 0, 0);
+            assertEquals("The sensor gives no answer", kind.getToolTipText());
+            assertEquals("A fault of this kind has no value", value.getToolTipText());
+        });
+    }
+
+    private static long countTexts(JPanel form, String text) {
+        return ComponentFinder.findAll(form, JTextArea.class)
+                .filter(area -> area.getText().equals(text))
+                .count();
+    }
+
+    @Test
+    @SuppressWarnings("unchecked")
+    void theItemsOfTheListOfKindsAreExplained() {
+        runOnEdt(() -> {
+            JPanel form = new JPanel(new GridBagLayout());
+            FaultFields.forSensors().addTo(form, 0, 0);
+            JComboBox<FaultKind> kind = ComponentFinder.find(form, JComboBox.class, "Fault");
+            JComponent item = (JComponent) kind.getRenderer()
+                    .getListCellRendererComponent(new JList<>(), FaultKind.CROSS_TALK, 0, false, false);
+            assertEquals(MotorFaultText.describe(FaultKind.CROSS_TALK), item.getToolTipText());
+            assertEquals(item.getToolTipText(), item.getAccessibleContext().getAccessibleDescription());
         });
     }
 

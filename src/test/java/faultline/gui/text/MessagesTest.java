@@ -1,11 +1,13 @@
 package faultline.gui.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.FollowerState;
 import faultline.control.SensorFinding;
 import faultline.gui.document.TaskKind;
+import faultline.robot.MotorFaultKind;
 import faultline.sensor.FaultKind;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -62,6 +64,11 @@ class MessagesTest {
     void everyKindOfFaultAndEveryTaskHasAText() {
         Stream.of(FaultKind.values())
                 .forEach(kind -> assertTrue(Messages.contains("fault." + kind.fileName()), kind.fileName()));
+        Stream.concat(Stream.of(FaultKind.values()), Stream.of(MotorFaultKind.values()))
+                .forEach(kind -> {
+                    assertFalse(MotorFaultText.describe(kind).isBlank(), kind.fileName());
+                    assertTrue(Messages.contains(MotorFaultText.valueKeyOf(kind)), kind.fileName());
+                });
         Stream.of(TaskKind.values()).forEach(task -> assertTrue(Messages.contains("failed." + task), task.name()));
     }
 
