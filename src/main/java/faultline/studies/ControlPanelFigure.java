@@ -78,7 +78,10 @@ final class ControlPanelFigure implements Figure {
                 editor,
                 new ScenarioEditor(new RunController(new Workspace()), editor),
                 new ControlPanel.SensorButtons(() -> {}, id -> {}),
-                UiAction.toggle("path", true, on -> {}));
+                new ControlPanel.PanelActions(
+                        UiAction.toggle("path", true, on -> {}),
+                        UiAction.of("chooseController", () -> {}),
+                        UiAction.of("scenarioController", () -> {})));
         panel.setSnapshot(world);
         panel.addNotify();
         Dimension size = panel.getPreferredSize();

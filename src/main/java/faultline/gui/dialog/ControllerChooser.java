@@ -37,6 +37,7 @@ public final class ControllerChooser implements WorkspaceListener {
     private final Notes notes;
     private final ErrorLines errorLines;
 
+    private final UiAction scenarioController = UiAction.of("scenarioController", this::returnToScenarios);
     private final Timer watch = new Timer(WATCH_MILLIS, event -> checkFiles());
     /** What the dialog shows. */
     private ControllerSelection choice = ControllerSelection.SCENARIO;
@@ -72,18 +73,29 @@ public final class ControllerChooser implements WorkspaceListener {
         this.comparison = comparison;
         this.notes = notes;
         this.errorLines = new ErrorLines(notes);
+        scenarioController.setEnabled(false);
         workspace.addListener(this);
     }
 
-    /** Adds the actions that choose the controller of the run and that of a ghost. */
+    /** Adds the actions that choose the controller of the run, the scenario's own one, and that of a ghost. */
     public void addTo(ActionRegistry actions) {
         actions.add(UiAction.of(
                 "chooseController", () -> ask("chooseController", choice).ifPresent(this::tryOut)));
+        actions.add(scenarioController);
         actions.add(UiAction.of(
                 "compareController", () -> ask("compareController", ghostChoice).ifPresent(chosen -> {
                     ghostChoice = chosen;
                     comparison.compareWith(chosen, errorLines.forGhost());
                 })));
+    }
+
+    private void returnToScenarios() {
+        tryOut(new ControllerSelection("", choice.jars()));
+    }
+
+    /** Returns the name or the command of the controller that the user has chosen for the run; empty for none. */
+    public String chosenText() {
+        return started.text();
     }
 
     private Optional<ControllerSelection> ask(String key, ControllerSelection now) {
@@ -151,6 +163,7 @@ public final class ControllerChooser implements WorkspaceListener {
         errorLines.controllerStarted();
         untried = false;
         started = next;
+        scenarioController.setEnabled(!started.isScenarios());
         if (ghostPending) {
             ghostPending = false;
             comparison.compareWith(ghostChoice, errorLines.forGhost());

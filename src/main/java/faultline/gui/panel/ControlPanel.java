@@ -68,6 +68,9 @@ public final class ControlPanel extends JPanel {
     /** The controls that the first snapshot enables. */
     private transient List<Component> disabledControls = List.of();
 
+    /** Actions of menus that are also here: those of the path, and of the choice of a controller. */
+    public record PanelActions(Action path, Action chooseController, Action scenarioController) {}
+
     /** What adds a sensor, and what removes the one with an id. */
     public record SensorButtons(Runnable add, Consumer<String> remove) {}
 
@@ -76,13 +79,13 @@ public final class ControlPanel extends JPanel {
      * comes. The second editor receives changes that need a new simulation.
      */
     public ControlPanel(
-            UndoController editor, ScenarioEditor scenarioEditor, SensorButtons sensorButtons, Action path) {
+            UndoController editor, ScenarioEditor scenarioEditor, SensorButtons sensorButtons, PanelActions actions) {
         super(new BorderLayout());
         this.editor = editor;
-        robot = new RobotPanel(editor, path);
+        robot = new RobotPanel(editor, actions.path());
         sensors = new SensorsPanel(editor);
         sensorDetails = new SensorDetailsPanel(editor, sensorButtons);
-        controller = new ControllerPanel(editor, scenarioEditor);
+        controller = new ControllerPanel(editor, scenarioEditor, actions);
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
         UiText.name(tabs, "panel");
@@ -286,6 +289,11 @@ public final class ControlPanel extends JPanel {
     public void setRun(SessionFrame frame, SessionStatus status, Scenario scenario) {
         controller.setSettings(frame.controller(), frame.controllerName(), scenario.setup());
         run.setRun(frame, status, scenario);
+    }
+
+    /** Shows the name or the command of the controller that the user has chosen for the run; empty for none. */
+    public void setChosenController(String text) {
+        controller.setChosen(text);
     }
 
     /** A field whose text is applied by Enter, or when the focus leaves the field. */

@@ -9,19 +9,21 @@ import faultline.control.WallSide;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.UiText;
 import faultline.robot.RobotSpec;
+import java.awt.Component;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** The fields of a controller's kind and settings, in sections. Settings that do not apply are disabled. */
+/** The fields of a controller's kind and settings, in sections. Settings that do not apply are hidden. */
 public final class ControllerForm {
 
     /** The kinds of controllers. */
@@ -71,6 +73,9 @@ public final class ControllerForm {
     private final NumberSpinner right =
             new NumberSpinner("0.0##", -MAX_VOLTS, MAX_VOLTS, 0.1, value -> drive(drive().leftVolts(), value));
     private final List<JComponent> sections;
+    /** The fields of a follower in the first section, with their labels. */
+    private List<Component> followerParts = List.of();
+
     private ControllerSpec shown = WallFollowing.DEFAULT;
 
     /** Creates the fields; the listener receives the controller with every change that the user makes. */
@@ -92,11 +97,13 @@ public final class ControllerForm {
         addRow(form, 0, "controller.kind", kind);
         form.add(nameLabel, FormConstraints.cell(0, 1));
         form.add(name, FormConstraints.fillRow(1, 1));
+        int before = form.getComponentCount();
         addRow(form, 2, "controller.distance", distance.withColumns(6));
         addRow(form, 3, "controller.wallSide", side);
         addRow(form, 4, "controller.timing", timing);
         addRow(form, 5, "controller.period", period.withColumns(6));
         form.add(diagnosis, FormConstraints.fillRow(1, 6));
+        followerParts = Stream.of(form.getComponents()).skip(before).toList();
         return form;
     }
 
@@ -205,14 +212,18 @@ public final class ControllerForm {
         }
         thresholds.values().forEach(field -> field.setEnabled(follows));
         gains.setApplicable(follows);
+        followerParts.forEach(part -> part.setVisible(follows));
+        sections.get(1).setVisible(follows);
+        sections.get(2).setVisible(follows);
         showFollower(robot, dt);
         defaultThresholds.setEnabled(shown instanceof WallFollowing follower
                 && !follower.thresholds().equals(Thresholds.DEFAULT));
         boolean drives = shown instanceof ControllerSpec.Drive;
         left.setEnabled(drives);
         right.setEnabled(drives);
-        left.setWorldValue(drives ? drive().leftVolts() : Double.NaN);
-        right.setWorldValue(drives ? drive().rightVolts() : Double.NaN);
+        sections.get(3).setVisible(drives);
+        left.setWorldValue(drive().leftVolts());
+        right.setWorldValue(drive().rightVolts());
     }
 
     /** Shows a kind; an external controller, which cannot be chosen here, is in the list only while it is shown. */
@@ -229,7 +240,7 @@ public final class ControllerForm {
         kind.setEnabled(!foreign);
     }
 
-    /** Shows the settings of a follower, or nothing in its fields. */
+    /** Shows the settings if the controller is a follower. */
     private void showFollower(RobotSpec robot, double dt) {
         if (shown instanceof WallFollowing follower) {
             distance.setWorldValue(follower.distance());
@@ -240,14 +251,6 @@ public final class ControllerForm {
             gains.setGains(follower, robot, dt);
             thresholds.forEach((threshold, field) ->
                     field.setWorldValue(follower.thresholds().get(threshold)));
-        } else {
-            side.setValue(null);
-            timing.setValue(null);
-            distance.setWorldValue(Double.NaN);
-            period.setWorldValue(Double.NaN);
-            diagnosis.setSelected(false);
-            gains.clear();
-            thresholds.values().forEach(field -> field.setWorldValue(Double.NaN));
         }
     }
 }

@@ -92,14 +92,6 @@ final class GainFields extends JPanel {
         return Math.max(MIN_GAIN, Math.round(2 / gains.derivative() * LENGTH_ROUNDING) / LENGTH_ROUNDING);
     }
 
-    /** Shows no gains. */
-    void clear() {
-        choice.setValue(null);
-        for (NumberSpinner field : new NumberSpinner[] {length, proportional, derivative}) {
-            field.setWorldValue(Double.NaN);
-        }
-    }
-
     /** Enables the fields if the controller has gains. */
     void setApplicable(boolean applicable) {
         for (JComponent field : new JComponent[] {choice, length, proportional, derivative}) {

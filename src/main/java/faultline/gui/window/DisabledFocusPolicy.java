@@ -5,8 +5,9 @@ import java.awt.Container;
 import javax.swing.LayoutFocusTraversalPolicy;
 
 /**
- * Moves the focus by Tab as usual, but to a substitute when the component that has it is disabled. The next component,
- * to which it would move otherwise, can be a field far away, which would scroll into view and receive the next keys.
+ * Moves the focus by Tab as usual, but to a substitute when the component that has it is disabled or hidden. The next
+ * component, to which it would move otherwise, can be a field far away, which would scroll into view and receive the
+ * next keys.
  */
 final class DisabledFocusPolicy extends LayoutFocusTraversalPolicy {
 
@@ -20,6 +21,6 @@ final class DisabledFocusPolicy extends LayoutFocusTraversalPolicy {
 
     @Override
     public Component getComponentAfter(Container root, Component component) {
-        return component.isEnabled() ? super.getComponentAfter(root, component) : substitute;
+        return component.isEnabled() && component.isVisible() ? super.getComponentAfter(root, component) : substitute;
     }
 }

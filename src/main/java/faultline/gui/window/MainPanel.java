@@ -92,7 +92,8 @@ final class MainPanel extends JPanel {
                 editors.run(),
                 editors.scenario(),
                 new ControlPanel.SensorButtons(editors.sensors()::add, editors.sensors()::remove),
-                actions.get("path"));
+                new ControlPanel.PanelActions(
+                        actions.get("path"), actions.get("chooseController"), actions.get("scenarioController")));
         obstacles = new ObstaclePanel(editors.run(), canvas.tools());
         controlPanel.addTab("panel.obstacles", obstacles);
         instruments = new InstrumentDock(jump);

@@ -371,6 +371,11 @@ public final class MainWindow extends JFrame {
         }
 
         @Override
+        public void sessionStarted() {
+            mainPanel.controlPanel().setChosenController(controllerChooser.chosenText());
+        }
+
+        @Override
         public void scenarioRestarted(SimulationSetup before) {
             undoController.runRestarted(before, runController::change);
         }

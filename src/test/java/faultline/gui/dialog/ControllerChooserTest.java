@@ -9,7 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.gui.Await;
 import faultline.gui.BackgroundThreads;
 import faultline.gui.EdtChecker;
+import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Notes;
+import faultline.gui.action.UiAction;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.DocumentStore;
@@ -95,6 +97,22 @@ class ControllerChooserTest {
                 () -> workspace.scenario().orElseThrow().name().equals("Cable"));
         assertEquals(List.of(TaskKind.OPEN), callOnEdt(() -> List.copyOf(failures)));
         assertTrue(opensWithoutChoice);
+    }
+
+    @Test
+    void theScenariosOwnControllerIsOfferedWhileAnotherOneIsChosen() {
+        UiAction scenarios = callOnEdt(() -> {
+            ActionRegistry actions = new ActionRegistry();
+            chooser.addTo(actions);
+            return actions.get("scenarioController");
+        });
+        assertFalse(callOnEdt(scenarios::isEnabled));
+        runOnEdt(() -> chooser.tryOut(new ControllerSelection("none", List.of())));
+        Await.until("the chosen controller", () -> chooser.chosenText().equals("none"));
+        assertTrue(callOnEdt(scenarios::isEnabled));
+        runOnEdt(() -> scenarios.actionPerformed(null));
+        Await.until("the scenario's controller", () -> chooser.chosenText().isEmpty());
+        assertFalse(callOnEdt(scenarios::isEnabled));
     }
 
     @Test

@@ -67,6 +67,10 @@ class ControlPanelTest {
     private final List<Command> commands = new ArrayList<>();
     private final List<Runnable> refusals = new ArrayList<>();
     private final Snapshot world = SampleFrames.fullFrame().snapshot();
+    private final ControlPanel.PanelActions actions = new ControlPanel.PanelActions(
+            UiAction.toggle("path", true, on -> {}),
+            UiAction.of("chooseController", () -> {}),
+            UiAction.of("scenarioController", () -> {}));
     private ControlPanel panel;
 
     private final List<String> sensorRequests = new ArrayList<>();
@@ -105,11 +109,7 @@ class ControlPanelTest {
     }
 
     private ControlPanel createPanel() {
-        return new ControlPanel(
-                new UndoController(this::execute, () -> {}),
-                null,
-                sensorButtons,
-                UiAction.toggle("path", true, on -> {}));
+        return new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorButtons, actions);
     }
 
     /** Records commands, and how to refuse them. */
@@ -222,11 +222,8 @@ class ControlPanelTest {
     @Test
     void withoutAScenarioNoFieldShowsItsLowerLimit() {
         runOnEdt(() -> {
-            ControlPanel empty = new ControlPanel(
-                    new UndoController(this::execute, () -> {}),
-                    null,
-                    sensorButtons,
-                    UiAction.toggle("path", true, on -> {}));
+            ControlPanel empty =
+                    new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorButtons, actions);
             assertEquals(
                     "0",
                     ComponentFinder.findAll(empty, JTextField.class)
@@ -241,11 +238,8 @@ class ControlPanelTest {
     @Test
     void theFieldsOfTheDefaultRobotStandDisabledWhereTheyWillBe() {
         runOnEdt(() -> {
-            ControlPanel early = new ControlPanel(
-                    new UndoController(this::execute, () -> {}),
-                    null,
-                    sensorButtons,
-                    UiAction.toggle("path", true, on -> {}));
+            ControlPanel early =
+                    new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorButtons, actions);
             early.setSize(early.defaultWidth(), 640);
             layOut(early);
             List<NumberSpinner> fields = NumberSpinner.findIn(early).toList();

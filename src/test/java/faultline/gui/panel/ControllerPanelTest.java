@@ -19,6 +19,7 @@ import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.FieldExtremes;
+import faultline.gui.action.UiAction;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
@@ -30,7 +31,9 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import java.awt.Component;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -57,6 +60,7 @@ class ControllerPanelTest {
     private DocumentStore documents;
     private UndoController undo;
     private ControllerPanel panel;
+    private final List<String> choices = new ArrayList<>();
 
     @BeforeEach
     void open() {
@@ -67,7 +71,13 @@ class ControllerPanelTest {
             documents = new DocumentStore(workspace);
             undo = new UndoController(run::send, () -> {});
             workspace.addListener(new UndoForwarder(run, undo));
-            panel = new ControllerPanel(undo, new ScenarioEditor(run, undo));
+            panel = new ControllerPanel(
+                    undo,
+                    new ScenarioEditor(run, undo),
+                    new ControlPanel.PanelActions(
+                            null,
+                            UiAction.of("chooseController", () -> choices.add("another")),
+                            UiAction.of("scenarioController", () -> choices.add("the scenario's"))));
             documents.open(Path.of("scenarios/right-hand.xml"));
         });
         await("the scenario", spec -> true);
@@ -123,8 +133,13 @@ class ControllerPanelTest {
                 ((Number) ComponentFinder.find(panel, JSpinner.class, name).getValue()).doubleValue());
     }
 
-    private boolean isEnabled(String name) {
-        return callOnEdt(() -> ComponentFinder.find(panel, JSpinner.class, name).isEnabled());
+    private boolean isShown(String name) {
+        return callOnEdt(() -> isShown(ComponentFinder.find(panel, JSpinner.class, name)));
+    }
+
+    /** Returns whether a component and all components around it in the panel are visible. */
+    private boolean isShown(Component part) {
+        return part.isVisible() && (part == panel || isShown(part.getParent()));
     }
 
     @Test
@@ -234,13 +249,42 @@ class ControllerPanelTest {
     }
 
     @Test
-    void anotherKindEnablesItsFields() {
+    void anotherKindShowsOnlyItsFields() {
+        assertFalse(isShown("Left, V"));
+        assertTrue(isShown("Distance, m") && isShown("Length, m") && isShown("Wall lost, m"));
         choose("Controller", 1);
         await("constant voltages", spec -> spec instanceof ControllerSpec.Drive);
-        assertTrue(isEnabled("Left, V"));
-        assertFalse(isEnabled("Distance, m"));
+        assertTrue(isShown("Left, V") && isShown("Turn rate, °/s"));
+        assertFalse(isShown("Distance, m") || isShown("Length, m") || isShown("Wall lost, m"));
         type("Left, V", 1.5);
         await("the new voltage", spec -> spec.equals(new ControllerSpec.Drive(1.5, 1)));
+        runOnEdt(undo::undo);
+        runOnEdt(undo::undo);
+        await("the follower", spec -> spec instanceof WallFollowing);
+        assertTrue(isShown("Distance, m"));
+        assertFalse(isShown("Left, V"));
+    }
+
+    @Test
+    void aChosenControllerIsNamedWithButtonsThatChooseAnotherOneOrReturnToTheScenario() {
+        String command = "python3 follower.py --fast";
+        assertEquals(List.of(), texts("Chosen"));
+        runOnEdt(() -> {
+            panel.setChosen(command);
+            panel.setSettings(
+                    new ControllerSpec.Extern(0),
+                    "",
+                    workspace.scenario().orElseThrow().setup());
+        });
+        assertEquals(List.of("Chosen"), texts("Chosen"));
+        assertEquals(List.of(command), texts(command));
+        assertFalse(isShown("Distance, m") || isShown("Left, V"));
+        click("Choose controller…");
+        click("As in the scenario");
+        assertEquals(List.of("another", "the scenario's"), choices);
+        runOnEdt(() -> panel.setChosen(""));
+        await("the follower again", spec -> spec instanceof WallFollowing);
+        assertEquals(List.of(), texts("Chosen"));
     }
 
     @Test
@@ -308,21 +352,6 @@ class ControllerPanelTest {
     /** Returns the visible labels with a text. */
     private Stream<JLabel> labels(String text) {
         return ComponentFinder.findAll(panel, JLabel.class)
-                .filter(label -> label.isVisible() && text.equals(label.getText()));
-    }
-
-    @Test
-    void fieldsOfAnotherKindOfControllerShowNothing() {
-        assertTrue(Double.isNaN(shown("Left, V")));
-        int drive = 1;
-        choose("Controller", drive);
-        await("the wheels are driven", spec -> spec instanceof ControllerSpec.Drive);
-        assertTrue(Double.isNaN(shown("Distance, m")) && Double.isNaN(shown("Length, m")));
-        assertEquals("", callOnEdt(() -> ComponentFinder.find(panel, JFormattedTextField.class, "Distance, m")
-                .getText()));
-        assertTrue(shown("Left, V") > 0);
-        runOnEdt(undo::undo);
-        await("the follower", spec -> spec instanceof WallFollowing);
-        assertTrue(shown("Distance, m") > 0);
+                .filter(label -> isShown(label) && text.equals(label.getText()));
     }
 }

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.SampleFrames;
+import faultline.engine.metrics.RunMeasures;
 import faultline.engine.recording.Recording;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
@@ -95,6 +97,7 @@ class MainPanelTest {
             "new",
             "properties",
             "chooseController",
+            "scenarioController",
             "batch",
             "compareController",
             "examples",
@@ -235,37 +238,49 @@ class MainPanelTest {
             // The instruments are hidden by default on a screen of this height.
             runOnEdt(() -> mainPanel.setDockShown(instruments));
             Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
-            runOnEdt(() ->
-                    mainPanel.setRun(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, office, 100));
-            ControlPanel panel = mainPanel.controlPanel();
-            JTabbedPane tabs = callOnEdt(() -> ComponentFinder.findAll(panel, JTabbedPane.class)
-                    .findFirst()
-                    .orElseThrow());
-            for (int tab = 0; tab < tabs.getTabCount(); tab++) {
-                int index = tab;
-                runOnEdt(() -> {
-                    tabs.setSelectedIndex(index);
-                    setSizeAndLayOut(784, 560);
-                    JScrollPane scroll = (JScrollPane) tabs.getComponentAt(index);
-                    assertFalse(scroll.getHorizontalScrollBar().isVisible(), tabs.getTitleAt(index));
-                    assertEquals(
-                            List.of(),
-                            ComponentFinder.findAll(scroll.getViewport(), JComboBox.class)
-                                    .filter(box -> box.getWidth() < box.getPreferredSize().width)
-                                    .map(MainPanelTest::describe)
-                                    .toList());
-                    assertEquals(
-                            List.of(),
-                            ComponentFinder.tree(scroll.getViewport())
-                                    .filter(MainPanelTest::mustBeWhole)
-                                    .filter(part -> !fits(part))
-                                    .map(MainPanelTest::describe)
-                                    .toList());
-                });
+            runOnEdt(() -> mainPanel.controlPanel().setChosenController("python3 examples/follower.py --distance 0.3"));
+            for (ControllerSpec controller : List.of(
+                    ControllerSpec.WallFollowing.DEFAULT,
+                    new ControllerSpec.Drive(1, 1),
+                    new ControllerSpec.Extern(0))) {
+                SessionFrame frame =
+                        new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY, RunMeasures.NONE, controller, "");
+                runOnEdt(() -> mainPanel.setRun(frame, PAUSED, office, 100));
+                assertEveryTabFits();
             }
             assertTrue(!instruments || mainPanel.instruments().getTabRunCount() == 1, "rows of tabs");
         } finally {
             build(TextSize.NORMAL, Language.ENGLISH);
+        }
+    }
+
+    /** Asserts that no tab of the control panel scrolls sideways or cuts a control off in a window of 784 pixels. */
+    private void assertEveryTabFits() {
+        ControlPanel panel = mainPanel.controlPanel();
+        JTabbedPane tabs = callOnEdt(() ->
+                ComponentFinder.findAll(panel, JTabbedPane.class).findFirst().orElseThrow());
+        for (int tab = 0; tab < tabs.getTabCount(); tab++) {
+            int index = tab;
+            runOnEdt(() -> {
+                tabs.setSelectedIndex(index);
+                setSizeAndLayOut(784, 560);
+                JScrollPane scroll = (JScrollPane) tabs.getComponentAt(index);
+                assertFalse(scroll.getHorizontalScrollBar().isVisible(), tabs.getTitleAt(index));
+                assertEquals(
+                        List.of(),
+                        ComponentFinder.findAll(scroll.getViewport(), JComboBox.class)
+                                .filter(MainPanelTest::isVisibleInTab)
+                                .filter(box -> box.getWidth() < box.getPreferredSize().width)
+                                .map(MainPanelTest::describe)
+                                .toList());
+                assertEquals(
+                        List.of(),
+                        ComponentFinder.tree(scroll.getViewport())
+                                .filter(MainPanelTest::mustBeWhole)
+                                .filter(part -> !fits(part))
+                                .map(MainPanelTest::describe)
+                                .toList());
+            });
         }
     }
 
@@ -512,10 +527,15 @@ class MainPanelTest {
                 && !label.getText().isBlank()
                 && !(label.getParent() instanceof CellRendererPane);
         return (text || part instanceof AbstractButton || part instanceof JSpinner || part instanceof JSlider)
-                && part.isVisible()
-                && part.getParent().isVisible()
+                && isVisibleInTab(part)
                 && part.getPreferredSize().width > 0
                 && !(part.getParent() instanceof Box.Filler);
+    }
+
+    /** Returns whether a component and those around it are visible, in its tab if it is in one. */
+    private static boolean isVisibleInTab(Component part) {
+        Component parent = part.getParent();
+        return parent == null || parent instanceof JTabbedPane || part.isVisible() && isVisibleInTab(parent);
     }
 
     /**
