@@ -6,6 +6,8 @@ import faultline.engine.RobotPath;
 import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.RunMeasures;
+import faultline.engine.metrics.RunMeter;
 import faultline.engine.recording.HashTrace;
 import faultline.engine.recording.HashTraceRecorder;
 import faultline.engine.recording.Recorder;
@@ -26,6 +28,7 @@ public final class ReferenceRun {
     private final double[] heading;
     private final Recording recording;
     private final RobotPath path;
+    private final RunMeasures measures;
 
     private ReferenceRun(Journal journal, Simulation simulation, LongPredicate onward) {
         int size = (int) Math.min(journal.ticks() + 1, HashTraceRecorder.MAX_HASHES);
@@ -34,17 +37,19 @@ public final class ReferenceRun {
         y = new double[size];
         heading = new double[size];
         Recorder recorder = new Recorder(journal.setup());
+        RunMeter meter = new RunMeter(journal.setup());
         JournalPlayer replay = new JournalPlayer(journal);
-        record(simulation, recorder);
+        record(simulation, recorder, meter);
         while (simulation.ticks() < size - 1) {
             if (!onward.test(simulation.ticks())) {
                 throw new CancellationException("given up at tick " + simulation.ticks());
             }
             replay.tick(simulation);
-            record(simulation, recorder);
+            record(simulation, recorder, meter);
         }
         recording = recorder.view();
         path = simulation.frame().path();
+        measures = meter.measures();
     }
 
     /**
@@ -62,13 +67,14 @@ public final class ReferenceRun {
         }
     }
 
-    private void record(Simulation simulation, Recorder recorder) {
+    private void record(Simulation simulation, Recorder recorder, RunMeter meter) {
         int tick = (int) simulation.ticks();
         Pose pose = simulation.pose();
         x[tick] = pose.x();
         y[tick] = pose.y();
         heading[tick] = pose.heading();
         recorder.observe(simulation);
+        meter.observe(simulation);
     }
 
     /** {@return the setup of the run} */
@@ -94,6 +100,11 @@ public final class ReferenceRun {
     /** {@return the robot's whole path} */
     public RobotPath path() {
         return path;
+    }
+
+    /** {@return the measures of the run at its end} */
+    public RunMeasures measures() {
+        return measures;
     }
 
     /** {@return the hash of the trajectory after every tick up to {@link #lastTick}} */

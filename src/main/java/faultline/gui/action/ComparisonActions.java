@@ -1,11 +1,13 @@
 package faultline.gui.action;
 
 import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.RunMeasures;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.RunComparison;
+import faultline.gui.text.ExpectationText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
 import faultline.paint.scene.ReferenceOverlay;
@@ -78,6 +80,7 @@ public final class ComparisonActions {
         caption.add(divergence
                 .map(time -> Messages.get("ghost.differs", time))
                 .orElseGet(() -> Messages.get(comparison.whole() ? "ghost.sameToEnd" : "ghost.same")));
+        measuresText(run.measures()).ifPresent(caption::add);
         if (comparison.seedDiffers()) {
             caption.add(Messages.get("ghost.seed", Long.toString(setup.seed())));
         }
@@ -86,5 +89,16 @@ public final class ComparisonActions {
                         event.tick(), Messages.get("ghost.mark", NumberText.format("%.2f s", event.time()))))
                 .toList();
         return new ReferenceOverlay(run, caption, marks);
+    }
+
+    /** Describes the measures of a run at its end; empty if it has followed no wall. */
+    private static Optional<String> measuresText(RunMeasures measures) {
+        return measures.equals(RunMeasures.NONE)
+                ? Optional.empty()
+                : Optional.of(Messages.get(
+                        "ghost.measures",
+                        ExpectationText.percent(measures.coverage()),
+                        ExpectationText.number("%.2f", measures.laps()),
+                        ExpectationText.millimetres(measures.distanceRms())));
     }
 }

@@ -11,6 +11,8 @@ import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunMeasures;
+import faultline.engine.metrics.RunResult;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
@@ -183,6 +185,10 @@ class ComparisonControllerTest {
                 still.hashTrace().hashAt(still.lastTick()));
         ReferenceRun follower = ghostWith(new ControllerSelection("wall-follower", List.of()), "wall-follower");
         assertEquals(finalHash(edited), follower.hashTrace().hashAt(follower.lastTick()));
+        RunResult result = HeadlessRun.run(edited, ControllerMode.DIRECT, List.of());
+        assertEquals(result.coverage().orElseThrow(), follower.measures().coverage());
+        assertEquals(result.distanceRms().orElseThrow(), follower.measures().distanceRms());
+        assertEquals(RunMeasures.NONE, still.measures());
         assertNotEquals(finalHash(edited), still.hashTrace().hashAt(still.lastTick()));
     }
 
