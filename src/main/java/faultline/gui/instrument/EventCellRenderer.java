@@ -30,7 +30,10 @@ final class EventCellRenderer extends DefaultTableCellRenderer {
             JTable table, Object value, boolean selected, boolean focused, int row, int column) {
         super.getTableCellRendererComponent(table, value, selected, focused, row, column);
         setBorder(BorderFactory.createEmptyBorder(0, SIDE_PADDING, 0, SIDE_PADDING));
-        setIcon(column == EventTableModel.KIND_COLUMN ? icon(events.eventAt(row), selected) : null);
+        setIcon(
+                column == EventTableModel.KIND_COLUMN
+                        ? icon(events.eventAt(table.convertRowIndexToModel(row)), selected)
+                        : null);
         return this;
     }
 

@@ -2,26 +2,49 @@ package faultline.gui.instrument;
 
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
+import faultline.gui.action.ContextMenu;
 import faultline.gui.panel.RowTable;
 import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
+import faultline.gui.timeline.EventGroup;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.Graphics;
+import java.awt.GridLayout;
 import java.awt.Insets;
 import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.IntFunction;
 import java.util.function.LongConsumer;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.swing.BorderFactory;
+import javax.swing.JCheckBox;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
+import javax.swing.ListSelectionModel;
+import javax.swing.RowFilter;
+import javax.swing.ScrollPaneConstants;
 import javax.swing.table.TableColumn;
+import javax.swing.table.TableRowSorter;
 
 /**
  * The event log of a run. A double click or Enter on an event jumps to its time. The newest event stays in view unless
- * a row is selected.
+ * a row is selected. Check boxes choose the groups of events that show.
  */
 public final class EventLogView extends JPanel {
 
@@ -32,16 +55,125 @@ public final class EventLogView extends JPanel {
     private final EventTableModel events = new EventTableModel();
     private final RowTable table = new RowTable(events);
     private final JScrollPane scroll = new JScrollPane(table);
+    private final transient TableRowSorter<EventTableModel> rows = new TableRowSorter<>(events);
+    private final transient Set<EventGroup> hidden = EnumSet.noneOf(EventGroup.class);
 
     /** Creates an empty log; {@code jump} receives the tick to go to. */
     public EventLogView(LongConsumer jump) {
         super(new BorderLayout());
         configureTable();
-        table.onOpen(row -> jump.accept(events.eventAt(row).tick()));
+        table.onOpen(row ->
+                jump.accept(events.eventAt(table.convertRowIndexToModel(row)).tick()));
         KeyBindings.bind(table, "ESCAPE", table::clearSelection);
+        KeyBindings.bind(table, "menu C", this::copy);
+        KeyBindings.bind(table, "menu A", table::selectAll);
+        installMenu();
         scroll.setColumnHeaderView(table.getTableHeader());
         scroll.setBorder(new FocusRing.FocusBorder(false));
+        add(createFilter(), BorderLayout.LINE_END);
         add(scroll, BorderLayout.CENTER);
+    }
+
+    private JScrollPane createFilter() {
+        JPanel boxes = new JPanel(new GridLayout(0, 1));
+        Stream.of(EventGroup.values()).map(this::createBox).forEach(boxes::add);
+        JPanel top = new JPanel(new BorderLayout());
+        top.setBorder(BorderFactory.createEmptyBorder(2, 8, 2, 8));
+        top.add(boxes, BorderLayout.NORTH);
+        JScrollPane filter = ScreenFit.scrolling(top);
+        filter.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        return filter;
+    }
+
+    private JCheckBox createBox(EventGroup group) {
+        JCheckBox box = UiText.text(new JCheckBox("", true), "events.group." + group);
+        box.addActionListener(event -> {
+            if (box.isSelected()) {
+                hidden.remove(group);
+            } else {
+                hidden.add(group);
+            }
+            filterRows();
+        });
+        return box;
+    }
+
+    private void filterRows() {
+        // Without a filter, the sorter does nothing for new events.
+        rows.setRowFilter(
+                hidden.isEmpty()
+                        ? null
+                        : new RowFilter<>() {
+                            @Override
+                            public boolean include(Entry<? extends EventTableModel, ? extends Integer> entry) {
+                                return !hidden.contains(EventGroup.of(events.eventAt(entry.getIdentifier())));
+                            }
+                        });
+        int shown = table.getSelectedRow() < 0 ? table.getRowCount() - 1 : table.getSelectedRow();
+        table.scrollRectToVisible(table.getCellRect(shown, 0, true));
+    }
+
+    private void installMenu() {
+        table.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                showMenu(event);
+            }
+
+            @Override
+            public void mouseReleased(MouseEvent event) {
+                showMenu(event);
+            }
+
+            private void showMenu(MouseEvent event) {
+                if (event.isPopupTrigger()) {
+                    int row = table.rowAtPoint(event.getPoint());
+                    if (row >= 0 && !table.isRowSelected(row)) {
+                        table.setRowSelectionInterval(row, row);
+                    }
+                    ContextMenu.show(createMenu(), table, event.getX(), event.getY());
+                }
+            }
+        });
+        for (String key : List.of("shift F10", "CONTEXT_MENU")) {
+            KeyBindings.bind(table, key, () -> {
+                Rectangle row = table.getCellRect(Math.max(0, table.getSelectedRow()), 0, true);
+                ContextMenu.show(createMenu(), table, row.x, row.y + row.height);
+            });
+        }
+    }
+
+    JPopupMenu createMenu() {
+        JMenuItem copy = UiText.menuText(new JMenuItem(), "events.menu.copy");
+        copy.setEnabled(table.getSelectedRow() >= 0);
+        copy.addActionListener(event -> copy());
+        JMenuItem all = UiText.menuText(new JMenuItem(), "events.menu.selectAll");
+        all.setEnabled(table.getRowCount() > 0);
+        all.addActionListener(event -> table.selectAll());
+        JPopupMenu menu = new JPopupMenu();
+        menu.add(copy);
+        menu.add(all);
+        return menu;
+    }
+
+    private void copy() {
+        if (table.getSelectedRow() >= 0) {
+            getToolkit().getSystemClipboard().setContents(new StringSelection(selectedText()), null);
+        }
+    }
+
+    /** Returns the headings and the selected rows, with tabs between the columns. */
+    String selectedText() {
+        IntFunction<String> heading = events::getColumnName;
+        return Stream.concat(
+                        Stream.of(line(heading)),
+                        IntStream.of(table.getSelectedRows())
+                                .mapToObj(row -> line(column -> String.valueOf(table.getValueAt(row, column)))))
+                .collect(Collectors.joining("\n", "", "\n"));
+    }
+
+    private String line(IntFunction<String> cell) {
+        return IntStream.range(0, events.getColumnCount()).mapToObj(cell).collect(Collectors.joining("\t"));
     }
 
     /** Shows whole rows only; a row that is cut off at the bottom would look like a defect. */
@@ -50,9 +182,9 @@ public final class EventLogView extends JPanel {
         super.doLayout();
         Insets border = scroll.getInsets();
         int outside = border.top + table.getTableHeader().getPreferredSize().height + border.bottom;
-        int rows = (getHeight() - outside) / table.getRowHeight();
-        if (rows > 0) {
-            scroll.setSize(getWidth(), outside + rows * table.getRowHeight());
+        int whole = (scroll.getHeight() - outside) / table.getRowHeight();
+        if (whole > 0) {
+            scroll.setSize(getWidth(), outside + whole * table.getRowHeight());
         }
     }
 
@@ -64,6 +196,9 @@ public final class EventLogView extends JPanel {
 
     private void configureTable() {
         UiText.tip(UiText.name(table, "events"), "events.tip");
+        table.setSelectionMode(ListSelectionModel.MULTIPLE_INTERVAL_SELECTION);
+        IntStream.range(0, events.getColumnCount()).forEach(column -> rows.setSortable(column, false));
+        table.setRowSorter(rows);
         table.setDefaultRenderer(Object.class, new EventCellRenderer(events));
         table.getTableHeader().setReorderingAllowed(false);
         RefreshSteps.add(table, self -> refreshTable());

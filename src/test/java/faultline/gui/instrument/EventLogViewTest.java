@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.recording.RunEvent;
@@ -24,6 +25,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import javax.swing.JCheckBox;
+import javax.swing.JMenuItem;
 import org.junit.jupiter.api.Test;
 
 /** The event log without a display: its texts, and going to an event. */
@@ -77,6 +80,56 @@ class EventLogViewTest {
         int top = callOnEdt(() -> view.table().getVisibleRect().y);
         assertTrue(top > 0, "it is scrolled");
         assertEquals(0, top % row);
+    }
+
+    private void show(String group, boolean shown) {
+        runOnEdt(() -> {
+            JCheckBox box = ComponentFinder.find(view, JCheckBox.class, group);
+            if (box.isSelected() != shown) {
+                box.doClick(0);
+            }
+        });
+    }
+
+    @Test
+    void hiddenGroupsStayHiddenInLaterRunsAndTheOthersOpenTheirMoments() {
+        runOnEdt(() -> view.setFrame(SampleRuns.frame(2000)));
+        List<String> all = rows();
+        show("States", false);
+        show("Commands", false);
+        List<String> others = all.stream()
+                .filter(row -> !row.matches("\\S+ (State|Timing|Command|Refused) .*"))
+                .toList();
+        assertTrue(!others.isEmpty() && others.size() < all.size());
+        assertEquals(others, rows());
+        runOnEdt(() -> {
+            view.table().setRowSelectionInterval(0, 0);
+            view.table().getActionMap().get("ENTER").actionPerformed(null);
+        });
+        assertEquals(List.of(1L), jumps);
+        runOnEdt(() -> view.setFrame(SampleRuns.frame(100)));
+        assertEquals(2, rows().size(), "the health and the rung");
+        show("States", true);
+        show("Commands", true);
+        assertEquals(3, rows().size());
+    }
+
+    @Test
+    void selectedRowsAreCopiedAsATable() {
+        runOnEdt(() -> view.setFrame(SampleRuns.frame(100)));
+        JMenuItem copy = (JMenuItem) callOnEdt(view::createMenu).getComponent(0);
+        assertFalse(copy.isEnabled(), "nothing is selected");
+        runOnEdt(() -> {
+            view.table().setRowSelectionInterval(0, 0);
+            view.table().addRowSelectionInterval(2, 2);
+        });
+        assertEquals(
+                "Time, s\tKind\tEvent\n"
+                        + "0.000\tCommand\trear switched off\n"
+                        + "0.010\tRung\tAll sensors → Side and front\n",
+                callOnEdt(view::selectedText));
+        runOnEdt(() -> ((JMenuItem) view.createMenu().getComponent(1)).doClick(0));
+        assertEquals(3, callOnEdt(view.table()::getSelectedRowCount));
     }
 
     @Test
