@@ -30,7 +30,7 @@ final class ExampleFilter {
         update();
     }
 
-    /** Sets the text that titles or descriptions contain; capital letters are equal to small ones. */
+    /** Sets the text that titles, descriptions, files or groups contain; capital letters are equal to small ones. */
     void setText(String text) {
         wanted = text.strip().toLowerCase(Locale.ROOT);
         update();
@@ -43,7 +43,12 @@ final class ExampleFilter {
     }
 
     private boolean matches(Example example) {
-        String text = (example.title() + " " + example.description() + " " + example.file()).toLowerCase(Locale.ROOT);
-        return group.shows(example) && text.contains(wanted);
+        String text = String.join(
+                " ",
+                example.title(),
+                example.description(),
+                example.file(),
+                ExampleGroup.of(example.file()).toString());
+        return group.shows(example) && text.toLowerCase(Locale.ROOT).contains(wanted);
     }
 }

@@ -79,6 +79,7 @@ public final class Gallery extends JDialog {
                 list.requestFocusInWindow();
             }
         });
+        description.setText(Messages.get("gallery.loading"));
         loader = new ExampleLoader(Theme.current().palette(), this::add, this::failed);
     }
 
@@ -207,7 +208,7 @@ public final class Gallery extends JDialog {
 
     private void add(Example example) {
         filter.add(example);
-        if (list.isSelectionEmpty()) {
+        if (!filter.shown().isEmpty() && list.isSelectionEmpty()) {
             selectFirst();
         }
     }

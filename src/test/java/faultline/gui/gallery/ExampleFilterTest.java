@@ -57,6 +57,13 @@ class ExampleFilterTest {
     }
 
     @Test
+    void theSearchFindsTheNamesOfGroups() throws IOException {
+        addAll();
+        filter.setText("fault");
+        assertTrue(shown().containsAll(Arrays.asList("front-sensor-dies.xml", "left-sensor-off.xml", "mirror.xml")));
+    }
+
+    @Test
     void theSearchIgnoresCapitalsAndKeepsTheGroup() throws IOException {
         filter.setText(" corner ");
         addAll();
