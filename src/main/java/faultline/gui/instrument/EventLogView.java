@@ -39,6 +39,7 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.RowFilter;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.UIManager;
 import javax.swing.table.TableColumn;
 import javax.swing.table.TableRowSorter;
 
@@ -157,8 +158,14 @@ public final class EventLogView extends JPanel {
     }
 
     private void copy() {
-        if (table.getSelectedRow() >= 0) {
+        if (table.getSelectedRow() < 0) {
+            return;
+        }
+        try {
             getToolkit().getSystemClipboard().setContents(new StringSelection(selectedText()), null);
+        } catch (IllegalStateException busy) {
+            // Another program is using the clipboard.
+            UIManager.getLookAndFeel().provideErrorFeedback(table);
         }
     }
 
