@@ -27,7 +27,8 @@ import java.util.stream.Stream;
  * @param contact the colour of marks of faults and edges, on a path or in a chart
  * @param collision contacts and the first collision, and what cannot be done
  * @param reference a reference run
- * @param sensors the colours of the sensors in the robot's order, after Okabe and Ito; reused for further sensors
+ * @param sensors the colours of the sensors in the robot's order, the first eight after Okabe and Ito; reused for
+ *     further sensors
  */
 public record Palette(
         boolean dark,
@@ -76,7 +77,9 @@ public record Palette(
                     SensorColours.of(0x0072B2, 0x0072B2),
                     SensorColours.of(0xD55E00, 0xD55E00),
                     SensorColours.of(0xCC79A7, 0xB86D96),
-                    SensorColours.of(0x4A5261, 0x4A5261)));
+                    SensorColours.of(0x4A5261, 0x4A5261),
+                    SensorColours.of(0x203010, 0x203010),
+                    SensorColours.of(0xD020F0, 0xD020F0)));
 
     /** For dark windows. */
     public static final Palette DARK = new Palette(
@@ -105,7 +108,9 @@ public record Palette(
                     SensorColours.of(0x0072B2, 0x0A78B5),
                     SensorColours.of(0xD55E00, 0xD55E00),
                     SensorColours.of(0xCC79A7, 0xCC79A7),
-                    SensorColours.of(0xD3D9E2, 0xD3D9E2)));
+                    SensorColours.of(0xD3D9E2, 0xD3D9E2),
+                    SensorColours.of(0xC0D090, 0xC0D090),
+                    SensorColours.of(0xE000F0, 0xE000F0)));
 
     public Palette {
         sensors = List.copyOf(sensors);

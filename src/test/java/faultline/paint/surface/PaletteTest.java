@@ -10,12 +10,23 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Contrasts by the definition of WCAG 2.1: 4.5 for text, 3 for lines that carry meaning. */
 class PaletteTest {
+
+    /** Machado, Oliveira and Fernandes, IEEE Transactions on Visualization and Computer Graphics 15, 2009. */
+    private static final double[][] PROTANOPIA = {
+        {0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}
+    };
+
+    private static final double[][] DEUTERANOPIA = {
+        {0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}
+    };
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
@@ -98,9 +109,39 @@ class PaletteTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void eightSensorsHaveEightColours(boolean dark) {
-        assertEquals(8, new HashSet<>(palette(dark).sensors()).size());
-        assertEquals(palette(dark).sensorColours(1), palette(dark).sensorColours(9));
+    void tenSensorsHaveTenColours(boolean dark) {
+        assertEquals(10, new HashSet<>(palette(dark).sensors()).size());
+        assertEquals(palette(dark).sensorColours(1), palette(dark).sensorColours(11));
+    }
+
+    /** The first eight are those of Okabe and Ito. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void furtherSensorsDifferFromAllOthersAlsoWithoutRedOrGreenCones(boolean dark) {
+        Palette p = palette(dark);
+        for (int i = 8; i < p.sensors().size(); i++) {
+            Color added = p.sensorColours(i).outline();
+            for (int j = 0; j < i; j++) {
+                Color other = p.sensorColours(j).outline();
+                assertDifferent(added, other);
+                for (double[][] blindness : List.of(PROTANOPIA, DEUTERANOPIA)) {
+                    double distance = distance(seen(added, blindness), seen(other, blindness));
+                    assertTrue(distance > 50, added + " and " + other + ": " + distance);
+                }
+            }
+        }
+    }
+
+    /** Returns a colour as it is seen without one kind of cone, by the matrix of linear components. */
+    private static Color seen(Color colour, double[][] blindness) {
+        double[] linear = IntStream.of(colour.getRed(), colour.getGreen(), colour.getBlue())
+                .mapToDouble(component -> Math.pow(component / 255.0, 2.2))
+                .toArray();
+        int[] seen = Stream.of(blindness)
+                .mapToDouble(row -> row[0] * linear[0] + row[1] * linear[1] + row[2] * linear[2])
+                .mapToInt(component -> (int) Math.round(255 * Math.pow(Math.max(0, Math.min(1, component)), 1 / 2.2)))
+                .toArray();
+        return new Color(seen[0], seen[1], seen[2]);
     }
 
     @Test
