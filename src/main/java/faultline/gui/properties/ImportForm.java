@@ -4,18 +4,22 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.floorplan.FloorPlan;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.FileNames;
+import faultline.gui.edit.Rounding;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.UiText;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.RenderRequest;
 import faultline.paint.scene.Layer;
+import faultline.paint.surface.Camera;
 import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
@@ -23,6 +27,8 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagLayout;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.EnumSet;
@@ -35,6 +41,7 @@ import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 
 /**
@@ -55,7 +62,8 @@ public final class ImportForm extends JPanel {
     private static final double MAX_SMOOTHING = 20;
 
     /** A read plan with its picture, and why the robot cannot start there; empty if it can. */
-    private record Preview(FloorPlanFiles.ImportedPlan read, BufferedImage picture, String obstruction) {}
+    private record Preview(
+            FloorPlanFiles.ImportedPlan read, BufferedImage picture, Camera camera, String obstruction) {}
 
     private final transient Path file;
     private final NumberSpinner resolution =
@@ -69,6 +77,8 @@ public final class ImportForm extends JPanel {
     private final JTextArea status = UiText.wrappedText();
     /** Null while the plan is read, or if it cannot be read. */
     private transient Scenario scenario;
+    /** That of the picture; null before the first picture. */
+    private transient Camera camera;
     /** How often the plan was to be read; only the result of the newest request counts. */
     private int requests;
 
@@ -134,6 +144,10 @@ public final class ImportForm extends JPanel {
         resolution.setWorldValue(USUAL_RESOLUTION);
         minCells.setWorldValue(1);
         picture.setPreferredSize(PREVIEW_SIZE);
+        UiText.tip(picture, "import.preview.tip");
+        MouseAdapter placing = new StartPlacing();
+        picture.addMouseListener(placing);
+        picture.addMouseMotionListener(placing);
         picture.getAccessibleContext().setAccessibleName(Messages.get("import.preview"));
         status.setRows(STATUS_ROWS);
         status.setColumns(STATUS_COLUMNS);
@@ -179,14 +193,14 @@ public final class ImportForm extends JPanel {
 
     private static Preview preview(FloorPlanFiles.ImportedPlan read, Palette palette) {
         try (Simulation simulation = new Simulation(read.scenario().setup(), ControllerMode.DIRECT)) {
-            BufferedImage image = new RenderRequest(
-                            simulation.frame(),
-                            FrameRenderer.fitCamera(simulation.snapshot(), PREVIEW_SIZE.width, PREVIEW_SIZE.height),
-                            palette,
-                            EnumSet.of(Layer.CONES))
-                    .toImage(1);
+            Camera camera = FrameRenderer.fitCamera(simulation.snapshot(), PREVIEW_SIZE.width, PREVIEW_SIZE.height);
+            BufferedImage image =
+                    new RenderRequest(simulation.frame(), camera, palette, EnumSet.of(Layer.CONES)).toImage(1);
             return new Preview(
-                    read, image, PropertiesForm.findObstruction(read.scenario()).orElse(""));
+                    read,
+                    image,
+                    camera,
+                    PropertiesForm.findObstruction(read.scenario()).orElse(""));
         }
     }
 
@@ -203,6 +217,7 @@ public final class ImportForm extends JPanel {
     private void show(Preview preview) {
         FloorPlan plan = preview.read().plan();
         picture.setIcon(new ImageIcon(preview.picture()));
+        camera = preview.camera();
         if (!preview.obstruction().isEmpty()) {
             status.setText(preview.obstruction());
             return;
@@ -215,18 +230,57 @@ public final class ImportForm extends JPanel {
                 "import.result",
                 Integer.toString(plan.grid().width()),
                 Integer.toString(plan.grid().height()),
+                NumberText.format("%.2f", scenario.setup().world().width()),
+                NumberText.format("%.2f", scenario.setup().world().height()),
                 Integer.toString(plan.rings().size()),
                 Integer.toString(plan.segmentCount())));
     }
 
     private void showFailure(Throwable failure) {
         picture.setIcon(null);
+        camera = null;
         status.setText(ErrorMessages.describe(failure, file));
     }
 
     /** Returns the scenario of the plan; empty while it is read, or if it cannot be read. */
     Optional<Scenario> scenario() {
         return Optional.ofNullable(scenario);
+    }
+
+    /** Places the start with the mouse; the plan is read when the button is released. */
+    private final class StartPlacing extends MouseAdapter {
+
+        private boolean placing;
+
+        @Override
+        public void mousePressed(MouseEvent event) {
+            placing = SwingUtilities.isLeftMouseButton(event) && camera != null;
+            mouseDragged(event);
+        }
+
+        @Override
+        public void mouseDragged(MouseEvent event) {
+            if (placing && camera != null) {
+                findsStart.setSelected(false);
+                start.setEnabled(true);
+                start.setPosition(Rounding.round(camera.toWorld(inPicture(event))));
+            }
+        }
+
+        @Override
+        public void mouseReleased(MouseEvent event) {
+            if (placing && SwingUtilities.isLeftMouseButton(event)) {
+                placing = false;
+                startReading();
+            }
+        }
+
+        /** Returns the place of the pointer in the picture, which is centred. */
+        private Vector2 inPicture(MouseEvent event) {
+            return new Vector2(
+                    event.getX() - (picture.getWidth() - PREVIEW_SIZE.width) / 2.0,
+                    event.getY() - (picture.getHeight() - PREVIEW_SIZE.height) / 2.0);
+        }
     }
 
     /** Returns the text below the preview. */

@@ -2,6 +2,7 @@ package faultline.gui.properties;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.gui.edit.EditLimits;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
@@ -46,6 +47,12 @@ final class StartFields extends JPanel {
         x.setWorldValue(start.x());
         y.setWorldValue(start.y());
         heading.setWorldValue(Double.parseDouble(Degrees.toText(start.heading())));
+    }
+
+    /** Shows another position, metres, within the limits of the fields. */
+    void setPosition(Vector2 position) {
+        x.setWorldValue(Math.max(-MAX_COORDINATE, Math.min(MAX_COORDINATE, position.x())));
+        y.setWorldValue(Math.max(-MAX_COORDINATE, Math.min(MAX_COORDINATE, position.y())));
     }
 
     Pose pose() {

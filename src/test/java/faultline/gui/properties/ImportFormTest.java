@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.gui.Await;
 import faultline.gui.BackgroundThreads;
 import faultline.gui.ComponentFinder;
@@ -15,6 +16,8 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -73,12 +76,12 @@ class ImportFormTest {
     @Test
     void theImageIsReadWithEachChangeOfAField() {
         ImportForm form = callOnEdt(() -> new ImportForm(image));
-        awaitStatus(form, "Cells: 60 × 40, outlines: 4");
+        awaitStatus(form, "Cells: 60 × 40 (3.00 × 2.00 m), outlines: 4");
         Scenario small = callOnEdt(() -> form.scenario().orElseThrow());
         assertEquals(3, small.setup().world().width(), 1e-9);
         runOnEdt(() -> ComponentFinder.find(form, JSpinner.class, "Smallest wall, cells")
                 .setValue(2.0));
-        awaitStatus(form, "Cells: 60 × 40, outlines: 3");
+        awaitStatus(form, "Cells: 60 × 40 (3.00 × 2.00 m), outlines: 3");
         runOnEdt(() ->
                 ComponentFinder.find(form, JSpinner.class, "Side of a pixel, m").setValue(0.1));
         Await.until("the larger plan", () -> form.scenario()
@@ -139,6 +142,38 @@ class ImportFormTest {
         assertEquals(Optional.empty(), callOnEdt(form::scenario));
         assertTrue(callOnEdt(
                 () -> ComponentFinder.find(form, JLabel.class, "Preview").getIcon() != null));
+    }
+
+    /** The picture shows 3 by 2 m with the same margin on the left and on the right, above and below. */
+    @Test
+    void aDragInThePreviewPlacesTheStart() {
+        ImportForm form = callOnEdt(() -> new ImportForm(image));
+        awaitStatus(form, "Cells: 60 × 40");
+        JLabel picture = callOnEdt(() -> ComponentFinder.find(form, JLabel.class, "Preview"));
+        runOnEdt(() -> {
+            picture.setSize(picture.getPreferredSize().width + 40, picture.getPreferredSize().height + 20);
+            int x = picture.getWidth() / 2;
+            int y = picture.getHeight() / 2;
+            press(picture, MouseEvent.MOUSE_PRESSED, x - 50, y);
+            press(picture, MouseEvent.MOUSE_DRAGGED, x, y);
+            assertEquals(
+                    1.5,
+                    (double) ComponentFinder.find(form, JSpinner.class, "Start x, m")
+                            .getValue(),
+                    0.01);
+            press(picture, MouseEvent.MOUSE_RELEASED, x, y);
+            assertTrue(ComponentFinder.find(form, JSpinner.class, "Start y, m").isEnabled());
+            assertFalse(ComponentFinder.find(form, JCheckBox.class, "Start in the largest free space")
+                    .isSelected());
+        });
+        Await.until("the start in the middle", () -> form.scenario()
+                .filter(read -> read.setup().start().position().distanceTo(new Vector2(1.5, 1)) < 0.02)
+                .isPresent());
+    }
+
+    private static void press(JLabel picture, int kind, int x, int y) {
+        picture.dispatchEvent(
+                new MouseEvent(picture, kind, 0, InputEvent.BUTTON1_DOWN_MASK, x, y, 1, false, MouseEvent.BUTTON1));
     }
 
     @Test
@@ -210,7 +245,7 @@ class ImportFormTest {
     @Test
     void aNumberThatIsBeingTypedIsUsedOrRefused() {
         ImportForm form = callOnEdt(() -> new ImportForm(image));
-        awaitStatus(form, "Cells: 60 × 40, outlines: 4");
+        awaitStatus(form, "Cells: 60 × 40 (3.00 × 2.00 m), outlines: 4");
         JFormattedTextField smallest = callOnEdt(
                 () -> ((JSpinner.DefaultEditor) ComponentFinder.find(form, JSpinner.class, "Smallest wall, cells")
                                 .getEditor())
@@ -224,7 +259,7 @@ class ImportFormTest {
             smallest.setText("2");
             return form.commitNumbers().isEmpty() && form.scenario().isEmpty();
         }));
-        awaitStatus(form, "Cells: 60 × 40, outlines: 3");
+        awaitStatus(form, "Cells: 60 × 40 (3.00 × 2.00 m), outlines: 3");
     }
 
     @Test
