@@ -92,11 +92,11 @@ public final class RunPanel extends JPanel {
         if (++skippedFrames >= FRAMES_PER_UPDATE || shown == null || stopped) {
             wasRunning = status.running();
             skippedFrames = 0;
-            update(frame, status, scenario);
+            update(frame, scenario);
         }
     }
 
-    private void update(SessionFrame frame, SessionStatus status, Scenario scenario) {
+    private void update(SessionFrame frame, Scenario scenario) {
         if (frame != shown) {
             shown = frame;
             updateNumbers(frame);
