@@ -40,8 +40,8 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     private static final int COLUMNS = 5;
     private static final int MIN_TEXT_COLUMNS = 6;
     private static final int DESCRIPTION_COLUMNS = 26;
-    /** Enough for the longest sentence, so that the fields below stay where they are. */
-    private static final int DESCRIPTION_ROWS = 3;
+    /** Enough for the longest sentence at the usual widths of fonts, so that the fields below stay where they are. */
+    private static final int DESCRIPTION_ROWS = 2;
 
     private final JComboBox<K> kind;
     private final Function<K, String> names;
