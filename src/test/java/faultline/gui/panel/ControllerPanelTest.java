@@ -280,7 +280,7 @@ class ControllerPanelTest {
         assertEquals(List.of(command), texts(command));
         assertFalse(isShown("Distance, m") || isShown("Left, V"));
         click("Choose controller…");
-        click("As in the scenario");
+        click("Scenario controller");
         assertEquals(List.of("another", "the scenario's"), choices);
         runOnEdt(() -> panel.setChosen(""));
         await("the follower again", spec -> spec instanceof WallFollowing);
