@@ -9,6 +9,7 @@ import faultline.scenario.xml.Allowed;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /** The members of a received message, checked when they are read. Unknown members are ignored. */
 final class MessageReader {
@@ -158,7 +159,19 @@ final class MessageReader {
         return flags;
     }
 
+    /** Returns a value as JSON, without blanks. */
     private static String textOf(Object value) {
+        if (value instanceof List<?> list) {
+            return list.stream().map(MessageReader::textOf).collect(Collectors.joining(",", "[", "]"));
+        }
+        if (value instanceof Map<?, ?> map) {
+            return map.entrySet().stream()
+                    .map(member -> textOf(member.getKey()) + ":" + textOf(member.getValue()))
+                    .collect(Collectors.joining(",", "{", "}"));
+        }
+        if (value instanceof String string) {
+            return '"' + string + '"';
+        }
         return value instanceof Double number ? DecimalText.format(number) : String.valueOf(value);
     }
 
@@ -171,7 +184,8 @@ final class MessageReader {
         if (value == null) {
             return ControllerProblem.MISSING.with();
         }
-        String text = MessageText.quoted(textOf(value));
-        return value instanceof String ? ControllerProblem.GIVEN_STRING.with(text) : text;
+        return value instanceof String string
+                ? ControllerProblem.GIVEN_STRING.with(MessageText.quoted(string))
+                : MessageText.quoted(textOf(value));
     }
 }

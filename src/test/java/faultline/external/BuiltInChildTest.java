@@ -38,6 +38,7 @@ class BuiltInChildTest {
             hello           | observe         |                                | wrote an observe message before the hello message
             "protocol":1    | "protocol":2    |                                | speaks protocol 2; expected 1
             "dt_s":0.01     | "dt_s":-0       |                                | has ticks of -0 s; expected more than 0
+            "dt_s":0.01     | "dt_s":{"a":[1,null,"x"]} |                      | wrote a message whose "dt_s" is "{"a":[1,null,"x"]}"; expected a finite number
             "robot":        | "robt":         |                                | wrote a message whose "robot" is missing; expected an object
             "width_m":0.2   | "width_m":-0.2  |                                | describes a robot that cannot be: the robot's width must be positive: -0.2
             "front-left"    | "front"         |                                | describes a robot that cannot be: two sensors have the id front
