@@ -10,11 +10,9 @@ import faultline.io.DecimalText;
 import faultline.io.JsonWriter;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
-import java.io.BufferedReader;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
@@ -24,7 +22,8 @@ import java.nio.charset.StandardCharsets;
  */
 public final class BuiltInChild {
 
-    private final BufferedReader in;
+    private final InputStream in;
+    private final LineBuffer lines = new LineBuffer();
     private final OutputStream out;
 
     /**
@@ -34,7 +33,7 @@ public final class BuiltInChild {
      * @param out the stream for answers
      */
     public BuiltInChild(InputStream in, OutputStream out) {
-        this.in = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
+        this.in = in;
         this.out = out;
     }
 
@@ -58,7 +57,7 @@ public final class BuiltInChild {
     private void answerAll(Controller controller, String name) throws IOException, ProtocolException {
         RobotSpec robot = null;
         double dt = 0;
-        for (String line = in.readLine(); line != null; line = in.readLine()) {
+        for (String line = lines.read(in); line != null; line = lines.read(in)) {
             MessageReader message = MessageReader.of(line);
             String type = message.string("type");
             if (type.equals("end")) {

@@ -18,6 +18,22 @@ final class LineBuffer {
     /** The index up to which no line break was found. */
     private int searched;
 
+    /**
+     * Reads until a line is complete, and returns it without its line break, or null at the end of the stream.
+     *
+     * @throws ProtocolException if the line is too long or not UTF-8
+     */
+    String read(InputStream in) throws IOException, ProtocolException {
+        String line = next();
+        while (line == null) {
+            if (!fill(in)) {
+                return rest();
+            }
+            line = next();
+        }
+        return line;
+    }
+
     /** Reads the available bytes, at least one. Returns false at the end of the stream. */
     boolean fill(InputStream in) throws IOException {
         makeRoom();

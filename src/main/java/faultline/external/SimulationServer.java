@@ -104,7 +104,7 @@ public final class SimulationServer {
         }
         Episode episode = new Episode(setup);
         try {
-            for (String line = readLine(); line != null; line = readLine()) {
+            for (String line = lines.read(in); line != null; line = lines.read(in)) {
                 MessageReader request = MessageReader.of(line);
                 String type = request.string("type");
                 switch (type) {
@@ -139,17 +139,6 @@ public final class SimulationServer {
         }
         long ticks = request.has("ticks") ? request.whole("ticks", 1, MAX_TICKS) : 1;
         episode.drive(DriveMessage.read(request, episode.simulation.robot()), ticks);
-    }
-
-    private String readLine() throws IOException, ProtocolException {
-        String line = lines.next();
-        while (line == null) {
-            if (!lines.fill(in)) {
-                return lines.rest();
-            }
-            line = lines.next();
-        }
-        return line;
     }
 
     private String answer(Episode episode) {

@@ -56,6 +56,22 @@ class BuiltInChildTest {
         assertEquals("the simulator " + sentence, e.getMessage());
     }
 
+    @Test
+    void aLineThatIsTooLongOrNotUtf8EndsTheController() {
+        assertEquals(
+                "the simulator wrote a line of more than 1000000 bytes; expected shorter ones",
+                failureOf("x".repeat(2_000_000).getBytes(StandardCharsets.UTF_8)));
+        assertEquals(
+                "the simulator wrote a line that is not UTF-8: \"\uFFFD{}\"",
+                failureOf(new byte[] {(byte) 0xFF, '{', '}', '\n'}));
+    }
+
+    private static String failureOf(byte[] in) {
+        BuiltInChild child = new BuiltInChild(new ByteArrayInputStream(in), new ByteArrayOutputStream());
+        return assertThrows(RunFailedException.class, () -> child.run(ControllerSpec.WallFollowing.DEFAULT))
+                .getMessage();
+    }
+
     /** Runs the child with a controller of a test against a simulator that sends observations up to a tick. */
     private void run(Map<String, String> settings, int lastTick) throws Exception {
         SimulationSetup setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
