@@ -43,6 +43,30 @@ final class MapImage {
         }
     }
 
+    /**
+     * Returns this image as a part of a larger one, whose other pixels are transparent.
+     *
+     * @param newWidth the width of the larger image
+     * @param newHeight the height of the larger image
+     * @param left the column of the first pixel of this image
+     * @param top the row of the first pixel of this image
+     */
+    MapImage on(int newWidth, int newHeight, int left, int top) {
+        if (newWidth == width && newHeight == height) {
+            return this;
+        }
+        MapImage larger = new MapImage(newWidth, newHeight, max);
+        larger.transparent.set(0, newWidth * newHeight);
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++) {
+                int index = (top + row) * newWidth + left + column;
+                larger.samples[index] = samples[row * width + column];
+                larger.transparent.set(index, isTransparent(column, row));
+            }
+        }
+        return larger;
+    }
+
     /** Returns the sample of a pixel, from 0 for black to that of white. */
     int sample(int column, int rowFromTop) {
         return Short.toUnsignedInt(samples[rowFromTop * width + column]);

@@ -132,10 +132,24 @@ final class MapImageReader {
             reader.setInput(in, true, true);
             // A size that is stored in 32 bits without a sign is negative here.
             requireSize(file, Integer.toUnsignedLong(reader.getWidth(0)), Integer.toUnsignedLong(reader.getHeight(0)));
-            return toMapImage(file, reader);
+            MapImage map = toMapImage(file, reader);
+            return reader.getFormatName().equals("gif") ? onScreen(file, map, reader) : map;
         } finally {
             reader.dispose();
         }
+    }
+
+    /** Returns the screen of a GIF file, of which its image may cover a part. */
+    private static MapImage onScreen(Path file, MapImage image, ImageReader reader) throws IOException {
+        StandardMetadata screen = new StandardMetadata(reader.getStreamMetadata());
+        StandardMetadata place = new StandardMetadata(reader.getImageMetadata(0));
+        int left = place.number("HorizontalPixelOffset");
+        int top = place.number("VerticalPixelOffset");
+        // Viewers extend a screen that does not contain the image.
+        int width = Math.max(screen.number("HorizontalScreenSize"), left + image.width());
+        int height = Math.max(screen.number("VerticalScreenSize"), top + image.height());
+        requireSize(file, width, height);
+        return image.on(width, height, left, top);
     }
 
     static void requireSize(Path file, long width, long height) throws FloorPlanException {

@@ -35,6 +35,12 @@ final class StandardMetadata {
         return value("BlackIsZero").equals("FALSE");
     }
 
+    /** Returns the value of an element as a number; 0 if there is no such element. */
+    int number(String element) {
+        String value = value(element);
+        return value.isEmpty() ? 0 : Integer.parseInt(value);
+    }
+
     /** Returns the value of an element; empty if there is no such element. */
     private String value(String element) {
         return root.getElementsByTagName(element).item(0) instanceof IIOMetadataNode node

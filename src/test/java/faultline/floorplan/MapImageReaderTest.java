@@ -2,8 +2,10 @@ package faultline.floorplan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -14,6 +16,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -123,5 +126,49 @@ class MapImageReaderTest {
             assertEquals(expected[x], map.sample(x, 0), "pixel " + x);
             assertEquals(x == 2, map.isTransparent(x, 0), "pixel " + x);
         }
+    }
+
+    /** Writes a GIF of 2 x 1 pixels, black and white, at a place on a screen. */
+    private Path gif(int screenWidth, int screenHeight, int left, int top) throws IOException {
+        BufferedImage image = new BufferedImage(2, 1, BufferedImage.TYPE_BYTE_BINARY);
+        image.setRGB(1, 0, 0xffffffff);
+        Path file = folder.resolve("part.gif");
+        ImageIO.write(image, "gif", file.toFile());
+        ByteBuffer gif = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
+        gif.putShort(6, (short) screenWidth).putShort(8, (short) screenHeight);
+        int descriptor = new String(gif.array(), StandardCharsets.ISO_8859_1).indexOf(",\0\0\0\0\2\0\1\0");
+        gif.putShort(descriptor + 1, (short) left).putShort(descriptor + 3, (short) top);
+        return Files.write(file, gif.array());
+    }
+
+    @Test
+    void aGifWhoseImageCoversAPartOfTheScreenIsAsLargeAsTheScreen() throws IOException {
+        MapImage map = MapImageReader.read(gif(4, 3, 1, 2));
+        assertEquals(4, map.width());
+        assertEquals(3, map.height());
+        for (int y = 0; y < 3; y++) {
+            for (int x = 0; x < 4; x++) {
+                boolean isCovered = y == 2 && (x == 1 || x == 2);
+                assertEquals(!isCovered, map.isTransparent(x, y), x + "," + y);
+            }
+        }
+        assertEquals(0, map.sample(1, 2));
+        assertEquals(map.white(), map.sample(2, 2));
+    }
+
+    @Test
+    void theScreenOfAGifIsExtendedToItsImage() throws IOException {
+        MapImage map = MapImageReader.read(gif(0, 0, 0, 0));
+        assertEquals(2, map.width());
+        assertEquals(1, map.height());
+        assertFalse(map.isTransparent(0, 0));
+        assertEquals(5, MapImageReader.read(gif(4, 3, 3, 0)).width());
+    }
+
+    @Test
+    void aGifWithATooLargeScreenIsRefused() throws IOException {
+        Path file = gif(65535, 65535, 0, 0);
+        FloorPlanException e = assertThrows(FloorPlanException.class, () -> MapImageReader.read(file));
+        assertEquals(file + ": the image has 65535 x 65535 pixels; expected 1 to 64000000", e.getMessage());
     }
 }
