@@ -3,6 +3,7 @@ package faultline.app;
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunOutcome;
 import faultline.engine.metrics.RunResult;
 import faultline.external.ControllerChoice;
 import faultline.scenario.RunJson;
@@ -95,6 +96,11 @@ final class RunCommand {
 
     private int reportUnmet(RunResult result, List<String> unmet) {
         result.refusals().forEach(refusal -> output.printError("refused " + refusal));
+        if (result.isPathTooLong()) {
+            output.printError(
+                    "the coverage is not known: the path along the wall has too many places; expected at most "
+                            + RunOutcome.MAX_PATH_PLACES);
+        }
         unmet.forEach(output::printError);
         return unmet.isEmpty() ? ExitCode.SUCCESS : ExitCode.EXPECTATION_FAILED;
     }

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
  * The followed share of the wall. The offset path consists of all places at the wanted distance from a wall and not
  * nearer to any other wall. It has connected pieces; the piece of which the robot passed most is the wall that it
  * followed. A place is passed if the robot's centre was within {@link #TOLERANCE} of it. Walls are sampled only where
- * the robot was, and where they are connected to such walls.
+ * the robot was, and where they are connected to such walls. If there are too many places, there is no share.
  */
 final class Coverage {
 
@@ -29,6 +29,7 @@ final class Coverage {
 
     private final WallReference walls;
     private final double distance;
+    private final int maxPlaces;
     /** The cells in which a visited point lies. */
     private final CellNumbers visited = new CellNumbers();
     /** The points visited since the share was last computed, and the squares around. */
@@ -41,16 +42,23 @@ final class Coverage {
 
     private int pieces;
     private double share = Double.NaN;
+    private boolean pathTooLong;
 
     /** Creates a record of passing walls at a distance from the robot's centre, metres. */
     Coverage(WallReference walls, double distance) {
+        this(walls, distance, RunOutcome.MAX_PATH_PLACES);
+    }
+
+    /** Creates a record with another maximum number of places. */
+    Coverage(WallReference walls, double distance, int maxPlaces) {
         this.walls = walls;
         this.distance = distance;
+        this.maxPlaces = maxPlaces;
     }
 
     /** Records that the robot's centre was at a point; one point a square centimetre is kept. */
     void visit(Vector2 centre) {
-        if (centre.distanceTo(last) >= MIN_STEP) {
+        if (!pathTooLong && centre.distanceTo(last) >= MIN_STEP) {
             long cell = CellKey.of(centre, SPACING);
             if (!visited.contains(cell)) {
                 visited.put(cell, 0);
@@ -66,17 +74,35 @@ final class Coverage {
         return visited.isEmpty();
     }
 
-    /** Returns the share so far, in [0, 1]; empty if nothing was passed. May be called repeatedly during a run. */
+    /** Returns whether the share is not known, because there are too many places. */
+    boolean isPathTooLong() {
+        return pathTooLong;
+    }
+
+    /**
+     * Returns the share so far, in [0, 1]; empty if nothing was passed, or if there are too many places. May be called
+     * repeatedly during a run.
+     */
     OptionalDouble share() {
-        if (!pending.points().isEmpty()) {
-            places = places == null ? new PlaceMap(walls, distance, SPACING, JOIN_DISTANCE) : places;
-            sampleNearPath();
-            places.blocks().forEach(blocks -> blocks.forEach(this::markPassed));
+        if (!pathTooLong && !pending.points().isEmpty()) {
+            share = computeShare();
             pending.clear();
             pendingAreas.clear();
-            share = shareOfMostPassed();
         }
         return Double.isNaN(share) ? OptionalDouble.empty() : OptionalDouble.of(share);
+    }
+
+    private double computeShare() {
+        places = places == null ? new PlaceMap(walls, distance, SPACING, JOIN_DISTANCE, maxPlaces) : places;
+        try {
+            sampleNearPath();
+            places.blocks().forEach(blocks -> blocks.forEach(this::markPassed));
+            return shareOfMostPassed();
+        } catch (WallReference.PathTooLongException e) {
+            pathTooLong = true;
+            places = null;
+            return Double.NaN;
+        }
     }
 
     /** Samples the walls near the pending points; points nearer to the last one than the tolerance need no sampling. */

@@ -162,7 +162,9 @@ public record Expectation(List<Condition> conditions) {
                     ? Optional.empty()
                     : Condition.expected(
                             "a coverage of at least " + DecimalText.format(share),
-                            Condition.describe(result.coverage().orElse(Double.NaN), "no wall was followed"));
+                            Condition.describe(
+                                    result.coverage().orElse(Double.NaN),
+                                    result.isPathTooLong() ? "it is not known" : "no wall was followed"));
         }
     }
 

@@ -160,6 +160,7 @@ public final class HeadlessRun {
                 simulation.telemetry().state(),
                 List.copyOf(states.visited),
                 coverage(wall),
+                wall.isPathTooLong(),
                 wall.distanceRms().orElse(Double.NaN),
                 wall.followRms().orElse(Double.NaN),
                 simulation.trajectoryHash(),

@@ -29,6 +29,9 @@ final class PlaceMap {
     private final double distance;
     private final double spacing;
     private final double joinDistance;
+    private final int maxPlaces;
+    /** The number of places that are kept, and of blocks without any. */
+    private int size;
     /** The places around the origin; empty until a wall is sampled, because at a great distance they are very many. */
     private List<Vector2> circle = List.of();
     /** The blocks of each wall that has been sampled, by its number. */
@@ -51,14 +54,28 @@ final class PlaceMap {
     /** A free place. */
     private record Place(PlaceBlock block, int index, Vector2 position) {}
 
-    PlaceMap(WallReference walls, double distance, double spacing, double joinDistance) {
+    /**
+     * Creates a map without places.
+     *
+     * @param walls the walls
+     * @param distance the distance of the places from the walls, metres
+     * @param spacing the spacing of the places along the walls, metres
+     * @param joinDistance places nearer to each other than this belong to one piece, metres
+     * @param maxPlaces the maximum number of places that are kept: those of a block alone are not, except at its ends
+     */
+    PlaceMap(WallReference walls, double distance, double spacing, double joinDistance, int maxPlaces) {
         this.walls = walls;
         this.distance = distance;
         this.spacing = spacing;
         this.joinDistance = joinDistance;
+        this.maxPlaces = maxPlaces;
     }
 
-    /** Samples the walls that have places within a radius of a point, unless a wall occupies all places there. */
+    /**
+     * Samples the walls that have places within a radius of a point, unless a wall occupies all places there.
+     *
+     * @throws WallReference.PathTooLongException if there are too many places
+     */
     void sampleNear(Vector2 point, double radius) {
         CandidateBuffer near = walls.findNear(point, distance + radius);
         List<Integer> found = new ArrayList<>();
@@ -76,6 +93,9 @@ final class PlaceMap {
 
     private void sample(int number) {
         sampledWalls.set(number);
+        if (2 * StrictMath.PI * distance > maxPlaces * spacing) {
+            throw new WallReference.PathTooLongException(distance, maxPlaces);
+        }
         circle = circle.isEmpty() ? PlaceRow.circle(distance, spacing) : circle;
         ConvexShape wall = walls.walls().shape(number);
         List<PlaceBlock> around = new ArrayList<>();
@@ -118,8 +138,6 @@ final class PlaceMap {
         for (int from = 0; from < row.size(); from += PlaceBlock.LONG) {
             addBlocks(wall, row, from, Math.min(from + PlaceBlock.LONG, row.size()), blocks);
         }
-        blocks.removeIf(block -> !block.hasFree());
-        blocks.forEach(this::addToCells);
         return blocks;
     }
 
@@ -127,12 +145,29 @@ final class PlaceMap {
     private void addBlocks(ConvexShape wall, PlaceRow row, int from, int end, List<PlaceBlock> blocks) {
         PlaceBlock all = block(wall, row, from, end);
         if (all.isAlone() || end - from <= PlaceBlock.SHORT) {
-            blocks.add(all);
+            addIfFree(all, blocks);
             return;
         }
         for (int next = from; next < end; next += PlaceBlock.SHORT) {
-            blocks.add(block(wall, row, next, Math.min(next + PlaceBlock.SHORT, end)));
+            addIfFree(block(wall, row, next, Math.min(next + PlaceBlock.SHORT, end)), blocks);
         }
+    }
+
+    private void addIfFree(PlaceBlock block, List<PlaceBlock> blocks) {
+        if (block.hasFree()) {
+            blocks.add(block);
+            addToCells(block);
+        } else {
+            count();
+        }
+    }
+
+    /** Counts a place, or a block without free ones, which takes time. */
+    private void count() {
+        if (size == maxPlaces) {
+            throw new WallReference.PathTooLongException(distance, maxPlaces);
+        }
+        size++;
     }
 
     private PlaceBlock block(ConvexShape wall, PlaceRow row, int from, int end) {
@@ -152,6 +187,7 @@ final class PlaceMap {
     }
 
     private void addToCell(Place place) {
+        count();
         int number = places.size();
         places.add(place);
         next = number < next.length ? next : Arrays.copyOf(next, 2 * number);
@@ -169,7 +205,11 @@ final class PlaceMap {
         return index < SHARED_ENDS || index >= block.size() - SHARED_ENDS;
     }
 
-    /** Gives a place, and all that are connected to it, the number of a piece. */
+    /**
+     * Gives a place, and all that are connected to it, the number of a piece.
+     *
+     * @throws WallReference.PathTooLongException if there are too many places
+     */
     void fill(PlaceBlock block, int index, int piece) {
         Deque<Place> open = new ArrayDeque<>();
         reach(new Place(block, index, block.place(index)), piece, open);

@@ -55,6 +55,7 @@ public final class RunMeter implements TickObserver {
         OptionalDouble coverage = atEnd ? wall.coverage() : wall.liveCoverage();
         return new RunMeasures(
                 coverage.orElse(Double.NaN),
+                wall.isPathTooLong(),
                 wall.distanceRms().orElse(Double.NaN),
                 wall.followRms().orElse(Double.NaN),
                 laps == null ? Double.NaN : laps.laps().orElse(Double.NaN));

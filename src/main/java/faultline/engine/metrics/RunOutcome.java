@@ -9,6 +9,12 @@ import java.util.OptionalDouble;
 /** The state of a run that expectations are compared with, during the run or at its end. */
 public interface RunOutcome {
 
+    /**
+     * The maximum number of places on the path along the wall, because every place takes about 130 bytes. It is twice
+     * that of a campaign, whose places are twice as far apart.
+     */
+    int MAX_PATH_PLACES = 2 * WallReference.MAX_PLACES;
+
     /** {@return the controller's last state} */
     ControllerState finalState();
 
@@ -18,8 +24,14 @@ public interface RunOutcome {
     /** {@return the robot's first collision, if there was one} */
     Optional<Collision> collision();
 
-    /** {@return the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed} */
+    /**
+     * {@return the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed, or if
+     * its path is too long}
+     */
     OptionalDouble coverage();
+
+    /** {@return whether the coverage is not known, because the path along the wall has too many places} */
+    boolean isPathTooLong();
 
     /** {@return the distance error on straight walls, metres, root mean square; empty if none was followed} */
     OptionalDouble distanceRms();

@@ -16,7 +16,9 @@ import java.util.OptionalDouble;
  * @param realTimeFactor simulated seconds per second of real time
  * @param finalState the controller's last state
  * @param visitedStates all states of the controller in the order of their first appearance
- * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if no wall was followed
+ * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if no wall was followed or
+ *     its path is too long
+ * @param isPathTooLong whether the coverage is not known, because the path along the wall has too many places
  * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was followed
  * @param followRmsOrNaN the distance error in all of FOLLOW, metres, root mean square; NaN without any
  * @param trajectoryHash the trajectory hash of all ticks
@@ -33,6 +35,7 @@ public record RunResult(
         ControllerState finalState,
         List<ControllerState> visitedStates,
         double coverageOrNaN,
+        boolean isPathTooLong,
         double distanceRmsOrNaN,
         double followRmsOrNaN,
         long trajectoryHash,
@@ -52,7 +55,8 @@ public record RunResult(
      * @param finalState the controller's last state
      * @param visitedStates all states of the controller in the order of their first appearance
      * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if no wall was
-     *     followed
+     *     followed or its path is too long
+     * @param isPathTooLong whether the coverage is not known, because the path along the wall has too many places
      * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was followed
      * @param followRmsOrNaN the distance error in all of FOLLOW, metres, root mean square; NaN without any
      * @param trajectoryHash the trajectory hash of all ticks

@@ -135,9 +135,14 @@ final class WallFollowingMetrics implements TickObserver {
         return coverage.isEmpty() || isLarge() ? OptionalDouble.empty() : coverage();
     }
 
-    /** Returns the followed share of the wall, in [0, 1]; empty if no wall was followed. */
+    /** Returns the followed share of the wall, in [0, 1]; empty if no wall was followed, or its path is too long. */
     OptionalDouble coverage() {
         return isWallFollower ? coverage.share() : OptionalDouble.empty();
+    }
+
+    /** Returns whether the coverage, when it was last asked for, was not known because of too many places. */
+    boolean isPathTooLong() {
+        return coverage.isPathTooLong();
     }
 
     /**

@@ -83,7 +83,7 @@ public final class WallReference {
         }
         // The path around all walls is at least as long as a circle at the distance.
         if (2 * StrictMath.PI * distance > MAX_PLACES * spacing) {
-            throw new PathTooLongException(distance);
+            throw new PathTooLongException(distance, MAX_PLACES);
         }
         List<Vector2> circle = PlaceRow.circle(distance, spacing);
         for (int i = 0; i < walls().size(); i++) {
@@ -121,7 +121,7 @@ public final class WallReference {
             }
         }
         if (places.size() == MAX_PLACES) {
-            throw new PathTooLongException(distance);
+            throw new PathTooLongException(distance, MAX_PLACES);
         }
         places.add(new WallSample(place, row.wallLength(index)));
     }
@@ -162,9 +162,9 @@ public final class WallReference {
 
         private static final long serialVersionUID = 1L;
 
-        private PathTooLongException(double distance) {
+        PathTooLongException(double distance, int maxPlaces) {
             super("the path at a distance of " + DecimalText.format(distance)
-                    + " m from the walls has too many places; expected at most " + MAX_PLACES);
+                    + " m from the walls has too many places; expected at most " + maxPlaces);
         }
     }
 

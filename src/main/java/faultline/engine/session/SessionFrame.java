@@ -70,6 +70,11 @@ public record SessionFrame(
     }
 
     @Override
+    public boolean isPathTooLong() {
+        return measures.isPathTooLong();
+    }
+
+    @Override
     public OptionalDouble distanceRms() {
         return RunOutcome.ifNumber(measures.distanceRms());
     }

@@ -1,6 +1,7 @@
 package faultline.engine.metrics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.CpuTime;
@@ -237,7 +238,7 @@ class CoverageTest {
             obstacles.add(new Obstacle("o" + i, new ObstacleShape.RectangleShape(0.5, 0.5), pose));
         }
         WorldSpec world = new WorldSpec(130, 90, true, 3, obstacles);
-        PlaceMap places = new PlaceMap(new WallReference(world), WANTED, 0.01, 0.025);
+        PlaceMap places = new PlaceMap(new WallReference(world), WANTED, 0.01, 0.025, RunOutcome.MAX_PATH_PLACES);
         places.sampleNear(new Vector2(65, 41 + 0.25 + WANTED), 0.1);
         PlaceBlock touched = places.blocks().stream()
                 .flatMap(List::stream)
@@ -246,6 +247,28 @@ class CoverageTest {
                 .orElseThrow();
         places.fill(touched, 0, 0);
         assertEquals(4, places.blocks().size(), "the sides of one of 1000 squares");
+    }
+
+    @Test
+    void thereIsNoShareIfTheWallHasTooManyPlaces() {
+        // The table has 4 x 99 free places at its sides, and 55 or more around each corner.
+        WorldSpec world = new WorldSpec(
+                4,
+                4,
+                false,
+                3,
+                List.of(new Obstacle("table", new ObstacleShape.RectangleShape(0.99, 0.99), new Pose(2, 2, 0))));
+        WallReference walls = new WallReference(world);
+        Coverage enough = new Coverage(walls, WANTED, 1000);
+        visit(enough, square(1.5 - WANTED));
+        assertTrue(enough.share().isPresent());
+        assertFalse(enough.isPathTooLong());
+        Coverage tooFew = new Coverage(walls, WANTED, 500);
+        visit(tooFew, square(1.5 - WANTED));
+        assertTrue(tooFew.share().isEmpty());
+        assertTrue(tooFew.isPathTooLong());
+        visit(tooFew, LAP);
+        assertTrue(tooFew.share().isEmpty(), "for the rest of the run");
     }
 
     @Test

@@ -42,6 +42,7 @@ class ExpectationTest {
                 FollowerState.FOLLOW,
                 List.of(FollowerState.SEARCH, FollowerState.FOLLOW),
                 coverage,
+                false,
                 rms,
                 rms,
                 1,

@@ -56,6 +56,24 @@ class HeadlessRunTest {
     }
 
     @Test
+    void aRunAlongAPathOfTooManyPlacesHasAllOtherResults() {
+        SimulationSetup setup = setup().withController(ControllerSpec.WallFollowing.DEFAULT)
+                .withTick(0.01)
+                .withDuration(20);
+        RunResult result = HeadlessRun.run(
+                setup,
+                listener -> new Simulation(setup, ControllerMode.DIRECT, listener),
+                List.of(),
+                () -> false,
+                new WallFollowingMetrics(setup, (walls, distance) -> new Coverage(walls, distance, 100)));
+        assertTrue(result.isPathTooLong());
+        assertTrue(result.coverage().isEmpty());
+        assertTrue(result.followRms().isPresent());
+        Expectation expectation = new Expectation(List.of(new Expectation.MinCoverage(0.5)));
+        assertEquals(List.of("expected a coverage of at least 0.5, but it is not known"), expectation.unmet(result));
+    }
+
+    @Test
     void aCoverageThatCannotBeComputedFailsTheRunAfterItsEnd() {
         List<Long> ticks = new ArrayList<>();
         SimulationSetup setup = setup().withController(ControllerSpec.WallFollowing.DEFAULT)
