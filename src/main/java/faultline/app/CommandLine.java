@@ -87,13 +87,20 @@ final class CommandLine {
             return reportError(ExitCode.BAD_INPUT, "faultline: " + describe(e));
         } catch (ControllerStartException e) {
             return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage());
-        } catch (RunFailedException e) {
-            return reportError(ExitCode.RUN_FAILED, "faultline: the run broke: " + e.getMessage());
         } catch (RuntimeException | Error e) {
-            return MEMORY_ERROR.isInstance(rootCause(e))
-                    ? reportOutOfMemory()
-                    : reportError(ExitCode.RUN_FAILED, "faultline: internal error: " + rootCause(e));
+            return reportFailure(e);
         }
+    }
+
+    private int reportFailure(Throwable e) {
+        if (MEMORY_ERROR.isInstance(rootCause(e))) {
+            return reportOutOfMemory();
+        }
+        return reportError(
+                ExitCode.RUN_FAILED,
+                e instanceof RunFailedException
+                        ? "faultline: the run broke: " + e.getMessage()
+                        : "faultline: internal error: " + rootCause(e));
     }
 
     /** Reports that memory is exhausted, as soon as the other threads have freed enough of it for the report. */

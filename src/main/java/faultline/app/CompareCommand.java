@@ -177,6 +177,9 @@ final class CompareCommand {
             } catch (ControllerStartException e) {
                 throw e;
             } catch (RunFailedException e) {
+                if (e.getCause() instanceof OutOfMemoryError error) {
+                    throw error;
+                }
                 output.printError("the run with seed " + setup.seed() + " broke: " + e.getMessage());
                 broken.add(new ControllerRuns.FailedRun(setup.seed(), e.getMessage()));
             }

@@ -52,4 +52,12 @@ class LongPathTest {
         assertEquals(ExitCode.EXPECTATION_FAILED, process.waitFor());
         assertEquals(1502, Files.readAllLines(trace).size());
     }
+
+    @Test
+    void aCoverageThatNeedsTooMuchMemoryKeepsTheOutputs() throws Exception {
+        Process process = run("-Xmx64m");
+        assertEquals("faultline: there is not enough memory\n", JavaProcess.output(process));
+        assertEquals(ExitCode.RUN_FAILED, process.waitFor());
+        assertEquals(1502, Files.readAllLines(trace).size());
+    }
 }

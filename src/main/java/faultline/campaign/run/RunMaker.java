@@ -61,6 +61,9 @@ final class RunMaker {
         } catch (CancellationException e) {
             throw e;
         } catch (RuntimeException e) {
+            if (e.getCause() instanceof OutOfMemoryError error) {
+                throw error;
+            }
             return broken(run, String.valueOf(e.getMessage()), start);
         }
     }
