@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
@@ -239,9 +240,8 @@ class EditsRobotTest {
     void anObstacleAtRestCannotBeStopped() {
         click(4.7, 2.5);
         waitForSelection("chair-2");
-        driver.choose("stopMoving");
-        driver.robot().waitFor("a note says why", () -> ComponentFinder.findAll(driver.window(), JLabel.class)
-                .anyMatch(label -> "Select a moving obstacle first".equals(label.getText())));
+        driver.robot().waitFor("it can be deleted", () -> driver.isEnabled("delete"));
+        assertFalse(driver.isEnabled("stopMoving"));
     }
 
     private JMenuItem undo() {

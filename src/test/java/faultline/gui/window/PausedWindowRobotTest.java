@@ -71,6 +71,8 @@ class PausedWindowRobotTest {
     @Test
     void aReferenceRunThatIsReadyAtRestIsShown() {
         try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, OFFICE)) {
+            driver.choose("step");
+            driver.robot().waitFor("the run can be kept", () -> driver.isEnabled("keepGhost"));
             waitForRest(driver);
             driver.choose("keepGhost");
             driver.waitForReferenceRun();
