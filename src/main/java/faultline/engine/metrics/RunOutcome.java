@@ -10,8 +10,8 @@ import java.util.OptionalDouble;
 public interface RunOutcome {
 
     /**
-     * The maximum number of places on the path along the wall, because every place takes about 130 bytes. It is twice
-     * that of a campaign, whose places are twice as far apart.
+     * The maximum number of places on the path along the wall, which limits the memory that they take. It is twice that
+     * of a campaign, whose places are twice as far apart.
      */
     int MAX_PATH_PLACES = 2 * WallReference.MAX_PLACES;
 
