@@ -37,11 +37,14 @@ public final class RunNavigator implements WorkspaceListener {
     /**
      * Moves the run to the end of a tick, not negative, asynchronously, and pauses it there, in the state in which it
      * was there before: with the commands that were executed before the next tick. Later commands are executed again at
-     * their ticks, unless another command is executed before.
+     * their ticks, unless another command is executed before; later events are put on the timeline and stay there.
      */
     public void seek(long tick) {
         endResimulation();
-        workspace.openDocument().ifPresent(now -> replay(now, past -> tick, Session::replayEdited));
+        workspace
+                .openDocument()
+                .ifPresent(now ->
+                        replay(now, () -> now.document().prepareMoveTo(tick), past -> tick, Session::replayEdited));
     }
 
     /** Simulates the run with its edited setup up to the present tick, asynchronously; a running one then resumes. */
@@ -50,7 +53,7 @@ public final class RunNavigator implements WorkspaceListener {
             resuming |= now.session().status().running();
             resimulating = true;
             discardFuture();
-            replay(now, Journal::ticks, Session::resimulate);
+            replay(now, () -> {}, Journal::ticks, Session::resimulate);
         });
     }
 
@@ -60,13 +63,18 @@ public final class RunNavigator implements WorkspaceListener {
         Session start(Journal journal, long tick, LongPredicate shouldContinue);
     }
 
-    /** Pauses a run and replays it up to a tick. */
-    private void replay(OpenDocument now, ToLongFunction<Journal> end, Replay replay) {
+    /** Pauses a run and replays it up to a tick, after a preparation when the results of all commands are known. */
+    private void replay(OpenDocument now, Runnable preparation, ToLongFunction<Journal> end, Replay replay) {
         now.session().pause();
         CompletableFuture<Journal> past = now.session().journal();
         CompletableFuture<Journal> whole = now.session()
                 .fullJournal()
-                .thenApplyAsync(journal -> documentJournal(now, journal), EventQueue::invokeLater);
+                .thenApplyAsync(
+                        journal -> {
+                            preparation.run();
+                            return documentJournal(now, journal);
+                        },
+                        EventQueue::invokeLater);
         WorkspaceTask task = new WorkspaceTask(TaskKind.GO_TO, now.document().displayPath());
         workspace.start(task, () -> {
             Journal journal = whole.join();
@@ -97,7 +105,7 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     @Override
-    public void runRepositioned(long tick) {
+    public void runRepositioned(long tick, SimulationSetup setup) {
         endResimulationAndResume();
     }
 

@@ -113,6 +113,17 @@ final class ScenarioDocument {
         edited = null;
     }
 
+    /**
+     * Prepares a move of the run to a tick. If an event is later than the commands for the next tick, all events of the
+     * run become commands of the timeline, so that they are kept whatever is executed at the earlier tick.
+     */
+    void prepareMoveTo(long tick) {
+        if (editor.hasEventsAfter(tick + 1)) {
+            editor = editor.withEventsOnTimeline();
+            initial = initial.withSetup(initial.setup().withTimeline(editor.initialTimeline()));
+        }
+    }
+
     void runRepositioned(long tick) {
         editor.moveTo(tick);
     }

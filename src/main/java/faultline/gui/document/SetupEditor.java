@@ -26,7 +26,7 @@ import java.util.function.Consumer;
  * Applies executed commands to a setup. Changes of obstacles, of the platform, of the controller and of the sensors'
  * settings hold from the start; switching a sensor, injecting a fault and repairing it are added to the timeline at
  * their time. When the run is moved to an earlier tick, the later commands are kept until another one is executed
- * there.
+ * there; events are put on the timeline before and are not lost.
  *
  * <p>A change of an obstacle that the timeline places holds from then on. The timeline's commands about an obstacle
  * that has been removed are hidden until it is placed again.
@@ -182,6 +182,21 @@ final class SetupEditor {
     SetupEditor rebased(SimulationSetup newSetup) {
         List<TimedCommand> timeline = new ArrayList<>(obstacles.withoutEdits(newSetup.timeline()));
         Set<CommandResult> events = takeEvents(timeline);
+        return rebased(newSetup, timeline, events);
+    }
+
+    /** Returns whether an event of the run is later than a tick. */
+    boolean hasEventsAfter(long tick) {
+        return TimelineEvents.in(entries).stream().anyMatch(event -> event.tick() > tick);
+    }
+
+    /** Returns an editor of the same setup in which all events of the run are commands of the timeline. */
+    SetupEditor withEventsOnTimeline() {
+        return rebased(base, obstacles.withoutEdits(timeline()), Set.of());
+    }
+
+    /** Returns an editor of another setup and timeline, with the executed commands and some of the events. */
+    private SetupEditor rebased(SimulationSetup newSetup, List<TimedCommand> timeline, Set<CommandResult> events) {
         SetupEditor result =
                 new SetupEditor(newSetup.withTimeline(timeline), obstacles.hidden(), baseObstacles, baseReversals);
         Set<Command> reversalsOfOmitted = new HashSet<>();

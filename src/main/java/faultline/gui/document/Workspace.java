@@ -151,7 +151,8 @@ public final class Workspace implements AutoCloseable {
         } else {
             long tick = open.session().frame().snapshot().tick();
             open.document().runRepositioned(tick);
-            fire(listener -> listener.runRepositioned(tick));
+            fire(listener ->
+                    listener.runRepositioned(tick, open.document().initial().setup()));
         }
     }
 

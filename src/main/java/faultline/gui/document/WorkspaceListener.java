@@ -15,10 +15,10 @@ public interface WorkspaceListener {
     default void scenarioRestarted(SimulationSetup before) {}
 
     /**
-     * The run has been moved to the end of another tick; later edits are still ahead. Followed by
+     * The run of a setup has been moved to the end of another tick; later edits are still ahead. Followed by
      * {@link #sessionStarted}.
      */
-    default void runRepositioned(long tick) {}
+    default void runRepositioned(long tick, SimulationSetup setup) {}
 
     /**
      * The simulation of a changed setup has been cancelled or has failed: the change takes effect when the run is moved

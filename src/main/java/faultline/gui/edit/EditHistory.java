@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Predicate;
 
 /**
  * The edits, and a cursor between those that are done and those that are undone. A new edit drops the undone ones, but
@@ -15,6 +16,7 @@ import java.util.function.BiFunction;
 final class EditHistory {
 
     private static final int MAX_EDITS = 1000;
+    private static final Predicate<Change> IS_EVENT = change -> change.edit().hasOnlyEvents();
 
     private final List<Edit> edits = new ArrayList<>();
     /** The number of edits that are done; they come first. */
@@ -78,14 +80,18 @@ final class EditHistory {
         return cursor < edits.size() ? Optional.of(edits.get(cursor)) : Optional.empty();
     }
 
-    /** Moves the cursor past an edit that is done, or before one that is undone, if the edit is beside the cursor. */
+    /** Makes an edit that is done the last such, or one that is undone the first such, if its state changes. */
     void mark(Edit edit, boolean done) {
         mark(edit, done, false);
     }
 
     private void mark(Edit edit, boolean done, boolean ahead) {
-        if ((done ? nextRedo() : nextUndo()).filter(edit::equals).isPresent()) {
-            cursor += done ? 1 : -1;
+        int index = edits.indexOf(edit);
+        if (index >= 0 && index < cursor != done) {
+            edits.remove(index);
+            cursor += done ? 0 : -1;
+            edits.add(cursor, edit);
+            cursor += done ? 1 : 0;
             if (edit instanceof CommandEdit command) {
                 command.setAhead(ahead);
             }
@@ -115,8 +121,16 @@ final class EditHistory {
         return ahead;
     }
 
-    /** Follows the run to another tick; returns whether that undoes or redoes an edit. */
-    boolean moveTo(long tick) {
+    /**
+     * Follows the run to another tick; returns whether that undoes or redoes an edit. If an event is later than the
+     * tick, all events are on the timeline now, and the edits of those that are done are replaced.
+     */
+    boolean moveTo(long tick, BiFunction<CommandEdit, List<Journal.Entry>, SetupEdit> replacement) {
+        if (changes.stream().filter(IS_EVENT).anyMatch(change -> change.tick() > tick)) {
+            replaceEvents(replacement);
+            passed -= (int) changes.subList(0, passed).stream().filter(IS_EVENT).count();
+            changes.removeIf(IS_EVENT);
+        }
         int before = passed;
         while (passed > 0 && changes.get(passed - 1).tick() > tick) {
             passed--;
@@ -138,16 +152,21 @@ final class EditHistory {
 
     /**
      * Includes all edits in a restarted run, also those that were ahead, without their ticks. Edits of events that are
-     * done are replaced, given what was executed when they were done, undone and redone.
+     * done are replaced, as by {@link #moveTo}.
      */
     void restart(BiFunction<CommandEdit, List<Journal.Entry>, SetupEdit> replacement) {
         advanceTo(Long.MAX_VALUE);
+        replaceEvents(replacement);
+        forgetChanges();
+    }
+
+    /** Replaces the edits of events that are done, given what was executed when they were done, undone and redone. */
+    private void replaceEvents(BiFunction<CommandEdit, List<Journal.Entry>, SetupEdit> replacement) {
         for (int i = 0; i < cursor; i++) {
             if (edits.get(i) instanceof CommandEdit edit && edit.hasOnlyEvents()) {
                 edits.set(i, replacement.apply(edit, executed(edit)));
             }
         }
-        forgetChanges();
     }
 
     private List<Journal.Entry> executed(CommandEdit edit) {

@@ -1,5 +1,6 @@
 package faultline.gui.edit;
 
+import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.TimelineEvents;
@@ -208,14 +209,19 @@ public final class UndoController {
 
     /**
      * Follows the run to another tick, where the commands for the next one have been executed; later edits can be
-     * redone, and are redone automatically when the run reaches them.
+     * redone, and are redone automatically when the run reaches them. If there are later events, such as faults, all
+     * events are on the timeline of the scenario now, where they are undone.
+     *
+     * @param tick the tick
+     * @param setup the setup of the run
+     * @param scenarioChange changes the scenario
      */
-    public void runRepositioned(long tick) {
+    public void runRepositioned(long tick, SimulationSetup setup, Consumer<UnaryOperator<Scenario>> scenarioChange) {
         // A change of the setup repositions the run itself, and the next one may continue it.
         if (!lastTargets.stream().allMatch(target -> target.kind().equals(SETUP))) {
             endEdit();
         }
-        if (history.moveTo(tick + 1)) {
+        if (history.moveTo(tick + 1, (edit, executed) -> timelineEdit(edit, executed, setup, scenarioChange))) {
             onStateChange.run();
         }
     }
@@ -236,17 +242,24 @@ public final class UndoController {
      */
     public void runRestarted(SimulationSetup before, Consumer<UnaryOperator<Scenario>> scenarioChange) {
         endEdit();
-        history.restart((edit, executed) -> {
-            List<TimedCommand> events = executed.stream()
-                    .map(entry -> new TimedCommand(before.timeOf(entry.tick()), entry.command()))
-                    .toList();
-            return new SetupEdit(
-                    edit::name,
-                    NO_GESTURE,
-                    () -> scenarioChange.accept(now -> TimelineEvents.without(now, events)),
-                    () -> scenarioChange.accept(now -> TimelineEvents.with(now, events)));
-        });
+        history.restart((edit, executed) -> timelineEdit(edit, executed, before, scenarioChange));
         onStateChange.run();
+    }
+
+    /** Returns the edit of events that are on the timeline of a setup. */
+    private static SetupEdit timelineEdit(
+            CommandEdit edit,
+            List<Journal.Entry> executed,
+            SimulationSetup setup,
+            Consumer<UnaryOperator<Scenario>> scenarioChange) {
+        List<TimedCommand> events = executed.stream()
+                .map(entry -> new TimedCommand(setup.timeOf(entry.tick()), entry.command()))
+                .toList();
+        return new SetupEdit(
+                edit::name,
+                NO_GESTURE,
+                () -> scenarioChange.accept(now -> TimelineEvents.without(now, events)),
+                () -> scenarioChange.accept(now -> TimelineEvents.with(now, events)));
     }
 
     /** Starts a gesture: all commands until it ends form one edit. */

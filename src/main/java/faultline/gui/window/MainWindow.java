@@ -381,8 +381,8 @@ public final class MainWindow extends JFrame {
         }
 
         @Override
-        public void runRepositioned(long tick) {
-            undoController.runRepositioned(tick);
+        public void runRepositioned(long tick, SimulationSetup setup) {
+            undoController.runRepositioned(tick, setup, runController::change);
         }
 
         @Override

@@ -133,9 +133,14 @@ class ComparisonControllerTest {
 
     /** Switches the left sensor off at the start of tick CHANGED and runs to the end. */
     private void runDifferently() {
+        runDifferently(new Command.SwitchSensor("left", false));
+    }
+
+    /** Executes a command at the start of tick CHANGED and runs to the end. */
+    private void runDifferently(Command command) {
         restart();
         step(CHANGED - 1);
-        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("left", false)), results -> {}));
+        runOnEdt(() -> run.send(List.of(command), results -> {}));
         step(TICKS - CHANGED + 1);
     }
 
@@ -202,12 +207,23 @@ class ComparisonControllerTest {
 
     @Test
     void aDivergenceIsForgottenWhenTheRunIsEditedBeforeIt() {
-        runDifferently();
+        runDifferently(new Command.SetPlatform(0.25, 0.2, 0.1));
+        assertTrue(divergence().isPresent());
         runOnEdt(() -> run.navigator().seek(CHANGED / 2));
         waitForTick(CHANGED / 2);
         runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("rear", true)), results -> {}));
         step(TICKS);
         assertEquals(OptionalLong.empty(), divergence(), "the rear sensor was on already");
+    }
+
+    @Test
+    void aDivergenceByAFaultIsKeptWhenTheRunIsEditedBeforeIt() {
+        runDifferently();
+        runOnEdt(() -> run.navigator().seek(CHANGED / 2));
+        waitForTick(CHANGED / 2);
+        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("rear", true)), results -> {}));
+        step(TICKS);
+        assertEquals(OptionalLong.of(CHANGED), divergence());
     }
 
     @Test

@@ -3,8 +3,10 @@ package faultline.gui.edit;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import faultline.engine.Journal;
+import faultline.geometry.Pose;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
@@ -59,12 +61,21 @@ class EditHistoryTest {
         assertEquals(2, countUndoable());
     }
 
-    /** Does a command at a tick, given the id of the sensor that it switches off. */
-    private CommandEdit execute(long tick, String sensor) {
-        Command command = new Command.SwitchSensor(sensor, false);
-        CommandEdit edit = new CommandEdit(
-                nextGesture++,
-                List.of(new CommandResult.Executed(tick, command, List.of(new Command.SwitchSensor(sensor, true)))));
+    /** Executes a command at a tick, given the id of the obstacle that it moves. */
+    private CommandEdit execute(long tick, String obstacle) {
+        return execute(
+                tick,
+                new Command.MoveObstacle(obstacle, new Pose(1, 1, 0)),
+                new Command.MoveObstacle(obstacle, new Pose(2, 2, 0)));
+    }
+
+    private CommandEdit switchOff(long tick, String sensor) {
+        return execute(tick, new Command.SwitchSensor(sensor, false), new Command.SwitchSensor(sensor, true));
+    }
+
+    private CommandEdit execute(long tick, Command command, Command inverse) {
+        CommandEdit edit =
+                new CommandEdit(nextGesture++, List.of(new CommandResult.Executed(tick, command, List.of(inverse))));
         history.add(edit);
         history.addChange(tick, edit, true);
         return edit;
@@ -85,6 +96,11 @@ class EditHistoryTest {
         assertFalse(edit.isNoOp());
     }
 
+    /** Follows a run without events. */
+    private boolean moveTo(long tick) {
+        return history.moveTo(tick, (edit, executed) -> fail());
+    }
+
     private void assertDoneAndUndone(Edit done, Edit undone) {
         assertEquals(Optional.ofNullable(done), history.nextUndo());
         assertEquals(Optional.ofNullable(undone), history.nextRedo());
@@ -92,21 +108,21 @@ class EditHistoryTest {
 
     @Test
     void editsAreUndoneAndRedoneAsTheRunPassesTheirTicks() {
-        CommandEdit first = execute(10, "front");
-        CommandEdit second = execute(20, "left");
-        assertFalse(history.moveTo(20));
+        CommandEdit first = execute(10, "box");
+        CommandEdit second = execute(20, "wall");
+        assertFalse(moveTo(20));
         assertDoneAndUndone(second, null);
-        assertTrue(history.moveTo(19));
+        assertTrue(moveTo(19));
         assertDoneAndUndone(first, second);
         assertEquals(List.of(second), history.editsAhead());
-        assertFalse(history.moveTo(10));
-        assertTrue(history.moveTo(9));
+        assertFalse(moveTo(10));
+        assertTrue(moveTo(9));
         assertDoneAndUndone(null, first);
         assertEquals(List.of(first, second), history.editsAhead());
         assertFalse(history.advanceTo(9));
         assertTrue(history.advanceTo(10));
         assertDoneAndUndone(first, second);
-        assertTrue(history.moveTo(30));
+        assertTrue(moveTo(30));
         assertDoneAndUndone(second, null);
         assertEquals(List.of(), history.editsAhead());
         assertEquals(10, history.firstTick(first));
@@ -115,14 +131,14 @@ class EditHistoryTest {
 
     @Test
     void anEditThatWasUndoneDuringTheRunIsDoneAtEarlierTicks() {
-        CommandEdit only = execute(10, "front");
+        CommandEdit only = execute(10, "box");
         history.mark(only, false);
         history.addChange(20, only, false);
         assertDoneAndUndone(null, only);
         assertEquals(List.of(), history.editsAhead());
-        assertTrue(history.moveTo(19));
+        assertTrue(moveTo(19));
         assertDoneAndUndone(only, null);
-        assertTrue(history.moveTo(20));
+        assertTrue(moveTo(20));
         assertDoneAndUndone(null, only);
         assertEquals(List.of(), history.editsAhead());
         assertEquals(10, history.firstTick(only));
@@ -130,32 +146,32 @@ class EditHistoryTest {
 
     @Test
     void anEarlierCommandLeavesLaterEditsToTheUser() {
-        CommandEdit first = execute(10, "front");
-        CommandEdit second = execute(20, "left");
-        history.moveTo(12);
+        CommandEdit first = execute(10, "box");
+        CommandEdit second = execute(20, "wall");
+        moveTo(12);
         assertTrue(history.fork(13));
-        CommandEdit between = execute(13, "rear");
+        CommandEdit between = execute(13, "pole");
         assertDoneAndUndone(between, second);
-        assertTrue(history.moveTo(12));
+        assertTrue(moveTo(12));
         assertDoneAndUndone(first, between);
-        history.moveTo(100);
+        moveTo(100);
         assertDoneAndUndone(between, second);
         assertFalse(history.fork(101));
     }
 
     @Test
     void aCommandAtTheTickOfALaterEditIsBeforeIt() {
-        CommandEdit first = execute(10, "front");
-        history.moveTo(9);
+        CommandEdit first = execute(10, "box");
+        moveTo(9);
         assertTrue(history.fork(10));
         assertDoneAndUndone(null, first);
     }
 
     @Test
     void aCommandWithoutEffectAlsoLeavesLaterEditsToTheUser() {
-        CommandEdit first = execute(10, "front");
-        CommandEdit second = execute(20, "left");
-        history.moveTo(12);
+        CommandEdit first = execute(10, "box");
+        CommandEdit second = execute(20, "wall");
+        moveTo(12);
         assertTrue(history.fork(13));
         assertFalse(history.advanceTo(100));
         assertDoneAndUndone(first, second);
@@ -163,30 +179,76 @@ class EditHistoryTest {
 
     @Test
     void editsThatTheRunPassesBeforeACommandAreDone() {
-        execute(10, "front");
-        CommandEdit second = execute(20, "left");
-        history.moveTo(12);
+        execute(10, "box");
+        CommandEdit second = execute(20, "wall");
+        moveTo(12);
         assertFalse(history.fork(21));
         assertDoneAndUndone(second, null);
     }
 
     @Test
     void aRestartIncludesAllEditsFromTheStart() {
-        execute(10, "front");
-        CommandEdit second = execute(20, "left");
-        history.moveTo(5);
+        CommandEdit moved = execute(5, "box");
+        switchOff(10, "front");
+        CommandEdit last = switchOff(20, "left");
         List<List<Long>> ticks = new ArrayList<>();
-        history.restart((edit, executed) -> {
-            ticks.add(executed.stream().map(Journal.Entry::tick).toList());
-            return edit(ticks.size());
-        });
+        history.restart((edit, executed) -> replacement(ticks, executed));
         assertEquals(List.of(List.of(10L), List.of(20L)), ticks);
         assertEquals("edit 2", history.nextUndo().orElseThrow().name());
         assertTrue(history.nextRedo().isEmpty());
-        assertFalse(history.moveTo(0));
+        assertFalse(moveTo(0));
         assertEquals("edit 2", history.nextUndo().orElseThrow().name());
-        assertEquals(0, history.firstTick(second));
+        assertEquals(0, history.firstTick(moved));
+        assertEquals(0, history.firstTick(last));
         history.clear();
         assertDoneAndUndone(null, null);
+    }
+
+    private SetupEdit replacement(List<List<Long>> ticks, List<Journal.Entry> executed) {
+        ticks.add(executed.stream().map(Journal.Entry::tick).toList());
+        return edit(ticks.size());
+    }
+
+    /** The edits of events leave the run, however it is moved afterwards; the others follow it. */
+    @Test
+    void aMoveBeforeAnEventPutsAllEventsOnTheTimeline() {
+        switchOff(10, "front");
+        CommandEdit moved = execute(20, "box");
+        CommandEdit undone = switchOff(25, "rear");
+        history.mark(undone, false);
+        history.addChange(27, undone, false);
+        CommandEdit redone = switchOff(30, "left");
+        history.mark(redone, false);
+        history.addChange(40, redone, false);
+        history.mark(redone, true);
+        history.addChange(50, redone, true);
+        List<List<Long>> ticks = new ArrayList<>();
+        assertTrue(history.moveTo(5, (edit, executed) -> replacement(ticks, executed)));
+        assertEquals(List.of(List.of(10L), List.of(30L, 40L, 50L)), ticks);
+        assertEquals("edit 2", history.nextUndo().orElseThrow().name());
+        assertEquals(List.of(moved), history.editsAhead());
+        assertEquals(Optional.of(moved), history.nextRedo());
+        assertTrue(history.advanceTo(20));
+        assertDoneAndUndone(moved, null);
+        assertTrue(moveTo(19));
+        assertTrue(history.fork(20));
+        CommandEdit between = execute(20, "pole");
+        assertDoneAndUndone(between, moved);
+        history.mark(between, false);
+        assertEquals("edit 2", history.nextUndo().orElseThrow().name());
+    }
+
+    /** An edit of the setup has no tick, so the run can be moved before the edit that it follows. */
+    @Test
+    void anEditBeforeAnEditOfTheSetupFollowsTheRun() {
+        CommandEdit moved = execute(10, "box");
+        SetupEdit setup = edit(nextGesture++);
+        history.add(setup);
+        assertTrue(moveTo(5));
+        assertDoneAndUndone(setup, moved);
+        assertTrue(history.advanceTo(10));
+        assertDoneAndUndone(moved, null);
+        history.mark(moved, false);
+        assertDoneAndUndone(setup, moved);
     }
 }

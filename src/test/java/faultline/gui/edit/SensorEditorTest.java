@@ -230,13 +230,14 @@ class SensorEditorTest {
 
     @Test
     void aDeletionIsUndoneAfterAnEditOfTheSensorThatTheRunHasNotReachedAgain() {
-        send(FAULT);
+        send(new Command.ConfigureSensor(
+                original.robot().sensor("left").orElseThrow().withRange(1.5)));
         runOnEdt(() -> run.navigator().seek(10));
         waitForRun();
         SimulationSetup before = setup();
         remove("left");
         runOnEdt(() -> edits.runAdvanced(TICKS + 1));
-        assertNotEquals(Optional.of("Delete left"), callOnEdt(edits::undoName), "the fault is above it again");
+        assertNotEquals(Optional.of("Delete left"), callOnEdt(edits::undoName), "the edit is above it again");
         runOnEdt(edits::undo);
         Await.until("the refusal", () -> edits.undoName().equals(Optional.of("Delete left")));
         undo();

@@ -28,8 +28,8 @@ public final class UndoForwarder implements WorkspaceListener {
     }
 
     @Override
-    public void runRepositioned(long tick) {
-        undo.runRepositioned(tick);
+    public void runRepositioned(long tick, SimulationSetup setup) {
+        undo.runRepositioned(tick, setup, run::change);
     }
 
     @Override

@@ -2,6 +2,7 @@ package faultline.gui.edit;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -193,19 +194,80 @@ class UndoneEventsTest {
         SessionFrames.awaitTick(workspace, tick);
     }
 
-    /** A change of the setup does not make the fault part of it. */
+    private void assertTimes(double... times) {
+        assertArrayEquals(
+                times, timeline().stream().mapToDouble(TimedCommand::time).toArray());
+    }
+
+    /** Whatever is done at the earlier tick, the fault keeps its time. */
     @Test
-    void anEventAheadIsDroppedByACommandAlsoAfterAChangeOfTheSetup() {
+    void aLaterEventIsKeptWhenTheRunIsEditedAtAnEarlierTick() {
         send(FAULT);
         advance(5);
         seek(3);
         runOnEdt(() -> run.change(now -> now.withSetup(now.setup().withSeed(7))));
         rest();
-        assertEquals(List.of(0.11), timeline().stream().map(TimedCommand::time).toList());
-        Command off = new Command.SwitchSensor("front", false);
-        send(off);
-        assertEquals(List.of(new TimedCommand(0.04, off)), timeline());
+        assertTimes(0.11);
+        send(new Command.SwitchSensor("front", false));
+        assertTimes(0.11, 0.04);
+        advance(6);
+        assertEquals(List.of(), faults());
+        advance(5);
+        assertEquals(List.of(new Fault.Stuck(0.13)), faults());
+        undo();
+        assertTimes(0.11, 0.04, 0.15);
+        redo();
+        undo();
+        undo();
+        undo();
+        assertEquals(
+                List.of(),
+                timeline().stream()
+                        .map(TimedCommand::command)
+                        .filter(FAULT::equals)
+                        .toList());
+        assertEquals(List.of(), faults());
+    }
+
+    @Test
+    void aMoveBeforeAnEventAndPastItAgainChangesNoBit() {
+        send(FAULT);
+        advance(5);
+        send(new Command.SwitchSensor("front", false));
+        advance(20);
+        Scenario edited = scenario();
+        long hash = SessionFrames.trajectoryHash(workspace);
+        seek(3);
+        assertEquals(edited, scenario());
+        advance(32);
+        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
+        seek(3);
+        seek(35);
+        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
+        assertEquals(edited, scenario());
+    }
+
+    @Test
+    void undoAtAnEarlierTickRemovesTheLaterEvent() {
+        send(FAULT);
+        advance(5);
+        seek(3);
+        assertTrue(callOnEdt(edits::redoName).isEmpty());
+        undo();
+        assertEquals(original, scenario());
         advance(30);
         assertEquals(List.of(), faults());
+        redo();
+        assertTimes(0.11);
+        assertEquals(List.of(new Fault.Stuck(0.13)), faults());
+    }
+
+    @Test
+    void aMoveThatPassesNoEventLeavesThemInTheRun() {
+        send(FAULT);
+        advance(5);
+        seek(12);
+        undo();
+        assertTimes(0.11, 0.13);
     }
 }

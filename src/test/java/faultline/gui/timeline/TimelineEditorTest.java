@@ -71,9 +71,9 @@ class TimelineEditorTest {
                 () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
     }
 
-    /** The switch is added while the run stands before the fault, which is done again when the run reaches it. */
+    /** The fault is on the timeline since the run was moved before it, so it precedes the switch. */
     @Test
-    void undoOfAnEditRestoresNoFaultThatHasBeenUndoneInBetween() {
+    void anEventOfTheRunIsAnItemAmongOthersWhenTheRunHasBeenMovedBeforeIt() {
         advanceTo(20);
         edit(() -> undo.send(FAULT));
         TimedCommand fault = commands().get(0);
@@ -83,14 +83,14 @@ class TimelineEditorTest {
         edit(() -> timeline.add(TimelineItem.from(SWITCH.command(), SWITCH.time()), null));
         advanceTo(40);
         edit(run::restart);
-        assertEquals(List.of(SWITCH, fault), commands());
+        assertEquals(List.of(fault, SWITCH), commands());
         edit(undo::undo);
-        assertEquals(List.of(SWITCH), commands());
+        assertEquals(List.of(fault), commands());
         edit(undo::undo);
         assertEquals(List.of(), commands());
         edit(undo::redo);
-        assertEquals(List.of(SWITCH), commands());
+        assertEquals(List.of(fault), commands());
         edit(undo::redo);
-        assertEquals(List.of(SWITCH, fault), commands());
+        assertEquals(List.of(fault, SWITCH), commands());
     }
 }
