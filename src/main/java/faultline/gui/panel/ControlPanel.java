@@ -89,6 +89,7 @@ public final class ControlPanel extends JPanel {
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
         UiText.name(tabs, "panel");
+        tabs.addChangeListener(event -> moveFocusToTitle());
         KeyBindings.bind(tabs, "PAGE_UP", () -> scrollByPage(-1));
         KeyBindings.bind(tabs, "PAGE_DOWN", () -> scrollByPage(1));
         addTab(
@@ -162,6 +163,14 @@ public final class ControlPanel extends JPanel {
         if (tabs.getSelectedComponent() instanceof JScrollPane scroll) {
             JScrollBar bar = scroll.getVerticalScrollBar();
             bar.setValue(bar.getValue() + direction * bar.getBlockIncrement(direction));
+        }
+    }
+
+    /** Moves the focus from a tab that was left to the title of the chosen one; Swing moves it to the first field. */
+    private void moveFocusToTitle() {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        if (owner != null && SwingUtilities.isDescendingFrom(owner, tabs)) {
+            tabs.requestFocusInWindow();
         }
     }
 

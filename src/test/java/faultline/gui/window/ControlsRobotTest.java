@@ -14,6 +14,8 @@ import faultline.gui.theme.Theme;
 import faultline.paint.scene.Layer;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
+import java.awt.Rectangle;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,6 +24,7 @@ import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JDialog;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -101,6 +104,23 @@ class ControlsRobotTest {
                 frame -> frame.snapshot().robot().sensor("left").orElseThrow().cone() == Degrees.toRadians(35.5));
         assertEquals(1.25, robot().sensor("left").orElseThrow().range());
         assertEquals(0, driver.frame().snapshot().tick(), "the key did not advance the run");
+    }
+
+    @Test
+    void aTabThatIsClickedHasTheFocusAndNotItsFirstField() {
+        JTabbedPane tabs = callOnEdt(() -> ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel"));
+        clickTab(tabs, 1);
+        driver.click(ComponentFinder.find(driver.window(), JCheckBox.class, "Diagnosis"));
+        clickTab(tabs, 0);
+        driver.robot().waitFor("the focus of the tab", tabs::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_SPACE);
+        driver.robot().waitFor("the run", driver::isRunning);
+    }
+
+    private void clickTab(JTabbedPane tabs, int index) {
+        Rectangle title = callOnEdt(() -> tabs.getBoundsAt(index));
+        driver.robot().click(tabs, title.getCenterX(), title.getCenterY(), InputEvent.BUTTON1_DOWN_MASK);
+        driver.robot().waitFor("tab " + index, () -> tabs.getSelectedIndex() == index);
     }
 
     @Test
