@@ -219,20 +219,27 @@ public final class FileController {
         workspace
                 .file()
                 .ifPresentOrElse(
-                        file -> documentStore.saveUnlessReplaced(file, then, save -> askBeforeSaving(file, save)),
+                        file -> documentStore.saveUnlessReplaced(file, then, change -> askBeforeSaving(file, change)),
                         () -> saveAs(then));
     }
 
     /** Asks whether to save over the change of another program; nothing happens if the question is closed. */
-    private void askBeforeSaving(Path file, Runnable save) {
-        int answer = fileDialogs.showOptions(
-                "changed",
-                Messages.get("changed.questionUnsaved", FileNames.lastOf(file)),
-                "changed.keep",
-                "changed.reload");
+    private void askBeforeSaving(Path file, DocumentStore.ForeignChange change) {
+        boolean readable = change.problem() == null;
+        int answer = readable
+                ? fileDialogs.showOptions(
+                        "changed",
+                        Messages.get("changed.questionUnsaved", FileNames.lastOf(file)),
+                        "changed.keep",
+                        "changed.reload")
+                : fileDialogs.showOptions(
+                        "changed",
+                        Messages.get("changed.questionBroken", Dialogs.unreadableFileText(change.problem())),
+                        "changed.replace",
+                        "unsaved.cancel");
         if (answer == 0) {
-            save.run();
-        } else if (answer == 1) {
+            change.save().run();
+        } else if (answer == 1 && readable) {
             documentStore.open(file);
         }
     }

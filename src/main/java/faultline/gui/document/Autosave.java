@@ -42,7 +42,7 @@ public final class Autosave implements AutoCloseable {
             @Override
             public void titleChanged() {
                 // Older edits must not be offered in place of those that have been saved.
-                if (lastWritten != null && !workspace.isChanged() && !closed) {
+                if (hasEdits() && !workspace.isChanged() && !closed) {
                     saveUnsavedEdits();
                 }
             }
@@ -58,14 +58,25 @@ public final class Autosave implements AutoCloseable {
             lastWritten = unsaved;
             lastWriteSucceeded = true;
             Path origin = workspace.file().orElse(null);
+            Scenario base = workspace.savedScenario().orElse(null);
             BackgroundTasks.run(
                     () -> {
-                        write(origin, unsaved);
+                        write(origin, base, unsaved);
                         return true;
                     },
                     written -> failureReported = false,
                     this::writeFailed);
         }
+    }
+
+    /** Notes that the recovery store holds these edits, which were recovered after a crash. */
+    void editsAdopted(Scenario recovered) {
+        lastWritten = recovered;
+    }
+
+    /** Returns whether the recovery store holds edits, or will when a write has ended. */
+    boolean hasEdits() {
+        return lastWritten != null;
     }
 
     private void writeFailed(Throwable failure) {
@@ -79,14 +90,14 @@ public final class Autosave implements AutoCloseable {
     }
 
     /** Writes edits, null for none, unless newer ones are waiting or the window has been closed. */
-    synchronized void write(Path origin, Scenario unsaved) throws IOException {
+    synchronized void write(Path origin, Scenario base, Scenario unsaved) throws IOException {
         if (closed || !Objects.equals(unsaved, lastWritten)) {
             return;
         }
         if (unsaved == null) {
             recovery.delete();
         } else {
-            recovery.save(origin, unsaved);
+            recovery.save(origin, base, unsaved);
         }
     }
 

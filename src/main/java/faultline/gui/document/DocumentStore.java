@@ -3,6 +3,7 @@ package faultline.gui.document;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlComments;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -90,17 +91,21 @@ public final class DocumentStore {
 
     /** Opens a recovered scenario; its edits are still unsaved. */
     public void recover(RecoveryStore.RecoveredFile recovered) {
-        openEdited(recovered.origin().orElse(null), null, recovered.scenario());
+        openEdited(recovered.originFile(), recovered.base(), recovered.scenario());
     }
 
     /**
-     * Opens a scenario as an edit of a file, null for none, or as an edit of another scenario if it has no file, null
-     * for a new one.
+     * Opens a scenario as an edit of another one.
+     *
+     * @param file the file that it belongs to, null for none
+     * @param saved what the file held when the edits were made, or the edited scenario if there is no file; null for
+     *     nothing
+     * @param edited the edited scenario
      */
     public void openEdited(Path file, Scenario saved, Scenario edited) {
         start(
                 file == null ? Path.of(FileNames.forScenario(edited.name())) : file,
-                () -> new ScenarioDocument(file, file == null ? saved : loadIfReadable(file), edited));
+                () -> new ScenarioDocument(file, saved, edited));
     }
 
     private void start(Path name, Callable<ScenarioDocument> loader) {
@@ -119,15 +124,6 @@ public final class DocumentStore {
                 then);
     }
 
-    /** Returns the scenario that a file holds, null if it cannot be read. */
-    private static Scenario loadIfReadable(Path file) {
-        try {
-            return Scenario.load(file);
-        } catch (ScenarioException unreadable) {
-            return null;
-        }
-    }
-
     /**
      * Saves the edited scenario, with the comments of its present file, and calls {@code then} when the file is
      * written.
@@ -137,25 +133,53 @@ public final class DocumentStore {
     }
 
     /**
-     * Saves the edited scenario to the file that it came from, unless another program has changed that file:
-     * {@code onForeignChange} is called instead, with an action that saves the scenario nevertheless, even if another
-     * one is open by then. The watch of the file notices a change only after some seconds.
+     * What another program has written to a file.
+     *
+     * @param problem why it is not a scenario, null if it is one
+     * @param save saves the edited scenario nevertheless, even if another one is open by then
      */
-    public void saveUnlessReplaced(Path file, Runnable then, Consumer<Runnable> onForeignChange) {
+    public record ForeignChange(ScenarioException problem, Runnable save) {}
+
+    /** What a file holds: a scenario, or a problem if it is not one, or neither if there is no such file. */
+    private record FileContent(Scenario scenario, ScenarioException problem) {
+
+        static FileContent of(Path file) {
+            try {
+                return new FileContent(Scenario.load(file), null);
+            } catch (ScenarioException failure) {
+                return new FileContent(null, Files.isRegularFile(file) ? failure : null);
+            }
+        }
+
+        /** Returns whether an edit of a scenario, null for nothing, can replace this content without a loss. */
+        boolean mayBeReplaced(Scenario edited, Scenario saved) {
+            return problem == null && (scenario == null || scenario.equals(edited) || scenario.equals(saved));
+        }
+    }
+
+    /**
+     * Saves the edited scenario to the file that it came from, unless another program has changed that file:
+     * {@code onForeignChange} is called instead. The watch of the file notices a change only after some seconds.
+     */
+    public void saveUnlessReplaced(Path file, Runnable then, Consumer<ForeignChange> onForeignChange) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
             Runnable save = () -> write(now.document(), edited, file, then);
             writes.add(
-                    () -> Optional.ofNullable(loadIfReadable(file)).filter(found -> !found.equals(edited.join())),
+                    () -> {
+                        // The edits are complete before the next task of the queue.
+                        edited.join();
+                        return FileContent.of(file);
+                    },
                     found -> {
-                        Optional<Scenario> saved = now.document().saved();
-                        if (found.isEmpty() || saved.isEmpty() || saved.equals(found)) {
+                        if (found.mayBeReplaced(
+                                edited.join(), now.document().saved().orElse(null))) {
                             save.run();
                         } else {
                             // The watch need not report it again.
-                            now.document().setSaved(found.get());
+                            now.document().setSaved(found.scenario());
                             workspace.fire(WorkspaceListener::titleChanged);
-                            onForeignChange.accept(save);
+                            onForeignChange.accept(new ForeignChange(found.problem(), save));
                         }
                     },
                     failure -> saveFailed(file, failure));

@@ -24,20 +24,22 @@ public final class RecoveryPrompt {
 
     /**
      * Offers the edits of a crashed process, asynchronously, or calls {@code otherwise} if there are none. Both
-     * callbacks run on the event dispatch thread. Recovered edits are kept as those of this process.
+     * callbacks run on the event dispatch thread. Recovered edits are kept as those of this process, which
+     * {@code autosave} then deletes when they are saved.
      */
     public static void offerRecovery(
-            RecoveryStore recovery, Function<RecoveredFile, Answer> offer, Runnable otherwise) {
+            RecoveryStore recovery, Autosave autosave, Function<RecoveredFile, Answer> offer, Runnable otherwise) {
         BackgroundTasks.run(
                 recovery::findOrphan,
-                found -> found.ifPresentOrElse(file -> offer(recovery, file, offer), otherwise),
+                found -> found.ifPresentOrElse(file -> offer(recovery, autosave, file, offer), otherwise),
                 failure -> {
                     logFailure(failure);
                     otherwise.run();
                 });
     }
 
-    private static void offer(RecoveryStore recovery, RecoveredFile file, Function<RecoveredFile, Answer> offer) {
+    private static void offer(
+            RecoveryStore recovery, Autosave autosave, RecoveredFile file, Function<RecoveredFile, Answer> offer) {
         Answer answer = offer.apply(file);
         BackgroundTasks.run(
                 () -> {
@@ -45,6 +47,12 @@ public final class RecoveryPrompt {
                         case RECOVER -> recovery.adopt(file);
                         case DISCARD -> recovery.discard(file);
                         default -> recovery.release();
+                    }
+                    return answer;
+                },
+                done -> {
+                    if (done == Answer.RECOVER) {
+                        autosave.editsAdopted(file.scenario());
                     }
                 },
                 RecoveryPrompt::logFailure);

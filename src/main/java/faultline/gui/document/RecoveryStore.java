@@ -33,6 +33,7 @@ public final class RecoveryStore {
     private static final Path HOME_FOLDER = Path.of(".faultline");
     private static final String SCENARIO_SUFFIX = ".xml";
     private static final String ORIGIN_SUFFIX = ".origin";
+    private static final String BASE_SUFFIX = ".base";
     private static final String LOCK_SUFFIX = ".lock";
     private static final Pattern FILE_NAME = Pattern.compile("(\\d+)-(\\d+)\\.xml");
     /** The start time of a process is known to about a second; setting the clock changes it by more. */
@@ -50,10 +51,10 @@ public final class RecoveryStore {
     private FileChannel claim;
 
     /**
-     * Unsaved edits that a crash has left: the file that holds them, the file that was edited, null for a scenario
-     * without a file, and the edited scenario.
+     * Unsaved edits that a crash has left: the file that holds them; the file that was edited, null for a scenario
+     * without a file; the scenario that was edited, null if it is not known; and the edited scenario.
      */
-    public record RecoveredFile(Path recoveryFile, Path originFile, Scenario scenario) {
+    public record RecoveredFile(Path recoveryFile, Path originFile, Scenario base, Scenario scenario) {
 
         /** Returns the file that was edited; empty for a scenario without a file. */
         public Optional<Path> origin() {
@@ -91,10 +92,17 @@ public final class RecoveryStore {
                 Path.of(System.getProperty("user.home")).resolve(HOME_FOLDER).resolve("recovery"));
     }
 
-    /** Saves unsaved edits of a file, null for a scenario without a file. */
-    synchronized void save(Path origin, Scenario scenario) throws IOException {
+    /**
+     * Saves unsaved edits.
+     *
+     * @param origin the edited file, null for a scenario without a file
+     * @param base what the file holds as far as it is known, null for nothing
+     * @param scenario the edited scenario
+     */
+    synchronized void save(Path origin, Scenario base, Scenario scenario) throws IOException {
         createPrivateFolder();
         acquireLock();
+        AtomicFile.write(sibling(ownFile(), BASE_SUFFIX), base == null ? new byte[0] : base.toBytes());
         AtomicFile.write(
                 folder.resolve(process + ORIGIN_SUFFIX),
                 (origin == null ? "" : origin.toAbsolutePath().toString()).getBytes(StandardCharsets.UTF_8));
@@ -135,7 +143,7 @@ public final class RecoveryStore {
 
     /** Saves the edits of another process as those of this one. */
     synchronized void adopt(RecoveredFile recovered) throws IOException {
-        save(recovered.originFile(), recovered.scenario());
+        save(recovered.originFile(), recovered.base(), recovered.scenario());
         discard(recovered);
     }
 
@@ -169,6 +177,7 @@ public final class RecoveryStore {
     private static void delete(Path recoveryFile) throws IOException {
         Files.deleteIfExists(recoveryFile);
         Files.deleteIfExists(originFile(recoveryFile));
+        Files.deleteIfExists(sibling(recoveryFile, BASE_SUFFIX));
         Files.deleteIfExists(sibling(recoveryFile, LOCK_SUFFIX));
     }
 
@@ -268,10 +277,23 @@ public final class RecoveryStore {
 
     private static Optional<RecoveredFile> loadRecovered(Path file) {
         try {
+            Scenario edited = Scenario.load(file);
+            Path origin = readOrigin(originFile(file)).orElse(null);
+            Path base = sibling(file, BASE_SUFFIX);
+            // Earlier versions did not keep what the file held.
             return Optional.of(
-                    new RecoveredFile(file, readOrigin(originFile(file)).orElse(null), Scenario.load(file)));
+                    new RecoveredFile(file, origin, loadIfReadable(Files.exists(base) ? base : origin), edited));
         } catch (ScenarioException unreadable) {
             return Optional.empty();
+        }
+    }
+
+    /** Returns the scenario of a file, null if there is none. */
+    private static Scenario loadIfReadable(Path file) {
+        try {
+            return file == null ? null : Scenario.load(file);
+        } catch (ScenarioException unreadable) {
+            return null;
         }
     }
 

@@ -355,7 +355,7 @@ public final class MainWindow extends JFrame {
                 autosave.close();
             }
         });
-        RecoveryPrompt.offerRecovery(recovery, fileController::offerRecovery, otherwise);
+        RecoveryPrompt.offerRecovery(recovery, autosave, fileController::offerRecovery, otherwise);
     }
 
     /** Responds to events of the workspace. */

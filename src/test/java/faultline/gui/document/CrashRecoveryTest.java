@@ -4,6 +4,8 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
@@ -25,6 +27,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.logging.Logger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -94,10 +97,87 @@ class CrashRecoveryTest {
         assertEquals(recovered.origin(), callOnEdt(workspace::file));
     }
 
+    /** The recovered edits are those of an older version of the file. */
+    @Test
+    void recoveredEditsAreNotSavedOverALaterChangeOfTheFile() throws Exception {
+        edit();
+        RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
+        autosave(dying);
+        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        Files.writeString(file, Files.readString(file).replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
+        RecoveryStore.RecoveredFile recovered = dying.findOrphan().orElseThrow();
+        runOnEdt(() -> documentStore.recover(recovered));
+        Await.until("the edits", () -> workspace.file().equals(Optional.of(file.toAbsolutePath())));
+        assertSaveIsQuestioned(change -> assertNull(change.problem()));
+        assertEquals("Other", Scenario.load(file).name());
+    }
+
+    private void assertSaveIsQuestioned(Consumer<DocumentStore.ForeignChange> check) {
+        List<DocumentStore.ForeignChange> changes = new ArrayList<>();
+        List<Path> saved = new ArrayList<>();
+        runOnEdt(() -> documentStore.saveUnlessReplaced(file, () -> saved.add(file), changes::add));
+        Await.until("the answer", () -> !saved.isEmpty() || !changes.isEmpty());
+        assertEquals(List.of(), saved);
+        check.accept(changes.get(0));
+    }
+
+    @Test
+    void aFileThatAnotherProgramHasMadeInvalidIsNotReplacedWithoutAQuestion() throws IOException {
+        edit();
+        Files.writeString(file, "<scenario");
+        assertSaveIsQuestioned(change -> assertNotNull(change.problem()));
+        assertSaveIsQuestioned(change -> assertNotNull(change.problem()));
+        assertEquals("<scenario", Files.readString(file));
+    }
+
+    @Test
+    void aDeletedFileIsSavedAgainUnlessAnotherProgramHasWrittenAnotherOneInItsPlace() throws Exception {
+        edit();
+        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
+        String whole = Files.readString(file);
+        Files.delete(file);
+        poll(watch, 4);
+        runOnEdt(watch::close);
+        assertEquals(List.of(file), deleted);
+        Files.writeString(file, whole.replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
+        assertSaveIsQuestioned(change -> assertNull(change.problem()));
+        Files.delete(file);
+        AtomicInteger saved = new AtomicInteger();
+        runOnEdt(() -> documentStore.saveUnlessReplaced(file, saved::incrementAndGet, change -> saved.set(-1)));
+        Await.until("the save", () -> saved.get() != 0);
+        assertEquals(1, saved.get());
+    }
+
+    /** The timer saves nothing before the question is answered, so it has seen no edits. */
+    @Test
+    void theRecoveryFileOfRecoveredEditsIsDeletedWhenTheyAreSaved() throws IOException {
+        edit();
+        Path kept = folder.resolve("kept");
+        new RecoveryStore(kept, DEAD, Instant.EPOCH)
+                .save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        runOnEdt(() -> documentStore.open(file));
+        Await.until("the file without the edits", () -> !workspace.isChanged());
+        RecoveryStore own = new RecoveryStore(kept, DEAD - 1, Instant.EPOCH);
+        Autosave autosave = autosave(own);
+        runOnEdt(() -> RecoveryPrompt.offerRecovery(
+                own,
+                autosave,
+                found -> {
+                    documentStore.recover(found);
+                    return RecoveryPrompt.Answer.RECOVER;
+                },
+                () -> {}));
+        Path ownFile = kept.resolve((DEAD - 1) + "-0.xml");
+        Await.until("the edits", () -> workspace.isChanged() && Files.exists(ownFile));
+        Await.until("the note of the adoption", autosave::hasEdits);
+        runOnEdt(() -> documentStore.save(file, () -> {}));
+        Await.until("an empty folder", () -> recoveryFiles().isEmpty());
+    }
+
     @Test
     void theEditsOfAWindowThatStillRunsAreNotOffered() throws IOException {
         RecoveryStore own = new RecoveryStore(folder.resolve("kept"));
-        own.save(null, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        own.save(null, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         assertEquals(Optional.empty(), own.findOrphan());
     }
 
@@ -105,22 +185,22 @@ class CrashRecoveryTest {
     void editsOfADeadProcessWhoseIdWasReusedAreOfferedUntilAnswered() throws IOException {
         RecoveryStore before = new RecoveryStore(
                 folder.resolve("kept"), ProcessHandle.current().pid(), Instant.EPOCH);
-        before.save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        before.save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         RecoveryStore own = new RecoveryStore(folder.resolve("kept"));
-        own.save(null, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        own.save(null, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         own.delete();
         RecoveryStore.RecoveredFile recovered = own.findOrphan().orElseThrow();
         assertEquals(Optional.of(file.toAbsolutePath()), recovered.origin());
         own.adopt(recovered);
         assertEquals(Optional.empty(), own.findOrphan());
-        assertEquals(3, recoveryFiles().size(), "they are this process's own now: " + recoveryFiles());
+        assertEquals(4, recoveryFiles().size(), "they are this process's own now: " + recoveryFiles());
     }
 
     @Test
     void aDamagedOriginFileHidesNoOtherEdits() throws IOException {
         Path kept = folder.resolve("kept");
         RecoveryStore first = new RecoveryStore(kept, DEAD - 1, Instant.EPOCH);
-        first.save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        first.save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         Path origin = kept.resolve((DEAD - 1) + "-0.origin");
         for (String damage : List.of("\0", "")) {
             Files.writeString(origin, damage);
@@ -132,7 +212,7 @@ class CrashRecoveryTest {
         assertEquals(Optional.empty(), first.findOrphan().orElseThrow().origin());
         Files.writeString(kept.resolve((DEAD - 1) + "-0.xml"), "damaged too");
         new RecoveryStore(kept, DEAD, Instant.EPOCH)
-                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+                .save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         assertEquals(
                 Optional.of(file.toAbsolutePath()),
                 first.findOrphan().orElseThrow().origin());
@@ -142,7 +222,7 @@ class CrashRecoveryTest {
     void theEditsOfAProcessThatIsNotVisibleHereAreNotOfferedWhileItRuns() throws Exception {
         Path kept = folder.resolve("kept");
         new RecoveryStore(kept, DEAD, Instant.EPOCH)
-                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+                .save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         Path lock = Files.createFile(kept.resolve(DEAD + "-0.lock"));
         RecoveryStore own = new RecoveryStore(kept);
         try (FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE)) {
@@ -156,7 +236,7 @@ class CrashRecoveryTest {
     void editsAreOfferedByOneWindowAtATime() throws Exception {
         Path kept = folder.resolve("kept");
         new RecoveryStore(kept, DEAD, Instant.EPOCH)
-                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+                .save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         RecoveryStore first = new RecoveryStore(kept);
         RecoveryStore second = new RecoveryStore(kept);
         assertTrue(first.findOrphan().isPresent());
@@ -173,12 +253,14 @@ class CrashRecoveryTest {
     void editsThatTheUserWantsLaterAreOfferedByTheNextWindow() throws Exception {
         Path kept = folder.resolve("kept");
         new RecoveryStore(kept, DEAD, Instant.EPOCH)
-                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+                .save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         RecoveryStore first = new RecoveryStore(kept);
         RecoveryStore second = new RecoveryStore(kept);
+        Autosave autosave = callOnEdt(() -> new Autosave(workspace, first, failures::add));
         AtomicReference<Boolean> foundDuringTheOffer = new AtomicReference<>();
         runOnEdt(() -> RecoveryPrompt.offerRecovery(
                 first,
+                autosave,
                 found -> {
                     foundDuringTheOffer.set(isFoundBy(second));
                     return RecoveryPrompt.Answer.LATER;
@@ -200,7 +282,7 @@ class CrashRecoveryTest {
     @Test
     void onlyTheOwnerMayReadTheRecoveryFiles() throws IOException {
         new RecoveryStore(folder.resolve("home/.faultline/recovery"))
-                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+                .save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         for (String name : List.of("home/.faultline", "home/.faultline/recovery")) {
             assertEquals(
                     "rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve(name))));
@@ -256,7 +338,7 @@ class CrashRecoveryTest {
         Await.until("the kept edits", () -> dying.findOrphan().isPresent());
         runOnEdt(autosave::close);
         Await.until("an empty folder", () -> recoveryFiles().isEmpty());
-        autosave.write(null, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        autosave.write(null, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         assertEquals(List.of(), recoveryFiles());
     }
 

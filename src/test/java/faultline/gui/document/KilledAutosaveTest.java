@@ -32,11 +32,11 @@ class KilledAutosaveTest {
         public static void main(String[] args) throws Exception {
             RecoveryStore store = new RecoveryStore(Path.of(args[0]));
             Scenario scenario = Scenario.loadShipped("beside-a-wall.xml");
-            store.save(Path.of("room.xml"), named("one", scenario));
+            store.save(Path.of("room.xml"), null, named("one", scenario));
             System.out.println("saved");
             while (true) {
-                store.save(Path.of("room.xml"), named("other", scenario));
-                store.save(Path.of("room.xml"), named("one", scenario));
+                store.save(Path.of("room.xml"), null, named("other", scenario));
+                store.save(Path.of("room.xml"), null, named("one", scenario));
             }
         }
 

@@ -47,13 +47,13 @@ class RecoveryStoreTest {
                 RecoveryStore store = new RecoveryStore(own);
                 Callable<Void> save = () -> {
                     start.await();
-                    store.save(null, scenario);
+                    store.save(null, null, scenario);
                     return null;
                 };
                 for (Future<Void> saved : threads.invokeAll(Collections.nCopies(THREADS, save))) {
                     saved.get();
                 }
-                assertEquals(3, countFiles(own), "the edits, their origin and the lock");
+                assertEquals(4, countFiles(own), "the edits, their origin, their base and the lock");
                 store.delete();
                 assertEquals(0, countFiles(own));
             }
@@ -66,7 +66,7 @@ class RecoveryStoreTest {
     @Test
     void theEditsOfARunningProcessAreLockedUntilTheyAreDeleted() throws Exception {
         RecoveryStore store = new RecoveryStore(folder);
-        store.save(null, Scenario.load(Path.of("scenarios/collision-on-purpose.xml")));
+        store.save(null, null, Scenario.load(Path.of("scenarios/collision-on-purpose.xml")));
         Path lock;
         try (var files = Files.newDirectoryStream(folder, "*.lock")) {
             lock = files.iterator().next();
@@ -86,10 +86,10 @@ class RecoveryStoreTest {
         Path unlockable = files.forwarding(folder);
         RecoveryStore store = new RecoveryStore(unlockable);
         Scenario scenario = Scenario.load(Path.of("scenarios/collision-on-purpose.xml"));
-        store.save(null, scenario);
-        store.save(null, scenario);
+        store.save(null, null, scenario);
+        store.save(null, null, scenario);
         assertEquals(1, files.attempts, "a lock file beside saved edits would show for a moment that nobody uses them");
-        assertEquals(2, countFiles(folder), "the edits and their origin");
+        assertEquals(3, countFiles(folder), "the edits, their origin and their base");
         assertEquals(Optional.empty(), new RecoveryStore(unlockable, 0, Instant.EPOCH).findOrphan());
         store.delete();
         assertEquals(0, countFiles(folder));
