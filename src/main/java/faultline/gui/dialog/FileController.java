@@ -34,6 +34,7 @@ public final class FileController {
     private final Component parent;
     private final FileDialogs fileDialogs;
     private final BooleanSupplier commitPendingEdit;
+    private Consumer<Runnable> leaveQuestion = Runnable::run;
 
     /**
      * Creates a controller for a workspace. {@code commitPendingEdit} commits what is being typed and returns whether
@@ -169,11 +170,16 @@ public final class FileController {
         }
     }
 
-    /** Asks whether to discard a recording; closing the question does not. */
-    public boolean confirmDiscardRecording() {
-        return fileDialogs.showOptions(
-                        "recording", Messages.get("recording.question"), "recording.save", "recording.discard")
-                == 1;
+    /** Asks whether to discard a recording rather than save it; empty if the question is closed. */
+    public Optional<Boolean> askToDiscardRecording() {
+        int answer = fileDialogs.showOptions(
+                "recording", Messages.get("recording.question"), "recording.save", "recording.discard");
+        return answer < 0 ? Optional.empty() : Optional.of(answer == 1);
+    }
+
+    /** Sets what runs an action that leaves the scenario after a question of its own, or does not run it. */
+    public void setLeaveQuestion(Consumer<Runnable> newQuestion) {
+        leaveQuestion = newQuestion;
     }
 
     /** Asks whether to reload the open file after another program has changed it. */
@@ -292,8 +298,12 @@ public final class FileController {
         return file.resolveSibling(FileNames.withoutExtension(file.getFileName().toString()) + ending);
     }
 
-    /** Runs an action that would lose unsaved changes, after asking whether to save them. */
+    /** Runs an action that leaves the scenario, after asking whether to save a recording and unsaved changes. */
     public void runIfChangesHandled(Runnable action) {
+        leaveQuestion.accept(() -> runIfEditsHandled(action));
+    }
+
+    private void runIfEditsHandled(Runnable action) {
         // A number that was just committed has not reached the run yet and does not count as a change.
         boolean changed = commitPendingEdit.getAsBoolean() || workspace.isChanged() || workspace.awaitsCommands();
         if (!changed) {

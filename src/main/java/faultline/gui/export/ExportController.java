@@ -31,7 +31,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -59,7 +58,7 @@ public final class ExportController implements WorkspaceListener {
     private Theme theme = Theme.LIGHT;
     private Supplier<Optional<StripContent>> chart = Optional::empty;
     private Supplier<PrintService[]> printers = PrinterJob::lookupPrintServices;
-    private BooleanSupplier discardQuestion = () -> true;
+    private Supplier<Optional<Boolean>> discardQuestion = () -> Optional.of(true);
     private long recordingStart;
 
     /**
@@ -88,8 +87,8 @@ public final class ExportController implements WorkspaceListener {
         chart = newChart;
     }
 
-    /** Sets what asks whether a recording may be discarded for which no file has been chosen. */
-    public void setDiscardQuestion(BooleanSupplier newQuestion) {
+    /** Sets what asks whether to discard a recording rather than save it; its answer is empty if it is closed. */
+    public void setDiscardQuestion(Supplier<Optional<Boolean>> newQuestion) {
         discardQuestion = newQuestion;
     }
 
@@ -170,20 +169,47 @@ public final class ExportController implements WorkspaceListener {
     }
 
     private void saveRecording(RenderRequest request) {
+        saveRecording(request, () -> {});
+    }
+
+    /** Saves the recording, or discards it on request, and then runs an action. */
+    private void saveRecording(RenderRequest request, Runnable then) {
         // A run that has been restarted since is exported from its start.
         long from = recordingStart <= tick() ? recordingStart : 0;
         workspace.replayScenario().ifPresent(run -> {
             AnimatedGifExport recording = new AnimatedGifExport(request, run, from);
-            boolean settled;
-            do {
-                settled = write("exportGif", ".gif", recording) || discardQuestion.getAsBoolean();
-            } while (!settled);
+            while (!write("exportGif", ".gif", recording, then)) {
+                if (discardQuestion.get().orElse(false)) {
+                    then.run();
+                    return;
+                }
+            }
         });
     }
 
+    /**
+     * Runs an action that ends the recording, if there is one, after asking whether to discard it. If the question is
+     * closed, nothing happens.
+     */
+    public void runIfRecordingHandled(Runnable action) {
+        if (!recordGif.isOn()) {
+            action.run();
+            return;
+        }
+        discardQuestion.get().ifPresent(discard -> {
+            recordGif.setOn(false);
+            if (discard) {
+                action.run();
+            } else {
+                withRenderRequest(request -> saveRecording(request, action));
+            }
+        });
+    }
+
+    /** Ends the recording, because its run is gone. */
     @Override
     public void scenarioOpened() {
-        recordingStart = 0;
+        recordGif.setOn(false);
     }
 
     private long tick() {
@@ -220,8 +246,12 @@ public final class ExportController implements WorkspaceListener {
         }
     }
 
-    /** Asks for a file and starts to write it; returns whether it does. */
-    private boolean write(String action, String ending, FileExport export) {
+    private void write(String action, String ending, FileExport export) {
+        boolean ignored = write(action, ending, export, () -> {});
+    }
+
+    /** Asks for a file and starts to write it; returns whether it does. {@code then} runs when it is written. */
+    private boolean write(String action, String ending, FileExport export, Runnable then) {
         Optional<Path> chosen = fileSelector.apply(action, ending);
         if (chosen.isEmpty()) {
             return false;
@@ -239,7 +269,10 @@ public final class ExportController implements WorkspaceListener {
                         export,
                         file,
                         () -> notes.remove(writing),
-                        onWritten,
+                        written -> {
+                            onWritten.accept(written);
+                            then.run();
+                        },
                         failure -> showError(failureText(file, failure)))
                 .start();
         return true;

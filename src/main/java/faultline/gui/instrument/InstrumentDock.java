@@ -90,6 +90,12 @@ public final class InstrumentDock extends JTabbedPane {
         return chart;
     }
 
+    /** Returns the content of the chart for a frame, also if the chart is not shown; empty if it has none. */
+    public Optional<StripContent> chartContent(SessionFrame frame) {
+        chart.setFrame(frame);
+        return chart.content();
+    }
+
     /** Prepares for another scenario: releases a held chart. */
     public void startScenario() {
         chart.release();

@@ -119,8 +119,7 @@ public final class MainWindow extends JFrame {
         addActions();
         mainPanel = new MainPanel(canvas, createEditors(), actionRegistry, speed, runController.navigator()::seek);
         comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun);
-        exportController.setDiscardQuestion(fileController::confirmDiscardRecording);
-        exportController.setChart(mainPanel.instruments().chart()::content);
+        connectExport();
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
         setJMenuBar(Menus.createMenuBar(actionRegistry));
         getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), fileController::open), 2);
@@ -160,6 +159,13 @@ public final class MainWindow extends JFrame {
                 fileController::onFileChangedOnDisk,
                 exception -> showNote(Dialogs.unreadableFileText(exception)),
                 file -> showNote(Messages.get("deleted", FileNames.lastOf(file))));
+    }
+
+    private void connectExport() {
+        exportController.setDiscardQuestion(fileController::askToDiscardRecording);
+        fileController.setLeaveQuestion(exportController::runIfRecordingHandled);
+        exportController.setChart(() ->
+                workspace.session().flatMap(session -> mainPanel.instruments().chartContent(session.frame())));
     }
 
     private void installEditNotifier() {

@@ -250,15 +250,40 @@ class ExportControllerTest {
     }
 
     @Test
-    void aRecordingEndedByAnotherScenarioIsDiscarded() throws IOException {
+    void aRecordingEndsWithItsScenario() {
         runOnEdt(() -> setRecording(true));
         runOnEdt(controller::scenarioOpened);
-        assertEquals(3, recordedFrameCount(), "ticks 0, 5 and 10 of 12");
+        assertFalse(callOnEdt(action("record")::isOn));
+    }
+
+    @Test
+    void theScenarioIsLeftWhenTheRecordingIsSavedOrDiscarded() throws IOException {
+        List<Optional<Boolean>> answers =
+                new ArrayList<>(List.of(Optional.empty(), Optional.of(true), Optional.of(false)));
+        List<String> left = new ArrayList<>();
+        runOnEdt(() -> {
+            controller.setDiscardQuestion(() -> answers.remove(0));
+            controller.runIfRecordingHandled(() -> left.add("no recording"));
+            assertEquals(3, answers.size());
+            setRecording(true);
+            controller.runIfRecordingHandled(() -> left.add("closed"));
+            assertTrue(action("record").isOn());
+            controller.runIfRecordingHandled(() -> left.add("discarded"));
+            assertFalse(action("record").isOn());
+            setRecording(true);
+        });
+        stepTo(STEPS + 6);
+        runOnEdt(() -> controller.runIfRecordingHandled(() -> left.add("saved")));
+        Await.until("the end", () -> left.contains("saved"));
+        assertEquals(List.of("no recording", "discarded", "saved"), left);
+        assertEquals(2, frameCount(Files.readAllBytes(folder.resolve("out.gif"))), "ticks 12 and 17 of 18");
+        assertFalse(callOnEdt(action("record")::isOn));
     }
 
     @Test
     void aRecordingWithoutAFileIsDiscardedOnlyOnRequest() throws IOException {
-        List<Boolean> answers = new ArrayList<>(List.of(false, true));
+        List<Optional<Boolean>> answers =
+                new ArrayList<>(List.of(Optional.of(false), Optional.of(true), Optional.empty()));
         runOnEdt(() -> {
             controller.setDiscardQuestion(() -> answers.remove(0));
             refusals = 1;
@@ -266,13 +291,13 @@ class ExportControllerTest {
         });
         stepTo(STEPS + 6);
         assertEquals(2, recordedFrameCount(), "ticks 12 and 17 of 18");
-        assertEquals(List.of(true), answers);
+        assertEquals(2, answers.size());
         runOnEdt(() -> {
             refusals = 1;
             setRecording(true);
             setRecording(false);
         });
-        assertEquals(List.of(), answers, "discarded");
+        assertEquals(1, answers.size(), "discarded");
     }
 
     private void setRecording(boolean on) {
