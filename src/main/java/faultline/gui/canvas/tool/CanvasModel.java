@@ -34,7 +34,7 @@ public final class CanvasModel {
     /** Sets the frame; selected objects that it lacks are deselected, and awaited ones selected. */
     public void setFrame(Frame newest) {
         frame = newest;
-        if (!pendingSelection.isEmpty() && hasAll(pendingSelection)) {
+        if (hasAny(pendingSelection)) {
             select(pendingSelection);
         } else if (!hasAll(selection.get())) {
             select(selection.get(), pendingSelection);
@@ -89,6 +89,10 @@ public final class CanvasModel {
     }
 
     /** Called for every frame: ids are unique, so counting is enough. */
+    private boolean hasAny(Set<String> ids) {
+        return !ids.isEmpty() && obstacles().stream().anyMatch(obstacle -> ids.contains(obstacle.id()));
+    }
+
     private boolean hasAll(Set<String> ids) {
         return ids.isEmpty()
                 || obstacles().stream()
@@ -112,7 +116,7 @@ public final class CanvasModel {
         }
     }
 
-    /** Selects obstacles as soon as a frame has them all. */
+    /** Selects obstacles that are added together: those that the first frame with any of them has. */
     public void selectWhenPresent(Collection<String> ids) {
         pendingSelection = Set.copyOf(ids);
     }
@@ -129,6 +133,11 @@ public final class CanvasModel {
             changed.add(id);
         }
         select(changed);
+    }
+
+    /** Returns whether the run has made a tick. */
+    boolean hasStarted() {
+        return frame != null && frame.snapshot().tick() > 0;
     }
 
     public boolean isSelected(Obstacle obstacle) {

@@ -48,9 +48,19 @@ public final class DragGesture implements Gesture {
     private void applyPreview(DragPreview wanted) {
         boolean isNew = preview == null || !preview.commands().equals(wanted.commands());
         preview = wanted;
-        if (isNew) {
+        if (isNew && (model.hasStarted() || blocked().isEmpty())) {
             editor.send(wanted.commands());
         }
+    }
+
+    /**
+     * Returns the obstacles that would overlap the robot. A run that has started has a collision there; before that,
+     * the obstacles stay where they were last.
+     */
+    private List<Obstacle> blocked() {
+        return preview.obstacles().stream()
+                .filter(obstacle -> PlacementCheck.overlapsRobot(model, obstacle))
+                .toList();
     }
 
     @Override
@@ -82,9 +92,7 @@ public final class DragGesture implements Gesture {
         if (preview == null) {
             return;
         }
-        List<Obstacle> blocked = preview.obstacles().stream()
-                .filter(obstacle -> PlacementCheck.overlapsRobot(model, obstacle))
-                .toList();
+        List<Obstacle> blocked = blocked();
         paint(context, preview.obstacles(), blocked);
         if (blocked.isEmpty()) {
             InteractionPainter.paintValues(context, preview.valueText(), preview.obstacles(), last);

@@ -7,7 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.engine.ControllerMode;
 import faultline.engine.SampleFrames;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.canvas.SimulationCanvas;
@@ -18,6 +21,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
+import faultline.world.WorldSpec;
 import java.awt.Point;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
@@ -90,6 +94,35 @@ class CanvasMouseTest {
         assertEquals(List.of(), sent);
         drag(screen(new Vector2(4, 2)), 3, MouseEvent.BUTTON1);
         assertEquals(1, sent.size());
+    }
+
+    /** A robot that has not started cannot collide with what is being arranged. */
+    @Test
+    void anObstacleIsNotDraggedOntoTheRobotBeforeTheRunStarts() {
+        dragBoxAcrossTheRobot();
+        assertEquals(3, sent.size(), "the run has started");
+        sent.clear();
+        SimulationSetup setup = SimulationSetup.of(
+                new WorldSpec(
+                        6,
+                        4,
+                        true,
+                        3,
+                        List.of(new Obstacle("box", new ObstacleShape.RectangleShape(0.8, 0.5), new Pose(4, 2, 0)))),
+                new Pose(1, 1, 0));
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            runOnEdt(() -> canvas.setFrame(simulation.frame()));
+        }
+        dragBoxAcrossTheRobot();
+        assertEquals(2, sent.size());
+    }
+
+    private void dragBoxAcrossTheRobot() {
+        mouse(MouseEvent.MOUSE_PRESSED, screen(new Vector2(4, 2)), MouseEvent.BUTTON1);
+        for (Vector2 to : List.of(new Vector2(2, 2), new Vector2(1, 1), new Vector2(1, 2.5))) {
+            mouse(MouseEvent.MOUSE_DRAGGED, screen(to), MouseEvent.NOBUTTON);
+        }
+        mouse(MouseEvent.MOUSE_RELEASED, screen(new Vector2(1, 2.5)), MouseEvent.BUTTON1);
     }
 
     @Test
