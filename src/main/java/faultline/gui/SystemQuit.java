@@ -1,14 +1,13 @@
 package faultline.gui;
 
+import faultline.gui.document.ModalDialogs;
 import java.awt.Desktop;
-import java.awt.Dialog;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.desktop.QuitEvent;
 import java.awt.desktop.QuitHandler;
 import java.awt.desktop.QuitResponse;
 import java.awt.event.WindowEvent;
-import java.util.stream.Stream;
 
 /**
  * Answers <i>Quit</i> in the menu that macOS gives to each program, and its key Cmd+Q, which otherwise end the program
@@ -38,15 +37,10 @@ final class SystemQuit implements QuitHandler {
     @Override
     public void handleQuitRequestWith(QuitEvent event, QuitResponse response) {
         response.cancelQuit();
-        if (Stream.of(Window.getWindows()).anyMatch(SystemQuit::isQuestion)) {
+        if (ModalDialogs.isAnyOpen()) {
             Toolkit.getDefaultToolkit().beep();
         } else {
             close.run();
         }
-    }
-
-    /** Returns whether a window is a dialog that has to be answered first. */
-    private static boolean isQuestion(Window window) {
-        return window instanceof Dialog dialog && dialog.isModal() && dialog.isShowing();
     }
 }

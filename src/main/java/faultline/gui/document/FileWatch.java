@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 
@@ -26,6 +27,9 @@ public final class FileWatch implements AutoCloseable {
     private final Consumer<Path> onChanged;
     private final Consumer<ScenarioException> onBroken;
     private final Consumer<Path> onDeleted;
+    /** Whether nothing can be asked now. */
+    private final BooleanSupplier busy;
+
     private final Timer timer = new Timer(PERIOD_MILLIS, event -> poll());
     /** Null before the file is read. */
     private FileVersion lastRead;
@@ -43,15 +47,27 @@ public final class FileWatch implements AutoCloseable {
     /**
      * Starts to watch the open file of a workspace. On the event dispatch thread, {@code onChanged} is called with the
      * file if it holds another scenario, {@code onBroken} if it can no longer be read, and {@code onDeleted} with the
-     * file if it no longer exists.
+     * file if it no longer exists. While a modal dialog is open, which may show values of the scenario, nothing is
+     * reported.
      */
     public FileWatch(
             Workspace workspace,
             Consumer<Path> onChanged,
             Consumer<ScenarioException> onBroken,
             Consumer<Path> onDeleted) {
+        this(workspace, ModalDialogs::isAnyOpen, onChanged, onBroken, onDeleted);
+    }
+
+    /** Starts to watch the open file; nothing is reported while {@code busy} returns true. */
+    FileWatch(
+            Workspace workspace,
+            BooleanSupplier busy,
+            Consumer<Path> onChanged,
+            Consumer<ScenarioException> onBroken,
+            Consumer<Path> onDeleted) {
         assert EventQueue.isDispatchThread();
         this.workspace = workspace;
+        this.busy = busy;
         this.onChanged = onChanged;
         this.onBroken = onBroken;
         this.onDeleted = onDeleted;
@@ -92,6 +108,9 @@ public final class FileWatch implements AutoCloseable {
 
     private void inspected(PollResult result) {
         polling = false;
+        if (busy.getAsBoolean()) {
+            return;
+        }
         lastSeen = result.version();
         if (!workspace.file().equals(Optional.of(lastSeen.file()))) {
             return;
@@ -109,6 +128,9 @@ public final class FileWatch implements AutoCloseable {
     /** Reports a file that is missing at two polls; programs that replace a file may delete it for a moment. */
     private void notInspected(Path file, Throwable failure) {
         polling = false;
+        if (busy.getAsBoolean()) {
+            return;
+        }
         if (failure instanceof NoSuchFileException && workspace.file().equals(Optional.of(file))) {
             FileVersion none = new FileVersion(file, null, 0);
             if (none.equals(lastSeen) && !none.equals(lastRead)) {

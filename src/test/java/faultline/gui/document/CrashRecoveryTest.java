@@ -25,6 +25,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -363,6 +364,28 @@ class CrashRecoveryTest {
         assertEquals(List.of(), changedFiles, "the file may still be growing");
         poll(watch, 4);
         assertEquals(List.of(file), changedFiles);
+        runOnEdt(watch::close);
+    }
+
+    /** The dialog shows values of the scenario that the user may choose to replace. */
+    @Test
+    void nothingIsReportedWhileADialogIsOpen() throws IOException {
+        AtomicBoolean dialogOpen = new AtomicBoolean(true);
+        FileWatch watch = callOnEdt(
+                () -> new FileWatch(workspace, dialogOpen::get, changedFiles::add, broken::add, deleted::add));
+        rewrite(Files.readString(file).replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
+        poll(watch, 4);
+        assertEquals(List.of(), changedFiles);
+        dialogOpen.set(false);
+        poll(watch, 2);
+        assertEquals(List.of(file), changedFiles);
+        dialogOpen.set(true);
+        Files.delete(file);
+        poll(watch, 4);
+        assertEquals(List.of(), deleted);
+        dialogOpen.set(false);
+        poll(watch, 2);
+        assertEquals(List.of(file), deleted);
         runOnEdt(watch::close);
     }
 
