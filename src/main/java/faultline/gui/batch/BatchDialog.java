@@ -84,7 +84,8 @@ final class BatchDialog extends JDialog {
         reopen.setEnabled(false);
         installClosing();
         setRunning(false);
-        content.setPreferredSize(new Dimension(TextSize.scaled(SIZE.width), TextSize.scaled(SIZE.height)));
+        int width = Math.max(TextSize.scaled(SIZE.width), content.getPreferredSize().width);
+        content.setPreferredSize(new Dimension(width, TextSize.scaled(SIZE.height)));
         ScreenFit.pack(this);
         setLocationRelativeTo(owner);
     }

@@ -18,6 +18,7 @@ import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.sensor.SensorSpec;
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.awt.GridBagLayout;
 import java.awt.GridLayout;
 import java.util.List;
@@ -91,6 +92,16 @@ final class BatchForm extends JPanel {
         columnLayout.addLayoutComponent(first, beside ? BorderLayout.LINE_START : BorderLayout.PAGE_START);
         columns.invalidate();
         super.doLayout();
+    }
+
+    /** Returns a size that shows the faults in two columns beside the other fields. */
+    @Override
+    public Dimension getPreferredSize() {
+        faults.arrange(2);
+        int bar = scroll.getVerticalScrollBar().getPreferredSize().width;
+        return new Dimension(
+                first.getPreferredSize().width + second.getPreferredSize().width + bar,
+                super.getPreferredSize().height);
     }
 
     private boolean fitBeside(int faultColumns, int room) {

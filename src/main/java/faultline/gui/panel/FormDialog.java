@@ -19,6 +19,9 @@ import javax.swing.SwingUtilities;
 /** A form in a dialog that can be accepted or cancelled. */
 public final class FormDialog {
 
+    /** The room beside the text in the title bar of a dialog, pixels. */
+    private static final int TITLE_MARGIN = 100;
+
     /** The greatest length of a line of a warning, in characters. */
     private static final int MAX_LINE_LENGTH = 80;
 
@@ -76,6 +79,14 @@ public final class FormDialog {
             this.form = form;
             this.first = first;
             this.check = check;
+        }
+
+        /** Returns a size with room for the title. */
+        @Override
+        public Dimension getPreferredSize() {
+            Dimension size = super.getPreferredSize();
+            int titleWidth = getFontMetrics(getFont()).stringWidth(title) + TITLE_MARGIN;
+            return new Dimension(Math.max(size.width, titleWidth), size.height);
         }
 
         @Override
