@@ -8,20 +8,28 @@ import faultline.engine.session.SessionStatus;
 import faultline.gui.document.RunController;
 import faultline.gui.theme.Glyph;
 import java.awt.event.KeyEvent;
+import java.util.OptionalDouble;
+import java.util.function.DoubleFunction;
 import java.util.function.IntUnaryOperator;
 import javax.swing.BoundedRangeModel;
 
-/** The actions that control the run: run and pause, step, restart and the speed. */
+/** The actions that control the run: run and pause, step, restart, the time and the speed. */
 public final class RunActions {
 
     private final RunController runController;
     private final BoundedRangeModel speedModel;
     private final UiAction runAction;
     private final UiAction stepBackAction;
+    private final DoubleFunction<OptionalDouble> askTime;
     private boolean running;
 
-    public RunActions(RunController runController, BoundedRangeModel speed) {
+    /**
+     * Creates the actions. {@code askTime} asks for a time of the run, seconds, given the present one, and returns
+     * empty if cancelled.
+     */
+    public RunActions(RunController runController, BoundedRangeModel speed, DoubleFunction<OptionalDouble> askTime) {
         this.runController = runController;
+        this.askTime = askTime;
         this.speedModel = speed;
         this.runAction = UiAction.of("run", runController::toggleRunning)
                 .withAccelerator(unmodified(KeyEvent.VK_SPACE))
@@ -39,6 +47,7 @@ public final class RunActions {
                 .withAccelerator(character('.'))
                 .withIcon(Glyph.STEP));
         actions.add(stepBackAction);
+        actions.add(UiAction.of("goToTime", this::goToTime).withAccelerator(menuShortcut(KeyEvent.VK_T)));
         actions.add(UiAction.of("restart", runController::restart)
                 .withAccelerator(menuShortcut(KeyEvent.VK_R))
                 .withIcon(Glyph.RESTART));
@@ -48,6 +57,10 @@ public final class RunActions {
                 UiAction.of("faster", () -> changeSpeed(SpeedScale::nextFaster)).withAccelerator(character(']')));
         actions.add(UiAction.of("realTime", () -> speedModel.setValue(SpeedScale.REAL_TIME_POSITION))
                 .withAccelerator(character('\\')));
+    }
+
+    private void goToTime() {
+        askTime.apply(runController.navigator().currentTime()).ifPresent(runController.navigator()::seekTime);
     }
 
     private void changeSpeed(IntUnaryOperator next) {

@@ -47,6 +47,21 @@ public final class RunNavigator implements WorkspaceListener {
                         replay(now, () -> now.document().prepareMoveTo(tick), past -> tick, Session::replayEdited));
     }
 
+    /** Moves the run to the first tick that is not before a time, seconds, as {@link #seek} does. */
+    public void seekTime(double seconds) {
+        workspace
+                .openDocument()
+                .ifPresent(now -> seek(now.document().initial().setup().tickAt(seconds)));
+    }
+
+    /** Returns the time of the run, seconds. */
+    public double currentTime() {
+        return workspace
+                .openDocument()
+                .map(now -> now.session().frame().snapshot().time())
+                .orElse(0.0);
+    }
+
     /** Simulates the run with its edited setup up to the present tick, asynchronously; a running one then resumes. */
     void resimulate() {
         workspace.openDocument().ifPresent(now -> {

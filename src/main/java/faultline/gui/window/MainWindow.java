@@ -20,9 +20,9 @@ import faultline.gui.dialog.AppIcon;
 import faultline.gui.dialog.ControllerChooser;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.dialog.FileController;
+import faultline.gui.dialog.NumberDialog;
 import faultline.gui.dialog.PreferencesDialog;
 import faultline.gui.dialog.ProgressDialogs;
-import faultline.gui.dialog.SpeedDialog;
 import faultline.gui.document.Autosave;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.ControllerSelection;
@@ -107,14 +107,14 @@ public final class MainWindow extends JFrame {
         themeAction = new ThemeAction(canvas, preferences);
         BoundedRangeModel speed =
                 new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
-        runActions = new RunActions(runController, speed);
+        runActions = new RunActions(runController, speed, now -> NumberDialog.TIME.ask(this, now));
         parts = new WindowParts(preferences);
         obstacleActions = new ObstacleActions(
                 canvas.tools(),
                 undoController,
                 sensorActions,
                 notes,
-                now -> SpeedDialog.showDialog(this, now),
+                now -> NumberDialog.MOTION_SPEED.ask(this, now),
                 preferences);
         addActions();
         mainPanel = new MainPanel(canvas, createEditors(), actionRegistry, speed, runController.navigator()::seek);

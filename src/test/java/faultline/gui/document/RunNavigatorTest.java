@@ -97,6 +97,14 @@ class RunNavigatorTest {
     }
 
     @Test
+    void aTimeIsThatOfTheFirstTickNotBeforeIt() {
+        assertEquals(0.30, callOnEdt(run.navigator()::currentTime), 1e-12);
+        runOnEdt(() -> run.navigator().seekTime(0.121));
+        Await.until("tick 13", () -> workspace.task().isEmpty() && SessionFrames.tick(workspace) == 13);
+        assertEquals(FIRST, pole());
+    }
+
+    @Test
     void theTickAtWhichAnEditWasMadeShowsIt() {
         seek(10);
         assertEquals(FIRST, pole());

@@ -124,6 +124,19 @@ class ControlsRobotTest {
     }
 
     @Test
+    void theRunGoesToATimeThatIsTyped() {
+        driver.chooseLater("goToTime");
+        JDialog dialog = driver.dialog("Jump to time");
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        for (int key : List.of(KeyEvent.VK_2, KeyEvent.VK_COMMA, KeyEvent.VK_5, KeyEvent.VK_ENTER)) {
+            driver.robot().pressKeys(key);
+        }
+        driver.robot().waitFor("the end of the dialog", () -> !dialog.isShowing());
+        driver.waitForFrame("2.5 s", frame -> frame.snapshot().tick() == 250);
+        assertFalse(callOnEdt(driver::isRunning));
+    }
+
+    @Test
     void spaceAndPointAreTypedWhileAFieldHasTheFocusAndActOtherwise() {
         driver.typeInto("Linear velocity", KeyEvent.VK_SPACE, KeyEvent.VK_PERIOD, KeyEvent.VK_P);
         assertFalse(callOnEdt(driver::isRunning));

@@ -146,7 +146,7 @@ class MainPanelTest {
             ViewActions.addTo(actions, canvas);
             ViewActions.addPathColours(actions, canvas, WindowPreferences.nonPersistent());
             actions.add(UiAction.toggle("dark", false, on -> {}));
-            new RunActions(run, speed).addTo(actions);
+            new RunActions(run, speed, now -> OptionalDouble.empty()).addTo(actions);
             new Dialogs(null).addTo(actions);
             Stream.of("instruments", "timeline", "controlPanel")
                     .forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
