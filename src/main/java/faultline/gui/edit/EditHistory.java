@@ -113,12 +113,15 @@ final class EditHistory {
                 .orElse(0);
     }
 
-    /** Drops the changes that the run had not passed when a command was executed; returns whether there were any. */
-    boolean fork(long tick) {
+    /**
+     * Drops the changes that the run had not passed when a command was executed; returns the number of edits that are
+     * no longer redone automatically.
+     */
+    int fork(long tick) {
         advanceTo(tick - 1);
         boolean ahead = passed < changes.size();
         changes.subList(passed, changes.size()).clear();
-        return ahead;
+        return ahead ? editsAhead().size() : 0;
     }
 
     /**

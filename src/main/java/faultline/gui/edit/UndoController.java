@@ -143,8 +143,9 @@ public final class UndoController {
     }
 
     private void checkFork(List<CommandResult> results) {
-        if (isAnyExecuted(results) && history.fork(results.get(0).tick())) {
-            forkListener.accept(history.editsAhead().size());
+        int later = isAnyExecuted(results) ? history.fork(results.get(0).tick()) : 0;
+        if (later > 0) {
+            forkListener.accept(later);
         }
     }
 

@@ -142,6 +142,9 @@ class EditHistoryTest {
         assertDoneAndUndone(null, only);
         assertEquals(List.of(), history.editsAhead());
         assertEquals(10, history.firstTick(only));
+        assertTrue(moveTo(15));
+        assertEquals(0, history.fork(16), "only an undo is ahead");
+        assertDoneAndUndone(only, null);
     }
 
     @Test
@@ -149,21 +152,21 @@ class EditHistoryTest {
         CommandEdit first = execute(10, "box");
         CommandEdit second = execute(20, "wall");
         moveTo(12);
-        assertTrue(history.fork(13));
+        assertEquals(1, history.fork(13));
         CommandEdit between = execute(13, "pole");
         assertDoneAndUndone(between, second);
         assertTrue(moveTo(12));
         assertDoneAndUndone(first, between);
         moveTo(100);
         assertDoneAndUndone(between, second);
-        assertFalse(history.fork(101));
+        assertEquals(0, history.fork(101));
     }
 
     @Test
     void aCommandAtTheTickOfALaterEditIsBeforeIt() {
         CommandEdit first = execute(10, "box");
         moveTo(9);
-        assertTrue(history.fork(10));
+        assertEquals(1, history.fork(10));
         assertDoneAndUndone(null, first);
     }
 
@@ -172,7 +175,7 @@ class EditHistoryTest {
         CommandEdit first = execute(10, "box");
         CommandEdit second = execute(20, "wall");
         moveTo(12);
-        assertTrue(history.fork(13));
+        assertEquals(1, history.fork(13));
         assertFalse(history.advanceTo(100));
         assertDoneAndUndone(first, second);
     }
@@ -182,7 +185,7 @@ class EditHistoryTest {
         execute(10, "box");
         CommandEdit second = execute(20, "wall");
         moveTo(12);
-        assertFalse(history.fork(21));
+        assertEquals(0, history.fork(21));
         assertDoneAndUndone(second, null);
     }
 
@@ -231,7 +234,7 @@ class EditHistoryTest {
         assertTrue(history.advanceTo(20));
         assertDoneAndUndone(moved, null);
         assertTrue(moveTo(19));
-        assertTrue(history.fork(20));
+        assertEquals(1, history.fork(20));
         CommandEdit between = execute(20, "pole");
         assertDoneAndUndone(between, moved);
         history.mark(between, false);
