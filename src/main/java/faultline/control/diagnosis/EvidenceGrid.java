@@ -13,17 +13,10 @@ public final class EvidenceGrid {
     /** The side of a cell, metres. */
     public static final double CELL = 0.025;
 
-    /** The number of cells along each axis, a power of two. */
-    public static final int SIZE = 128;
-
-    private static final int WRAP = SIZE - 1;
-
     static final double CELLS_PER_METRE = 1 / CELL;
 
-    /** Makes all columns positive; a multiple of {@link #SIZE}. */
+    /** Makes all columns positive; a multiple of every size. */
     static final int OFFSET = 1 << 30;
-
-    private static final int PLANE = SIZE * SIZE;
 
     /**
      * The rows of a sector that are marked. Marking every second row takes half the time, and the next mark covers the
@@ -54,23 +47,38 @@ public final class EvidenceGrid {
     }
 
     private final int sources;
+    /** The number of cells along each axis, a power of two. */
+    private int size;
+    /** The bits of a column or row that remain when it wraps. */
+    private int wrap;
     /** For each source, the moments of all cells: a mark writes many cells of one source. */
-    private final int[] free;
+    private int[] free;
     /** For each cell, the moments of all sources: a test reads one cell of many sources. */
-    private final int[] hit;
+    private int[] hit;
 
     /** The latest moment in each row of each source. */
-    private final int[] lastFreeInRow;
+    private int[] lastFreeInRow;
 
-    private final int[] lastHitInRow;
+    private int[] lastHitInRow;
     private final SectorRows sector = new SectorRows();
 
     EvidenceGrid(int sources) {
         this.sources = sources;
-        this.free = new int[PLANE * sources];
-        this.hit = new int[PLANE * sources];
-        this.lastFreeInRow = new int[SIZE * sources];
-        this.lastHitInRow = new int[SIZE * sources];
+        resize(EvidenceReach.LEAST.gridSize());
+    }
+
+    /**
+     * Changes the size and forgets all evidence.
+     *
+     * @param cells the number of cells along each axis, a power of two
+     */
+    final void resize(int cells) {
+        size = cells;
+        wrap = cells - 1;
+        free = new int[cells * cells * sources];
+        hit = new int[cells * cells * sources];
+        lastFreeInRow = new int[cells * sources];
+        lastHitInRow = new int[cells * sources];
     }
 
     /** Forgets all evidence. */
@@ -91,8 +99,8 @@ public final class EvidenceGrid {
         return (int) Math.floor(coordinate * CELLS_PER_METRE);
     }
 
-    private static int cell(int column, int row) {
-        return (row & WRAP) * SIZE + (column & WRAP);
+    private int cell(int column, int row) {
+        return (row & wrap) * size + (column & wrap);
     }
 
     /**
@@ -106,10 +114,11 @@ public final class EvidenceGrid {
      */
     public int freeBy(int column, int row, int since, int asked) {
         int cell = cell(column, row);
+        int plane = size * size;
         int found = 0;
         for (int rest = asked; rest != 0; rest &= rest - 1) {
             int source = Integer.numberOfTrailingZeros(rest);
-            if (free[source * PLANE + cell] >= since) {
+            if (free[source * plane + cell] >= since) {
                 found |= 1 << source;
             }
         }
@@ -134,21 +143,21 @@ public final class EvidenceGrid {
      * @param row the cells' row, not wrapped
      * @param since the oldest moment that counts; older ones may be omitted
      * @param asked a bit for each source
-     * @param latest receives the latest moment for one cell after the other; no longer than {@link #SIZE}
+     * @param latest receives the latest moment for one cell after the other; no longer than a row
      * @return whether some may have been seen since then
      */
     public boolean findLastFree(int column, int row, int since, int asked, int[] latest) {
         Arrays.fill(latest, Integer.MIN_VALUE);
         int recent = recent(lastFreeInRow, row, since, asked);
         for (int rest = recent; rest != 0; rest &= rest - 1) {
-            int line = Integer.numberOfTrailingZeros(rest) * SIZE + (row & WRAP);
-            raise(latest, line * SIZE, column & WRAP);
+            int line = Integer.numberOfTrailingZeros(rest) * size + (row & wrap);
+            raise(latest, line * size, column & wrap);
         }
         return recent != 0;
     }
 
     private void raise(int[] latest, int base, int start) {
-        int beforeWrap = Math.min(latest.length, SIZE - start);
+        int beforeWrap = Math.min(latest.length, size - start);
         for (int i = 0; i < beforeWrap; i++) {
             latest[i] = Math.max(latest[i], free[base + start + i]);
         }
@@ -158,11 +167,11 @@ public final class EvidenceGrid {
     }
 
     /** Returns those of some sources that have marked a cell of a row since a moment, a bit for each. */
-    private static int recent(int[] lastInRow, int row, int since, int asked) {
+    private int recent(int[] lastInRow, int row, int since, int asked) {
         int found = 0;
         for (int rest = asked; rest != 0; rest &= rest - 1) {
             int source = Integer.numberOfTrailingZeros(rest);
-            if (lastInRow[source * SIZE + (row & WRAP)] >= since) {
+            if (lastInRow[source * size + (row & wrap)] >= since) {
                 found |= 1 << source;
             }
         }
@@ -176,7 +185,7 @@ public final class EvidenceGrid {
      * @param row the cells' row, not wrapped
      * @param since the oldest moment that counts; older ones may be omitted
      * @param asked a bit for each source
-     * @param latest receives the latest moment for one cell after the other; no longer than {@link #SIZE}
+     * @param latest receives the latest moment for one cell after the other; no longer than a row
      * @return whether there may be surfaces seen since then
      */
     public boolean findLastHit(int column, int row, int since, int asked, int[] latest) {
@@ -197,7 +206,7 @@ public final class EvidenceGrid {
     /** Records that a source saw a surface in a cell. */
     void markHit(int source, int column, int row, int moment) {
         hit[cell(column, row) * sources + source] = moment;
-        lastHitInRow[source * SIZE + (row & WRAP)] = moment;
+        lastHitInRow[source * size + (row & wrap)] = moment;
     }
 
     /** Records that a source occupied a disc or saw it free. */
@@ -250,14 +259,14 @@ public final class EvidenceGrid {
         if (first > last) {
             return;
         }
-        int line = source * SIZE + (row & WRAP);
-        int base = line * SIZE;
+        int line = source * size + (row & wrap);
+        int base = line * size;
         lastFreeInRow[line] = moment;
         for (int i = first; i <= last; i += 4) {
-            free[base + (i & WRAP)] = moment;
-            free[base + (Math.min(i + 1, last) & WRAP)] = moment;
-            free[base + (Math.min(i + 2, last) & WRAP)] = moment;
-            free[base + (Math.min(i + 3, last) & WRAP)] = moment;
+            free[base + (i & wrap)] = moment;
+            free[base + (Math.min(i + 1, last) & wrap)] = moment;
+            free[base + (Math.min(i + 2, last) & wrap)] = moment;
+            free[base + (Math.min(i + 3, last) & wrap)] = moment;
         }
     }
 }

@@ -16,8 +16,8 @@ final class SectorRows {
     /** An edge that moves by more columns per row than this is treated as horizontal. */
     private static final double HORIZONTAL = 0x1p18;
 
-    private int[] from = new int[EvidenceGrid.SIZE];
-    private int[] to = new int[EvidenceGrid.SIZE];
+    private int[] from = new int[EvidenceReach.LEAST.gridSize()];
+    private int[] to = new int[EvidenceReach.LEAST.gridSize()];
     private int firstRow;
     private int step;
     private int count;

@@ -4,6 +4,7 @@ import faultline.control.Observation;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.control.WallSide;
+import faultline.control.wallfollower.WallFollower;
 import faultline.robot.RobotSpec;
 import java.util.List;
 
@@ -38,6 +39,7 @@ public final class SensorDiagnosis {
     private HealthReport report;
     private long tick;
     private double wantedDistance = Double.POSITIVE_INFINITY;
+    private EvidenceReach reach = EvidenceReach.LEAST;
 
     /**
      * Creates a diagnosis with all sensors healthy.
@@ -103,6 +105,7 @@ public final class SensorDiagnosis {
         if (!same) {
             makeChecks();
         }
+        updateReach();
         wallComparison.refit(new WallLine(sensors));
         inspection.refit(sensors, robot.width() / 2, assessment);
     }
@@ -113,6 +116,7 @@ public final class SensorDiagnosis {
         assessment = new TrustAssessment(sensors);
         inspection = new SensorInspection(grid, reckoning, clock, motion, report);
         inspection.setWantedDistance(wantedDistance);
+        reach = EvidenceReach.LEAST;
         JumpCheck jumpCheck = new JumpCheck(motion, assessment, inspection);
         wallComparison = new WallComparison(motion, reckoning, assessment, inspection, jumpCheck);
         checks = sensors.length == 0
@@ -164,7 +168,23 @@ public final class SensorDiagnosis {
         wantedDistance = metres;
         if (inspection != null) {
             inspection.setWantedDistance(metres);
+            updateReach();
         }
+    }
+
+    /** Collects evidence as far as the wanted distance needs; what was collected before a change is forgotten. */
+    private void updateReach() {
+        EvidenceReach needed = EvidenceReach.of(WallFollower.wantedCentreDistance(wantedDistance, side, robot));
+        if (!needed.equals(reach)) {
+            reach = needed;
+            grid.resize(reach.gridSize());
+            inspection.setReach(reach);
+        }
+    }
+
+    /** {@return how far from the robot evidence is collected} */
+    public EvidenceReach reach() {
+        return reach;
     }
 
     /**

@@ -19,12 +19,6 @@ final class SensorInspection extends PacedCheck {
     /** The time for which free-space evidence counts in a test, on the motion clock. */
     private static final int MEMORY = 700;
 
-    /**
-     * What sensors measure farther than this from the robot's centre is not used, metres. The grid wraps after 3.2 m,
-     * and the robot rolls up to 0.7 m while evidence counts, so nearer places never share a cell.
-     */
-    private static final double MAX_DISTANCE = 1.25;
-
     /** A sector is free up to this far before the reading, metres. */
     private static final double FREE_MARGIN = 0.04;
 
@@ -73,6 +67,9 @@ final class SensorInspection extends PacedCheck {
     private double due;
 
     private double attentionUntil = Double.NEGATIVE_INFINITY;
+    /** What sensors measure farther than this from the robot's centre is not used, metres. */
+    private double maxDistance = EvidenceReach.LEAST.distance();
+
     private double bodyRadius;
     private double bodyMarkedDistance = Double.NEGATIVE_INFINITY;
     private double wantedDistance = Double.POSITIVE_INFINITY;
@@ -100,7 +97,7 @@ final class SensorInspection extends PacedCheck {
      * @param trust the assessment of the sensors
      */
     void refit(InspectedSensor[] refitted, double radius, TrustAssessment trust) {
-        bodyRadius = Math.min(radius, MAX_DISTANCE);
+        bodyRadius = Math.min(radius, EvidenceReach.LEAST.distance());
         sensors = inOrder(refitted);
         diagonal = Arrays.stream(refitted)
                 .filter(sensor -> NearSurfaceCheck.applies(sensor.cone()))
@@ -123,6 +120,11 @@ final class SensorInspection extends PacedCheck {
     /** Sets the distance from the wall that the robot keeps, metres. */
     void setWantedDistance(double metres) {
         wantedDistance = metres;
+    }
+
+    /** Sets how far from the robot's centre measurements are used. */
+    void setReach(EvidenceReach reach) {
+        maxDistance = reach.distance();
     }
 
     /** Inspects all sensors. */
@@ -215,7 +217,7 @@ final class SensorInspection extends PacedCheck {
     private void inspect(InspectedSensor sensor, double[] readings, double time) {
         double reading = readings[sensor.index()];
         if (!Reading.isOff(reading)) {
-            double limit = sensor.cone().rangeWithin(MAX_DISTANCE);
+            double limit = sensor.cone().rangeWithin(maxDistance);
             boolean sees = reading < limit;
             addMeasurement(sensor, sees ? reading : -1);
             if (sees) {

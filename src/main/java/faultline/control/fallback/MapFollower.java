@@ -30,6 +30,12 @@ public final class MapFollower {
     /** The distance that it looks ahead along the wall, metres. */
     private static final double LOOK_AHEAD = 0.2;
 
+    /** The distance by which it leaves a wall that is too near while it drives as far as it looks ahead, metres. */
+    private static final double LEAVING = 0.1;
+
+    /** The amount by which the distance may become less while the robot keeps it, metres. */
+    private static final double KEEPING = 0.025;
+
     /** The free margin around the robot, metres. */
     private static final double CLEARANCE = 0.02;
 
@@ -240,17 +246,30 @@ public final class MapFollower {
             checkKnown();
             return;
         }
-        double open = directionFinder.along(at(), wall, LOOK_AHEAD, wanted());
-        if (Double.isNaN(open)) {
-            open = directionFinder.along(at(), wall, LOOK_AHEAD, radius());
-        }
-        if (Double.isNaN(open)) {
-            open = direction;
-        }
-        direction = open;
+        double open = openDirection();
+        direction = Double.isNaN(open) ? direction : open;
         leaveDeadEnd();
         checkKnown();
         state = scan.isActive() ? FollowerState.MEASURE : FollowerState.FOLLOW;
+    }
+
+    /**
+     * Returns the first direction that keeps the wanted distance. If there is none, the passage is narrow, or the robot
+     * is so near to the wall that it does not get far enough away within the distance that it looks ahead. With a large
+     * wanted distance it then moves away step by step, or keeps the distance that it has.
+     */
+    private double openDirection() {
+        double open = along(wanted());
+        if (Double.isNaN(open) && diagnosis.reach().isLarge()) {
+            double distance = map.toSurface(at().x(), at().y());
+            open = along(Math.min(wanted(), distance + LEAVING));
+            open = Double.isNaN(open) ? along(Math.max(radius(), distance - KEEPING)) : open;
+        }
+        return Double.isNaN(open) ? along(radius()) : open;
+    }
+
+    private double along(double distance) {
+        return directionFinder.along(at(), wall, LOOK_AHEAD, distance);
     }
 
     /**

@@ -84,9 +84,12 @@ public final class FaultTolerantFollower implements Controller {
             stuckWith = diagnosis.trusted();
         }
         rung = Rung.of(diagnosis);
-        boolean stuck = rung.strategy() == Rung.Strategy.MAP && stuckWith == diagnosis.trusted();
-        stopReason = stuck ? StopReason.NO_PROGRESS : StopReason.NO_SENSOR;
-        rung = stuck ? Rung.STOP : rung;
+        stopReason = StopReason.NO_SENSOR;
+        if (rung.strategy() == Rung.Strategy.MAP) {
+            boolean stuck = stuckWith == diagnosis.trusted();
+            stopReason = stuck ? StopReason.NO_PROGRESS : StopReason.TOO_FAR;
+            rung = stuck || !diagnosis.reach().holdsWanted() ? Rung.STOP : rung;
+        }
         if (rung.strategy() != before) {
             if (rung.strategy() == Rung.Strategy.MAP) {
                 mapFollower.begin(last.telemetry().state() != FollowerState.SEARCH);
