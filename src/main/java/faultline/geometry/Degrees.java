@@ -17,7 +17,7 @@ public final class Degrees {
     private static final int MAX_DIGITS = 25;
 
     /** The radians of the first angles that were converted; large files repeat a few, and a conversion is slow. */
-    private static final Map<BigDecimal, Double> KNOWN_RADIANS = new ConcurrentHashMap<>();
+    static final Map<BigDecimal, Double> KNOWN_RADIANS = new ConcurrentHashMap<>();
 
     private static final int MAX_KNOWN = 1000;
 
@@ -42,13 +42,17 @@ public final class Degrees {
         if (known != null) {
             return known;
         }
-        double radians = degrees.multiply(PI)
-                .divide(HALF_TURN, new MathContext(50, RoundingMode.HALF_EVEN))
-                .doubleValue();
+        double radians = convert(degrees);
         if (KNOWN_RADIANS.size() < MAX_KNOWN) {
             KNOWN_RADIANS.put(degrees, radians);
         }
         return radians;
+    }
+
+    private static double convert(BigDecimal degrees) {
+        return degrees.multiply(PI)
+                .divide(HALF_TURN, new MathContext(50, RoundingMode.HALF_EVEN))
+                .doubleValue();
     }
 
     /**
@@ -62,7 +66,7 @@ public final class Degrees {
                 new BigDecimal(radians).multiply(HALF_TURN).divide(PI, new MathContext(40, RoundingMode.HALF_EVEN));
         for (int digits = 1; digits < MAX_DIGITS; digits++) {
             BigDecimal rounded = exact.round(new MathContext(digits, RoundingMode.HALF_EVEN));
-            if (toRadians(rounded) == radians) {
+            if (convert(rounded) == radians) {
                 return rounded.signum() == 0
                         ? "0"
                         : rounded.stripTrailingZeros().toPlainString();

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,6 +32,15 @@ class DegreesTest {
     @CsvSource({"0", "20", "30", "45", "60", "90", "-135", "180", "179.9", "0.1", "12.34", "359.999"})
     void anAngleTypedInDegreesIsShownAsItWasTyped(String degrees) {
         assertEquals(degrees, Degrees.toText(Degrees.toRadians(Double.parseDouble(degrees))));
+    }
+
+    @Test
+    void onlyAnglesThatAreReadAreRemembered() {
+        Degrees.KNOWN_RADIANS.clear();
+        Degrees.toText(0.123456789);
+        assertEquals(Set.of(), Degrees.KNOWN_RADIANS.keySet());
+        Degrees.toRadians(45);
+        assertEquals(Set.of(new BigDecimal("45.0")), Degrees.KNOWN_RADIANS.keySet());
     }
 
     @Test
