@@ -6,6 +6,8 @@ import faultline.sensor.Reading;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class NoiseEstimatorTest {
 
@@ -53,6 +55,19 @@ class NoiseEstimatorTest {
                     / 50;
         }
         assertEquals(0.002, mean[0], 0.0001);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"4, 4.0", "8, 7.4", "10, 8.3", "15, 9.4", "20, 9.8", "50, 10.3"})
+    void theEstimateOfStrongNoiseStaysBelowElevenMillimetres(double millimetres, double estimated) {
+        SplittableRandom random = new SplittableRandom(2);
+        double sum = 0;
+        int runs = 100;
+        for (int run = 0; run < runs; run++) {
+            sum += estimate(DoubleStream.generate(() -> 0.5 + millimetres / 1000 * gaussian(random))
+                    .limit(1000));
+        }
+        assertEquals(estimated, 1000 * sum / runs, 0.1);
     }
 
     /** The sum of twelve even ones is near enough to a normal one. */
