@@ -98,10 +98,10 @@ final class EdgeTimer {
 
     /**
      * Adds a sample before the sensor has come to the wall, and keeps the beginning of the falling side. The distance
-     * that the robot still rolls may bring a wall nearer; this is not counted as a fall.
+     * that the robot still rolls forwards may bring a wall nearer; this is not counted as a fall.
      */
     void addApproachSample(double clock, double reading, double rolled) {
-        highestReading -= rolled;
+        highestReading -= Math.max(0, rolled);
         if (average.add(clock, reading)) {
             if (average.reading() >= highestReading) {
                 highestReading = average.reading();

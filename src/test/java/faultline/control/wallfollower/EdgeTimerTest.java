@@ -174,4 +174,14 @@ class EdgeTimerTest {
         timing.addApproachSample(7, Reading.NOTHING, 0);
         assertFalse(timing.reachesWall());
     }
+
+    @Test
+    void aRobotThatStillRollsBackwardsSeesNoFallInASteadyReading() {
+        EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
+        timing.start(0.15, 0, true, 0.01);
+        for (int i = 0; i < 6; i++) {
+            timing.addApproachSample(i * STEP, 0.5, 0.0005 * i - 0.003);
+            assertFalse(timing.reachesWall(), "sample " + i);
+        }
+    }
 }
