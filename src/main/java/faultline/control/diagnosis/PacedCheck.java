@@ -7,12 +7,13 @@ package faultline.control.diagnosis;
 abstract class PacedCheck {
 
     private final MotionAccumulator.Total pace;
-    private double low = Double.POSITIVE_INFINITY;
-    private double high = Double.NEGATIVE_INFINITY;
+    private double low;
+    private double high;
 
     /** Creates a check that is due at once. */
     PacedCheck(MotionAccumulator.Total pace) {
         this.pace = pace;
+        dueAtEveryTick();
     }
 
     /** Returns whether the quantity has left the interval. */
@@ -21,7 +22,7 @@ abstract class PacedCheck {
         return now <= low || now >= high;
     }
 
-    /** Waits until the quantity reaches one of two values. */
+    /** Waits until the quantity reaches one of two values, of which the first is the lower one. */
     final void waitUntil(double lower, double upper) {
         low = lower;
         high = upper;
@@ -29,6 +30,7 @@ abstract class PacedCheck {
 
     /** Makes this check due at every tick. */
     final void dueAtEveryTick() {
+        // No value lies between these bounds.
         waitUntil(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
     }
 
