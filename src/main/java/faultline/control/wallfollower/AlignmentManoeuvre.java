@@ -87,8 +87,8 @@ final class AlignmentManoeuvre {
         }
     }
 
-    /** Returns the turn rate of TURN, radians per second. */
-    double turnRate() {
+    /** Decides on the turn rate of TURN, radians per second, and whether the robot still backs off. */
+    double nextTurnRate() {
         if (backingOff) {
             nearestReading = Math.min(nearestReading, left().reading());
             boolean enough = rule == TimingRule.RANGE
@@ -130,8 +130,11 @@ final class AlignmentManoeuvre {
         }
     }
 
-    /** Returns the turn rate of ALIGN, radians per second; the last decision turns just the remaining angle. */
-    double alignTurnRate() {
+    /**
+     * Decides on the turn rate of ALIGN, radians per second, and reduces the remaining angle by the turn until the next
+     * decision; the last decision turns just that angle.
+     */
+    double nextAlignTurnRate() {
         double rate = Math.max(0, Math.min(estimate.turnRate(), remainingTurn / estimate.period()));
         remainingTurn -= rate * estimate.period();
         return rate;

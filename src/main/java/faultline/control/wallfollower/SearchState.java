@@ -17,7 +17,7 @@ final class SearchState implements StateBehaviour {
     }
 
     @Override
-    public Velocity velocity() {
+    public Velocity nextVelocity() {
         return new Velocity(estimate.robot().speed(), 0);
     }
 

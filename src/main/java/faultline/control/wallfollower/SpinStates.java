@@ -17,56 +17,19 @@ final class SpinStates {
         this.alignment = alignment;
     }
 
-    /** Returns TURN: spins right until the left sensor reaches the wall. */
+    /** Returns the behaviour in TURN. */
     StateBehaviour turn() {
-        return new StateBehaviour() {
-            @Override
-            public void enter(FollowerState from) {
-                boolean searched = from == FollowerState.SEARCH;
-                startHeading = searched ? Double.NaN : estimate.odometer().heading();
-                alignment.begin(searched);
-            }
-
-            @Override
-            public void processReading() {
-                alignment.updateTurn();
-            }
-
-            @Override
-            public Velocity velocity() {
-                return new Velocity(0, alignment.turnRate());
-            }
-        };
+        return new TurnState();
     }
 
-    /** Returns MEASURE: continues the spin until the left sensor leaves the wall. */
+    /** Returns the behaviour in MEASURE. */
     StateBehaviour measure() {
-        return new StateBehaviour() {
-            @Override
-            public void processReading() {
-                alignment.updateMeasure();
-            }
-
-            @Override
-            public Velocity velocity() {
-                return new Velocity(0, -estimate.turnRate());
-            }
-        };
+        return new MeasureState();
     }
 
-    /** Returns ALIGN: turns back for t_p and waits until the spin has ended. */
+    /** Returns the behaviour in ALIGN. */
     StateBehaviour align() {
-        return new StateBehaviour() {
-            @Override
-            public void enter(FollowerState from) {
-                alignment.planTurnBack();
-            }
-
-            @Override
-            public Velocity velocity() {
-                return new Velocity(0, alignment.alignTurnRate());
-            }
-        };
+        return new AlignState();
     }
 
     /**
@@ -76,5 +39,51 @@ final class SpinStates {
     boolean foundSameWall() {
         double turned = Angles.difference(startHeading, estimate.odometer().heading());
         return Math.abs(turned) < estimate.thresholds().radians(Threshold.SAME_WALL_ANGLE);
+    }
+
+    /** TURN: spins right until the left sensor reaches the wall. */
+    private final class TurnState implements StateBehaviour {
+        @Override
+        public void enter(FollowerState from) {
+            boolean searched = from == FollowerState.SEARCH;
+            startHeading = searched ? Double.NaN : estimate.odometer().heading();
+            alignment.begin(searched);
+        }
+
+        @Override
+        public void processReading() {
+            alignment.updateTurn();
+        }
+
+        @Override
+        public Velocity nextVelocity() {
+            return new Velocity(0, alignment.nextTurnRate());
+        }
+    }
+
+    /** MEASURE: continues the spin until the left sensor leaves the wall. */
+    private final class MeasureState implements StateBehaviour {
+        @Override
+        public void processReading() {
+            alignment.updateMeasure();
+        }
+
+        @Override
+        public Velocity nextVelocity() {
+            return new Velocity(0, -estimate.turnRate());
+        }
+    }
+
+    /** ALIGN: turns back for t_p and waits until the spin has ended. */
+    private final class AlignState implements StateBehaviour {
+        @Override
+        public void enter(FollowerState from) {
+            alignment.planTurnBack();
+        }
+
+        @Override
+        public Velocity nextVelocity() {
+            return new Velocity(0, alignment.nextAlignTurnRate());
+        }
     }
 }

@@ -12,6 +12,9 @@ interface StateBehaviour {
     /** Processes the reading of a decision, before the transitions are checked. */
     default void processReading() {}
 
-    /** Returns the velocity that the state commands until the next decision. */
-    Velocity velocity();
+    /**
+     * Decides on the velocity until the next decision. It is called once in each decision, because it may change what
+     * the state remembers, such as the angle that remains to be turned.
+     */
+    Velocity nextVelocity();
 }

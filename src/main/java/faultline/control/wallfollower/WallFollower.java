@@ -189,7 +189,7 @@ public final class WallFollower implements Controller {
                 break;
             }
         }
-        Velocity velocity = behaviour.velocity();
+        Velocity velocity = behaviour.nextVelocity();
         return Decision.ofVelocity(estimate.robot(), spec.side(), velocity, telemetry(diagnosis));
     }
 

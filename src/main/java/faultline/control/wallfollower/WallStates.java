@@ -46,54 +46,14 @@ final class WallStates {
         gainRule = newGainRule;
     }
 
-    /** Returns FOLLOW: holds the distance to the wall. */
+    /** Returns the behaviour in FOLLOW. */
     StateBehaviour follow() {
-        return new StateBehaviour() {
-            @Override
-            public void enter(FollowerState from) {
-                if (from == FollowerState.ROUND) {
-                    // The corner continues into this wall.
-                    tracker.turnHeading(bends.angle());
-                } else {
-                    begin();
-                    remainingSteerThrough =
-                            spin.foundSameWall() ? estimate.thresholds().get(Threshold.STEER_THROUGH) : 0;
-                }
-            }
-
-            @Override
-            public void processReading() {
-                trackWall();
-                remainingSteerThrough -= estimate.odometer().deltaDistance();
-            }
-
-            @Override
-            public Velocity velocity() {
-                return alongBend(correctingTurnRate());
-            }
-        };
+        return new FollowState();
     }
 
-    /** Returns ROUND: circles the corner while it is seen; otherwise turns tightly until it is seen again. */
+    /** Returns the behaviour in ROUND. */
     StateBehaviour round() {
-        return new StateBehaviour() {
-            @Override
-            public void enter(FollowerState from) {
-                switchToCorner();
-            }
-
-            @Override
-            public void processReading() {
-                trackCorner();
-            }
-
-            @Override
-            public Velocity velocity() {
-                return isWallInSight()
-                        ? alongBend(cornerTurnRate())
-                        : new Velocity(estimate.robot().speed() / 2, estimate.turnRate());
-            }
-        };
+        return new RoundState();
     }
 
     /** Starts along a wall that the robot has been aligned with. */
@@ -151,8 +111,8 @@ final class WallStates {
     }
 
     /**
-     * Returns the turn rate of the PD controller, radians per second, which is the whole turn rate along a straight
-     * wall.
+     * Computes the turn rate of the PD controller, radians per second, which is the whole turn rate along a straight
+     * wall, and keeps its terms for {@link #proportional()} and {@link #derivative()}.
      */
     double correctingTurnRate() {
         double speed = estimate.robot().speed();
@@ -222,5 +182,51 @@ final class WallStates {
     /** Returns the D term of the last decision, radians per second; not a number before the first. */
     double derivative() {
         return derivative;
+    }
+
+    /** FOLLOW: holds the distance to the wall. */
+    private final class FollowState implements StateBehaviour {
+        @Override
+        public void enter(FollowerState from) {
+            if (from == FollowerState.ROUND) {
+                // The corner continues into this wall.
+                tracker.turnHeading(bends.angle());
+            } else {
+                begin();
+                remainingSteerThrough =
+                        spin.foundSameWall() ? estimate.thresholds().get(Threshold.STEER_THROUGH) : 0;
+            }
+        }
+
+        @Override
+        public void processReading() {
+            trackWall();
+            remainingSteerThrough -= estimate.odometer().deltaDistance();
+        }
+
+        @Override
+        public Velocity nextVelocity() {
+            return alongBend(correctingTurnRate());
+        }
+    }
+
+    /** ROUND: circles the corner while it is seen; otherwise turns tightly until it is seen again. */
+    private final class RoundState implements StateBehaviour {
+        @Override
+        public void enter(FollowerState from) {
+            switchToCorner();
+        }
+
+        @Override
+        public void processReading() {
+            trackCorner();
+        }
+
+        @Override
+        public Velocity nextVelocity() {
+            return isWallInSight()
+                    ? alongBend(cornerTurnRate())
+                    : new Velocity(estimate.robot().speed() / 2, estimate.turnRate());
+        }
     }
 }
