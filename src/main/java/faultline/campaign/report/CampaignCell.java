@@ -68,6 +68,17 @@ public record CampaignCell(
         return cells;
     }
 
+    /**
+     * {@return the number of runs of a table that repeat an earlier one: they have the same world, levels, draws and
+     * trajectory, because nothing in them is random. Intervals count a run and its repetitions once}
+     *
+     * @param plan the plan of the campaign
+     * @param lines the cells of the header and of the rows of {@code runs.csv}
+     */
+    public static long repeatCount(CampaignPlan plan, List<List<String>> lines) {
+        return new RunData(plan, lines).repeatCount();
+    }
+
     private static CampaignCell of(List<String> labels, List<RunRow> rows) {
         return new CampaignCell(
                 labels,

@@ -20,6 +20,11 @@ import java.util.stream.Collectors;
 /** Makes the report of a campaign: one self-contained HTML page. */
 public final class CampaignReport {
 
+    /**
+     * Below this number of worlds, or of seeds in one world, their correlation is so uncertain that the page says it.
+     */
+    private static final int FEW_CLUSTERS = 10;
+
     private final RunData data;
     private final Path folder;
 
@@ -89,13 +94,37 @@ public final class CampaignReport {
         String meaning =
                 "A robot carries on if it touches nothing and, in the time of two laps after the fault, passes at"
                         + " least 0.80 of the wall that it follows within 0.15 m of the wanted path. ";
-        String pairing = plan.worldCount() > 1
-                ? "Runs in one world are correlated, so intervals use the effective number of independent runs."
-                : "All runs are in one world: intervals cover other seeds and draws in it, but not other worlds.";
         return Html.section(
                 "Summary",
-                Html.paragraph(size + meaning + pairing) + undecided() + broken() + "<p>All runs: " + Html.survival(all)
+                Html.paragraph(size + meaning + independence())
+                        + repeats()
+                        + undecided()
+                        + broken()
+                        + "<p>All runs: " + Html.survival(all)
                         + "</p>\n" + Html.table("numbers", List.of("outcome", "runs", "share"), rows));
+    }
+
+    /** Returns how intervals regard runs that are not independent. */
+    private String independence() {
+        CampaignPlan plan = data.plan();
+        boolean worlds = plan.worldCount() > 1;
+        int count = worlds ? plan.worldCount() : plan.seedCount();
+        String effect = worlds
+                ? "Runs in one world are correlated, so intervals use the effective number of independent runs."
+                : "All runs are in one world: intervals cover other seeds and draws in it, but not other worlds.";
+        return count == 1 || count >= FEW_CLUSTERS
+                ? effect
+                : effect + " With only " + count + (worlds ? " worlds" : " seeds")
+                        + ", the correlation of runs is uncertain, which makes intervals wider.";
+    }
+
+    private String repeats() {
+        long count = data.repeatCount();
+        return count == 0
+                ? ""
+                : Html.paragraph(
+                        "Repeated runs (" + count + ") differ from an earlier one only in their seed, because nothing"
+                                + " in them is random. Intervals count a run and its repetitions once.");
     }
 
     private String undecided() {

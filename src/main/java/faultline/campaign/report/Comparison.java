@@ -37,6 +37,10 @@ final class Comparison {
         double gain() {
             return second.carriedOn().getAsInt() - first.carriedOn().getAsInt();
         }
+
+        void addTo(ClusteredSample sample, double value) {
+            sample.add(List.of(first.firstEqual(), second.firstEqual()), first.cluster(), value);
+        }
     }
 
     Comparison(RunData data, FactorSummary factor) {
@@ -86,7 +90,9 @@ final class Comparison {
         double onlySecond = count(pairs, 0, 1);
         double onlyFirst = count(pairs, 1, 0);
         double neither = count(pairs, 0, 0);
-        double worth = 1 / designEffect(pairs);
+        ClusteredSample gains = new ClusteredSample();
+        pairs.forEach(pair -> pair.addTo(gains, pair.gain()));
+        double worth = gains.independentCount() / pairs.size();
         Interval interval =
                 Interval.pairedDifference(worth * both, worth * onlySecond, worth * onlyFirst, worth * neither);
         return Optional.of(new Difference((onlySecond - onlyFirst) / pairs.size(), interval, pairs.size()));
@@ -100,42 +106,24 @@ final class Comparison {
                 .count();
     }
 
-    private static double designEffect(List<Pair> pairs) {
-        double mean = pairs.stream().mapToDouble(Pair::gain).average().orElse(0);
-        double squares = 0;
-        Map<String, Double> sums = new LinkedHashMap<>();
-        for (Pair pair : pairs) {
-            double deviation = pair.gain() - mean;
-            squares += deviation * deviation;
-            sums.merge(pair.first.cluster(), deviation, Double::sum);
-        }
-        return Survival.designEffect(pairs.size(), sums, squares);
-    }
-
     /** Returns the mean difference of a number, by Student's t over the means of the worlds. */
     Optional<Difference> number(List<RunRow> first, List<RunRow> second, String metric) {
-        Map<String, List<Double>> clusters = new LinkedHashMap<>();
-        int pairs = 0;
+        ClusteredSample sample = new ClusteredSample();
         for (Pair pair : pairs(first, second)) {
             OptionalDouble a = pair.first.number(metric);
             OptionalDouble b = pair.second.number(metric);
             if (a.isPresent() && b.isPresent()) {
-                clusters.computeIfAbsent(pair.first.cluster(), key -> new ArrayList<>())
-                        .add(b.getAsDouble() - a.getAsDouble());
-                pairs++;
+                pair.addTo(sample, b.getAsDouble() - a.getAsDouble());
             }
         }
-        if (pairs == 0) {
+        if (sample.size() == 0) {
             return Optional.empty();
         }
-        double[] means = clusters.values().stream()
-                .mapToDouble(list ->
-                        list.stream().mapToDouble(Double::doubleValue).average().orElse(0))
-                .toArray();
+        double[] means = sample.clusterMeans();
         double mean = Arrays.stream(means).average().orElse(0);
         double squares = Arrays.stream(means).map(x -> (x - mean) * (x - mean)).sum();
         double deviation = means.length < 2 ? 0 : Math.sqrt(squares / (means.length - 1));
-        return Optional.of(new Difference(mean, Interval.mean(mean, deviation, means.length), pairs));
+        return Optional.of(new Difference(mean, Interval.mean(mean, deviation, means.length), sample.size()));
     }
 
     /** Returns the runs of each fault, all of them under "all runs" first. */

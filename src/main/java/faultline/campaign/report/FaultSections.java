@@ -146,7 +146,7 @@ final class FaultSections {
                 Html.paragraph("A set is sufficient if the robot carries on in at least 85 % of its runs, minimal if no"
                                 + " smaller set inside it is sufficient. " + count(sets, FaultSections::isSufficient)
                                 + " of " + sets.size() + " sets are sufficient. A set is certain if its whole 95 %"
-                                + " interval is at 85 % or more, which requires 22 runs or more; "
+                                + " interval is at 85 % or more, which requires 22 independent runs or more; "
                                 + count(sets, FaultSections::isCertain) + " are certain.")
                         + minimumTable(sets)
                         + "<h3>All sets</h3>\n"

@@ -9,7 +9,9 @@ package faultline.campaign.report;
 public record Interval(double low, double high) {
 
     /** The 0.975 quantile of the normal distribution. */
-    private static final double Z = 1.959963984540054;
+    static final double NORMAL_QUANTILE = 1.959963984540054;
+
+    private static final double Z = NORMAL_QUANTILE;
 
     /**
      * {@return the interval of a share by Wilson (1927)} It is within [0, 1] and also valid for few runs. That of no

@@ -22,6 +22,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** The runs of a campaign, and the meaning of their columns according to the plan. */
 final class RunData {
@@ -43,6 +45,7 @@ final class RunData {
     /** Creates the data of a table from the cells of its header and rows; an incomplete last row is omitted. */
     RunData(CampaignPlan plan, Iterable<List<String>> lines) {
         this.plan = plan;
+        Map<List<String>, Integer> firstRuns = new HashMap<>();
         int number = 0;
         for (List<String> cells : lines) {
             if (damagedLine > 0) {
@@ -52,7 +55,7 @@ final class RunData {
             if (indices.isEmpty()) {
                 cells.forEach(name -> indices.put(name, indices.size()));
             } else if (cells.size() == indices.size()) {
-                rows.add(new RunRow(this, cells));
+                rows.add(new RunRow(this, firstEqual(cells, firstRuns), cells));
             } else {
                 damagedLine = number;
                 damagedCells = cells.size();
@@ -60,6 +63,28 @@ final class RunData {
         }
         // The last row may be incomplete because it is still being written.
         damagedLine = 0;
+    }
+
+    /**
+     * Returns the index of the first row of the same run as that of the next row: runs of a world with the same levels
+     * and draws are the same if their trajectories are, because they differ in their seeds only.
+     */
+    private int firstEqual(List<String> cells, Map<List<String>, Integer> firstRuns) {
+        int next = rows.size();
+        int hash = index("trajectory_hash");
+        if (plan.seedCount() == 1 || hash < 0 || cells.get(hash).isEmpty()) {
+            return next;
+        }
+        List<String> run = identityColumns().mapToObj(cells::get).toList();
+        return firstRuns.computeIfAbsent(run, first -> next);
+    }
+
+    private IntStream identityColumns() {
+        return Stream.concat(
+                        Stream.of("trajectory_hash", "world"),
+                        plan.factorColumns().stream().map(Column::name))
+                .mapToInt(this::index)
+                .filter(index -> index >= 0);
     }
 
     /** Reads a table. Throws an exception if a row cannot be used. */
@@ -153,6 +178,13 @@ final class RunData {
 
     List<RunRow> rows() {
         return rows;
+    }
+
+    /** Returns the number of runs that repeat an earlier one. */
+    long repeatCount() {
+        return IntStream.range(0, rows.size())
+                .filter(index -> rows.get(index).firstEqual() < index)
+                .count();
     }
 
     /** Returns whether a column contains a number. */

@@ -4,8 +4,15 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 
-/** One row of {@code runs.csv}. */
-record RunRow(RunData data, List<String> cells) {
+/**
+ * One row of {@code runs.csv}.
+ *
+ * @param data the table
+ * @param firstEqual the index of the first row of the same run: its world, levels and draws are the same, and so is its
+ *     trajectory, which therefore does not depend on the seed
+ * @param cells the cells
+ */
+record RunRow(RunData data, int firstEqual, List<String> cells) {
 
     /** Returns a cell, empty if there is no such column. */
     String text(String column) {

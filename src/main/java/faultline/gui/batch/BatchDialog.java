@@ -194,12 +194,8 @@ final class BatchDialog extends JDialog {
         }
         update();
         stopProgress();
-        progress.showStatus(() -> Messages.get(
-                result.isComplete() ? "batch.done" : "batch.cancelled",
-                Long.toString(result.made()),
-                Long.toString(result.runs()),
-                Long.toString(result.broken()),
-                DurationText.text(ended.completion().seconds())));
+        progress.showStatus(
+                () -> BatchProgressPanel.endText(result, ended.completion().seconds(), ended.repeatCount()));
         if (afterEnd != null) {
             afterEnd.run();
             afterEnd = null;

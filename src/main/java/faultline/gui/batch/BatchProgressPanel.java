@@ -1,5 +1,6 @@
 package faultline.gui.batch;
 
+import faultline.campaign.run.CampaignRunner;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
@@ -49,6 +50,22 @@ final class BatchProgressPanel extends JPanel {
         if (active) {
             showStatus(() -> progressText(completion));
         }
+    }
+
+    /**
+     * Returns how many runs a batch has made that has ended, and how many of them repeat another one.
+     *
+     * @param seconds the time that they took
+     * @param repeats the number of runs that repeat an earlier one with another seed
+     */
+    static String endText(CampaignRunner.RunCounts counts, double seconds, long repeats) {
+        String text = Messages.get(
+                counts.isComplete() ? "batch.done" : "batch.cancelled",
+                Long.toString(counts.made()),
+                Long.toString(counts.runs()),
+                Long.toString(counts.broken()),
+                DurationText.text(seconds));
+        return repeats == 0 ? text : Messages.get("batch.repeats", text, Long.toString(repeats));
     }
 
     /** Returns how many runs have been made, and the time for the others unless it is not known yet. */

@@ -42,6 +42,7 @@ final class BatchRun {
     private volatile Path folder;
     private volatile CampaignPlan plan;
     private volatile List<CampaignCell> cells = List.of();
+    private volatile long repeatCount;
     private volatile Completion completion = new Completion(0, 0, 0);
     /** The time at which the cells are computed next, on the clock of {@link System#nanoTime}. */
     private long nextCells = System.nanoTime();
@@ -82,6 +83,11 @@ final class BatchRun {
         return cells;
     }
 
+    /** Returns the number of runs that repeat an earlier one with another seed; 0 until the batch has ended. */
+    long repeatCount() {
+        return repeatCount;
+    }
+
     /** Returns the next row that has not been taken yet, as its cells; null if there is none now. */
     List<String> takeRow() {
         return newRows.poll();
@@ -102,6 +108,7 @@ final class BatchRun {
         CampaignRunner runner = new CampaignRunner(read, new CampaignFolder(results()), Shard.ALL, jobs);
         CampaignRunner.RunCounts result = runner.run(false, new RowCollector(), () -> !progress.isActive());
         cells = computeCells();
+        repeatCount = CampaignCell.repeatCount(read, lines);
         return result;
     }
 

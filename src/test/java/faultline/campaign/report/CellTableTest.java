@@ -120,7 +120,7 @@ class CellTableTest {
         assertTrue(Double.isNaN(cell.distanceRmsOrNaN()));
     }
 
-    /** Three blocks of two equal runs are worth two runs; see {@link DesignEffectTest}. */
+    /** Three blocks of two equal runs are worth three runs; see {@link ClusteredSampleTest}. */
     @Test
     void theIntervalCountsRunsOfOneBlockThatAgreeAsFewerRuns() {
         for (String block : List.of("0", "1", "2")) {
@@ -129,10 +129,10 @@ class CellTableTest {
             addRun(block, "finished", carriedOn, "0", "", "", 0);
         }
         Survival survival = Survival.of(data().rows());
-        Interval two = Interval.wilson(2 * 2 / 3.0, 2);
+        Interval three = Interval.wilson(2, 3);
         assertEquals(4 / 6.0, survival.share());
-        assertEquals(two.low(), survival.interval().low(), 1e-12);
-        assertEquals(two.high(), survival.interval().high(), 1e-12);
+        assertEquals(three.low(), survival.interval().low(), 1e-12);
+        assertEquals(three.high(), survival.interval().high(), 1e-12);
     }
 
     @Test

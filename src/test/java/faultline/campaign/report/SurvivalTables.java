@@ -148,10 +148,11 @@ final class SurvivalTables {
                 percent(row.get("share_high")));
     }
 
-    /** Uses one decimal above 99 %, so that less than 100 % is not rounded to 100 %. */
+    /** Uses one decimal above 99 %, or two, so that less than 100 % is not rounded to 100 %. */
     private static String percent(String share) {
         double value = 100 * Double.parseDouble(share);
-        return String.format(Locale.ROOT, value > 99 && value < 100 ? "%.1f" : "%.0f", value);
+        int decimals = value <= 99 || value == 100 ? 0 : value < 99.95 ? 1 : 2;
+        return String.format(Locale.ROOT, "%." + decimals + "f", value);
     }
 
     private String rungs() throws IOException {

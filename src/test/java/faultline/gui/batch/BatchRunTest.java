@@ -9,6 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.report.CampaignCell;
+import faultline.campaign.report.Interval;
+import faultline.campaign.report.Survival;
 import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.CampaignRunner;
 import faultline.campaign.run.RunScenario;
@@ -244,6 +246,25 @@ class BatchRunTest {
         assertEquals(16, total.runs().size());
         assertEquals(16, total.withoutContact().n());
         run.delete();
+    }
+
+    /** Nothing is random in the yard, so all seeds give the run of the first. */
+    @Test
+    void runsThatDifferInTheirSeedOnlyAreReportedAndCountOnce() throws Exception {
+        List<BatchPlan.FaultValues> off = List.of(new BatchPlan.FaultValues("off", ""));
+        BatchRun run = new BatchRun(
+                new BatchPlan(editedYard(), 31, 5, 2, false, DiagnosisChoice.OFF, false, off, "0.5", List.of("front")),
+                1);
+        CampaignRunner.RunCounts counts = run.make();
+        run.delete();
+        assertEquals(4, run.repeatCount());
+        Survival withoutContact = run.cells().get(0).withoutContact();
+        assertEquals(5, withoutContact.n());
+        assertEquals(Interval.wilson(1, 1), withoutContact.interval());
+        assertEquals(
+                "5 runs in 2 s, 0 failed. 4 runs repeat another one: only their seeds differ",
+                BatchProgressPanel.endText(counts, 2, run.repeatCount()));
+        assertEquals("5 runs in 2 s, 0 failed", BatchProgressPanel.endText(counts, 2, 0));
     }
 
     @Test

@@ -1,0 +1,92 @@
+package faultline.campaign.report;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+
+/** The number of independent observations that correlated ones are worth; expected numbers are computed by hand. */
+class ClusteredSampleTest {
+
+    private final ClusteredSample sample = new ClusteredSample();
+
+    private void addCluster(String cluster, double... values) {
+        for (double value : values) {
+            sample.add(sample.size(), cluster, value);
+        }
+    }
+
+    /**
+     * Four clusters of ten with 8, 6, 6 and 4 ones: the mean is 0.6, the squares are 40 * 0.24 = 9.6, and the sums of
+     * the clusters are 2, 0, 0 and -2. The effect is 8 * 4/3 / 9.6 = 10/9, and Student's quantile for three degrees of
+     * freedom is 3.182446.
+     */
+    @Test
+    void theDesignEffectAndItsUncertaintyMakeTheSampleSmaller() {
+        addCluster("a", 1, 1, 1, 1, 1, 1, 1, 1, 0, 0);
+        addCluster("b", 1, 1, 1, 1, 1, 1, 0, 0, 0, 0);
+        addCluster("c", 1, 1, 1, 1, 1, 1, 0, 0, 0, 0);
+        addCluster("d", 1, 1, 1, 1, 0, 0, 0, 0, 0, 0);
+        double certainty = Math.pow(1.959963985 / 3.182446305, 2);
+        assertEquals(36 * certainty, sample.independentCount(), 1e-6);
+    }
+
+    @Test
+    void clustersThatAreMoreAlikeThanTheirObservationsMakeNoObservationWorthMoreThanOne() {
+        for (String cluster : new String[] {"a", "b", "c"}) {
+            addCluster(cluster, 1, 0, 1, 0, 1, 0, 1, 0);
+        }
+        assertEquals(24 * Math.pow(1.959963985 / 4.302652730, 2), sample.independentCount(), 1e-6);
+    }
+
+    @Test
+    void clustersOfOneSizeAreWorthAtLeastOneObservationEach() {
+        addCluster("a", 1, 1);
+        addCluster("b", 1, 1);
+        addCluster("c", 0, 0);
+        assertEquals(3, sample.independentCount(), 1e-12);
+    }
+
+    /** If all observations of a cluster are equal, the variance is that of weights of 4/6, 1/6 and 1/6. */
+    @Test
+    void aGreatClusterHasAGreatWeight() {
+        addCluster("a", 1, 1, 1, 1);
+        addCluster("b", 0);
+        addCluster("c", 0);
+        assertEquals(36 / 18.0, sample.independentCount(), 1e-12);
+    }
+
+    @Test
+    void ifNoObservationsDifferEachClusterIsWorthOne() {
+        addCluster("a", 1, 1);
+        addCluster("b", 1, 1, 1);
+        assertEquals(2, sample.independentCount());
+    }
+
+    @Test
+    void theObservationsOfOneClusterAreWorthOne() {
+        addCluster("a", 1, 0, 1, 1);
+        assertEquals(1, sample.independentCount());
+    }
+
+    @Test
+    void singleObservationsOfClustersAreIndependent() {
+        addCluster("a", 1);
+        addCluster("b", 0);
+        assertEquals(2, sample.independentCount(), 1e-12);
+    }
+
+    @Test
+    void repetitionsAddOnlyWeight() {
+        for (String cluster : new String[] {"a", "b", "c"}) {
+            sample.add("one", cluster, 1);
+        }
+        assertEquals(1, sample.independentCount());
+        assertArrayEquals(new double[] {1}, sample.clusterMeans());
+        sample.add("another", "d", 0);
+        assertEquals(4, sample.size());
+        assertEquals(0.75, sample.mean());
+        // Weights of 3/4 and 1/4.
+        assertEquals(16 / 10.0, sample.independentCount(), 1e-12);
+    }
+}
