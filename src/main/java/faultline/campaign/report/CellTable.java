@@ -23,16 +23,14 @@ final class CellTable {
 
     private final RunData data;
     private final List<FactorSummary> levels;
-    private final List<FactorSummary> faultFactors;
+    private final List<FaultColumns> faults;
 
     CellTable(RunData data) {
         this.data = data;
         this.levels = data.plan().factors().stream()
                 .filter(factor -> factor.kind() != FactorKind.FAULTS && factor.levelCount() > 1)
                 .toList();
-        this.faultFactors = data.plan().factors().stream()
-                .filter(factor -> factor.kind() == FactorKind.FAULTS)
-                .toList();
+        this.faults = data.faults();
     }
 
     String csv() {
@@ -66,9 +64,9 @@ final class CellTable {
     List<String> labelColumns() {
         List<String> header = new ArrayList<>();
         levels.forEach(factor -> header.add(factor.columns().get(0).name()));
-        faultFactors.forEach(factor -> {
-            header.add(RunData.faultColumn(factor));
-            header.add(RunData.sensorColumn(factor));
+        faults.forEach(columns -> {
+            header.add(columns.fault());
+            header.add(columns.sensor());
         });
         return header;
     }
@@ -104,14 +102,14 @@ final class CellTable {
      */
     private List<List<String>> faultKeys(RunRow row) {
         List<String> own = new ArrayList<>();
-        faultFactors.forEach(factor -> {
-            own.add(row.text(RunData.faultColumn(factor)));
-            own.add(RunData.failingPart(row, factor));
+        faults.forEach(columns -> {
+            own.add(row.text(columns.fault()));
+            own.add(columns.failingPart(row));
         });
-        if (faultFactors.isEmpty() || pooled(row).equals(own)) {
+        if (faults.isEmpty() || pooled(row).equals(own)) {
             return List.of(own);
         }
-        if (faultFactors.size() > 1) {
+        if (faults.size() > 1) {
             return List.of(kinds(row), pooled(row));
         }
         return List.of(own, List.of(own.get(0), ALL), List.of(ALL, own.get(1)), List.of(ALL, ALL));
@@ -120,9 +118,9 @@ final class CellTable {
     /** Returns the cell of the kinds of a run's faults, whichever sensors have them. */
     private List<String> kinds(RunRow row) {
         List<String> keys = new ArrayList<>();
-        faultFactors.forEach(factor -> {
-            keys.add(row.text(RunData.faultColumn(factor)));
-            keys.add(RunData.failingPart(row, factor).isEmpty() ? "" : ALL);
+        faults.forEach(columns -> {
+            keys.add(row.text(columns.fault()));
+            keys.add(columns.isFailing(row) ? ALL : "");
         });
         return keys;
     }
@@ -130,10 +128,9 @@ final class CellTable {
     /** Returns the cell of all faults for a run with any, that of healthy runs for others. */
     private List<String> pooled(RunRow row) {
         List<String> keys = new ArrayList<>();
-        faultFactors.forEach(factor -> {
-            boolean healthy = RunData.failingPart(row, factor).isEmpty();
-            keys.add(healthy ? row.text(RunData.faultColumn(factor)) : ALL);
-            keys.add(healthy ? "" : ALL);
+        faults.forEach(columns -> {
+            keys.add(columns.isFailing(row) ? ALL : row.text(columns.fault()));
+            keys.add(columns.isFailing(row) ? ALL : "");
         });
         return keys;
     }

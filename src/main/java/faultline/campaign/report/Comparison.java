@@ -126,14 +126,16 @@ final class Comparison {
         return Optional.of(new Difference(mean, Interval.mean(mean, deviation, means.length), sample.size()));
     }
 
-    /** Returns the runs of each fault, all of them under "all runs" first. */
+    /** Returns the runs of each fault or pair of faults, all of them under "all runs" first. */
     Map<String, List<RunRow>> faultGroups() {
         Map<String, List<RunRow>> groups = new LinkedHashMap<>();
         groups.put("all runs", data.rows());
         Map<String, List<RunRow>> faults = RunData.group(data.rows(), data::faultName);
         if (faults.size() > MAX_GROUPS) {
             groups.putAll(RunData.group(data.rows(), data::faultKind));
-            groups.putAll(RunData.group(data.rows(), data::failingPart));
+            if (data.faults().size() == 1) {
+                groups.putAll(RunData.group(data.rows(), data::failingPart));
+            }
         } else if (faults.size() > 1) {
             groups.putAll(faults);
         }

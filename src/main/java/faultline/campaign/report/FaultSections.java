@@ -39,8 +39,7 @@ final class FaultSections {
 
     /** Returns a matrix of faults by sensors for each level of the first compared factor, empty without faults. */
     String matrix() {
-        Optional<FactorSummary> faults = data.factor(FactorKind.FAULTS);
-        if (faults.isEmpty()) {
+        if (data.faults().isEmpty()) {
             return "";
         }
         StringBuilder tables = new StringBuilder();
@@ -51,32 +50,39 @@ final class FaultSections {
             compared.ifPresent(column -> tables.append("<h3>")
                     .append(Html.escape(column + " " + level))
                     .append("</h3>\n"));
-            tables.append(matrix(faults.get(), rows));
+            List<RunRow> healthy = rows.stream().filter(data::isHealthy).toList();
+            tables.append(healthy.isEmpty() ? "" : "<p>Healthy: " + Html.survival(Survival.of(healthy)) + ".</p>\n")
+                    .append(tables(rows, runs -> Html.survivalCell(Survival.of(runs))));
         });
         return Html.section(
                 "Survival by fault and sensor",
                 Html.paragraph("Share of runs in which the robot carried on, with its 95 % interval (Wilson) and the"
-                                + " number of runs.")
+                                + " number of runs." + otherFaults())
                         + tables);
     }
 
-    private static String matrix(FactorSummary faults, List<RunRow> all) {
-        Map<Boolean, List<RunRow>> byFault = all.stream()
-                .collect(Collectors.partitioningBy(
-                        row -> !RunData.failingPart(row, faults).isEmpty()));
-        List<RunRow> healthy = byFault.get(false);
-        return (healthy.isEmpty() ? "" : "<p>Healthy: " + Html.survival(Survival.of(healthy)) + ".</p>\n")
-                + table(faults, byFault.get(true), rows -> Html.survivalCell(Survival.of(rows)));
+    private String otherFaults() {
+        return data.faults().size() == 1
+                ? ""
+                : " The plan has several faults in a run, with a table for each of them. The runs of a cell may also"
+                        + " have the other faults. Healthy runs have none.";
+    }
+
+    /** Returns a table for each element of faults in the plan, of those runs in which its fault acts. */
+    private String tables(List<RunRow> rows, Function<List<RunRow>, String> cell) {
+        return data.faults().stream()
+                .map(columns ->
+                        table(columns, rows.stream().filter(columns::isFailing).toList(), cell))
+                .collect(Collectors.joining());
     }
 
     /** Returns a table with a row for each fault and for all of them, and a column for each part that fails. */
-    private static String table(FactorSummary faults, List<RunRow> faulty, Function<List<RunRow>, String> cell) {
-        Function<RunRow, String> part = row -> RunData.failingPart(row, faults);
-        Set<String> parts = RunData.group(faulty, part).keySet();
-        Map<String, List<RunRow>> lines = RunData.group(faulty, row -> row.text(RunData.faultColumn(faults)));
+    private String table(FaultColumns columns, List<RunRow> faulty, Function<List<RunRow>, String> cell) {
+        Set<String> parts = RunData.group(faulty, columns::failingPart).keySet();
+        Map<String, List<RunRow>> lines = RunData.group(faulty, row -> row.text(columns.fault()));
         List<List<String>> rows = new ArrayList<>();
         BiConsumer<String, List<RunRow>> addLine = (name, group) -> {
-            Map<String, List<RunRow>> cells = RunData.group(group, part);
+            Map<String, List<RunRow>> cells = RunData.group(group, columns::failingPart);
             List<String> line = new ArrayList<>(List.of(name));
             parts.forEach(each -> line.add(cell.apply(cells.getOrDefault(each, List.of()))));
             line.add(cell.apply(group));
@@ -84,7 +90,8 @@ final class FaultSections {
         };
         lines.forEach((name, group) -> addLine.accept(Html.escape(name), group));
         addLine.accept("all faults", faulty);
-        List<String> header = new ArrayList<>(List.of("fault"));
+        List<String> header =
+                new ArrayList<>(List.of(data.faults().size() == 1 ? "fault" : Html.escape(columns.fault())));
         parts.forEach(each -> header.add(Html.escape(each)));
         header.add("all");
         return Html.table("matrix", header, rows);
@@ -92,18 +99,16 @@ final class FaultSections {
 
     /** Returns the delays of detection by fault and part, empty if the runs have none. */
     String delays() {
-        Optional<FactorSummary> faults = data.factor(FactorKind.FAULTS);
-        if (faults.isEmpty() || !data.has(DELAY)) {
+        if (data.faults().isEmpty() || !data.has(DELAY)) {
             return "";
         }
         List<RunRow> diagnosed = data.rows().stream()
-                .filter(row -> !row.text("final_rung").isEmpty())
-                .filter(row -> !RunData.failingPart(row, faults.get()).isEmpty())
+                .filter(row -> !row.text("final_rung").isEmpty() && !data.isHealthy(row))
                 .toList();
         return Html.section(
                 "Detection delays",
                 Html.paragraph(DELAYS_EXPLAINED)
-                        + table(faults.get(), diagnosed, FaultSections::delayCell)
+                        + tables(diagnosed, FaultSections::delayCell)
                         + ReportCharts.histogram("detection delay (s)", RunData.values(diagnosed, DELAY)));
     }
 

@@ -22,6 +22,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -35,6 +36,7 @@ final class RunData {
             List.of("run", "block", "world", "seed", "outcome", "carried_on", "collided");
 
     private final CampaignPlan plan;
+    private final List<FaultColumns> faults;
     private final Map<String, Integer> indices = new HashMap<>();
     private final List<RunRow> rows = new ArrayList<>();
     /** The line of the first row that has more or fewer cells than the header, 0 if there is none. */
@@ -45,6 +47,10 @@ final class RunData {
     /** Creates the data of a table from the cells of its header and rows; an incomplete last row is omitted. */
     RunData(CampaignPlan plan, Iterable<List<String>> lines) {
         this.plan = plan;
+        this.faults = plan.factors().stream()
+                .filter(factor -> factor.kind() == FactorKind.FAULTS)
+                .map(FaultColumns::of)
+                .toList();
         Map<List<String>, Integer> firstRuns = new HashMap<>();
         int number = 0;
         for (List<String> cells : lines) {
@@ -234,48 +240,40 @@ final class RunData {
         return groups;
     }
 
-    /** Returns the name of the fault of a run, empty if the campaign has no faults. */
+    /** Returns the columns of each element of faults in the plan. */
+    List<FaultColumns> faults() {
+        return faults;
+    }
+
+    /** Returns whether nothing fails in a run. */
+    boolean isHealthy(RunRow row) {
+        return faults.stream().noneMatch(columns -> columns.isFailing(row));
+    }
+
+    /** Returns the names of the faults of a run; empty if the campaign has no faults. */
     String faultName(RunRow row) {
-        return factor(FactorKind.FAULTS)
-                .map(factor -> failingPart(row, factor).isEmpty()
-                        ? "healthy"
-                        : failingPart(row, factor) + " " + row.text(faultColumn(factor)))
-                .orElse("");
+        return joined(row, columns -> columns.failingPart(row) + " " + row.text(columns.fault()));
     }
 
-    /** Returns the kind of a run's fault, or its label, whichever sensor has it. */
+    /** Returns the kinds of a run's faults, or their labels, whichever sensors have them. */
     String faultKind(RunRow row) {
-        return factor(FactorKind.FAULTS)
-                .map(factor -> failingPart(row, factor).isEmpty() ? "healthy" : row.text(faultColumn(factor)))
-                .orElse("");
+        return joined(row, columns -> row.text(columns.fault()));
     }
 
-    /** Returns the part that fails in a run. */
+    /** Returns the parts that fail in a run. */
     String failingPart(RunRow row) {
-        String part = factor(FactorKind.FAULTS)
-                .map(factor -> failingPart(row, factor))
-                .orElse("");
-        return part.isEmpty() ? "healthy" : part;
+        return joined(row, columns -> columns.failingPart(row));
     }
 
-    /** Returns the column that names the faults of a factor: their labels if the plan has any, their kinds if not. */
-    static String faultColumn(FactorSummary faults) {
-        return faults.columns().stream()
-                .map(Column::name)
-                .filter(name -> name.endsWith("_label"))
-                .findFirst()
-                .orElse(faults.columns().get(0).name());
-    }
-
-    /** Returns what fails in a run: a sensor, or the motors of a side; empty in a healthy run. */
-    static String failingPart(RunRow row, FactorSummary faults) {
-        String prefix = faults.columns().get(0).name().replaceAll("kind$", "");
-        String motor = row.text(prefix + "motor");
-        return motor.isEmpty() ? row.text(sensorColumn(faults)) : motor + " motors";
-    }
-
-    /** Returns the column of the sensors that fail. */
-    static String sensorColumn(FactorSummary faults) {
-        return faults.columns().get(1).name();
+    /** Joins the names of the faults of a run. */
+    private String joined(RunRow row, Function<FaultColumns, String> name) {
+        if (faults.isEmpty()) {
+            return "";
+        }
+        String names = faults.stream()
+                .filter(columns -> columns.isFailing(row))
+                .map(name)
+                .collect(Collectors.joining(" + "));
+        return names.isEmpty() ? "healthy" : names;
     }
 }

@@ -2,10 +2,10 @@ package faultline.campaign.report;
 
 import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.Column;
-import faultline.campaign.plan.FactorKind;
 import faultline.io.DecimalText;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -44,14 +44,36 @@ final class VariantSections {
                         + " on the same worlds, seeds and draws, in percentage points with its 95 % interval (paired,"
                         + " Newcombe). A difference whose interval does not contain 0 is in bold. Intervals are not"
                         + " corrected for their number: where nothing differs, one in twenty is in bold by chance.")
-                + survivalTable(comparison, levels)
-                + forests(comparison, levels)
+                + survivals(comparison, levels)
                 + Html.paragraph("Means of other numbers, and their paired differences to " + levels.get(0)
-                        + " with 95 % intervals (Student's t over worlds).")
+                        + " with 95 % intervals (Student's t over "
+                        + (data.worldCount() > 1 ? "worlds" : "seeds and draws") + ").")
                 + metricTable(comparison, levels);
     }
 
-    private String survivalTable(Comparison comparison, List<String> levels) {
+    /** The runs of a group at each level, and the differences of levels from the first, where there are pairs. */
+    private record LevelGroup(
+            String name, Map<String, List<RunRow>> runs, Map<String, Comparison.Difference> differences) {}
+
+    private static List<LevelGroup> levelGroups(Comparison comparison, List<String> levels) {
+        List<LevelGroup> groups = new ArrayList<>();
+        comparison.faultGroups().forEach((name, group) -> {
+            Map<String, List<RunRow>> runs = comparison.levels(group);
+            List<RunRow> base = runs.getOrDefault(levels.get(0), List.of());
+            Map<String, Comparison.Difference> differences = new HashMap<>();
+            for (String level : levels.subList(1, levels.size())) {
+                comparison
+                        .survival(base, runs.getOrDefault(level, List.of()))
+                        .ifPresent(difference -> differences.put(level, difference));
+            }
+            groups.add(new LevelGroup(name, runs, differences));
+        });
+        return groups;
+    }
+
+    /** Returns the table of shares and differences, and the charts of the differences. */
+    private static String survivals(Comparison comparison, List<String> levels) {
+        List<LevelGroup> groups = levelGroups(comparison, levels);
         List<String> header = new ArrayList<>(List.of("runs"));
         for (int i = 0; i < levels.size(); i++) {
             header.add(Html.escape(levels.get(i)));
@@ -59,25 +81,18 @@ final class VariantSections {
                 header.add("difference");
             }
         }
-        List<List<String>> rows = new ArrayList<>();
-        comparison.faultGroups().forEach((name, group) -> {
-            rows.add(survivalRow(comparison, levels, name, group));
-        });
-        return Html.table("matrix", header, rows);
+        List<List<String>> rows =
+                groups.stream().map(group -> survivalRow(group, levels)).toList();
+        return Html.table("matrix", header, rows) + forests(comparison.column(), levels, groups);
     }
 
-    private List<String> survivalRow(Comparison comparison, List<String> levels, String name, List<RunRow> group) {
-        Map<String, List<RunRow>> byLevel = comparison.levels(group);
-        List<RunRow> base = byLevel.getOrDefault(levels.get(0), List.of());
-        List<String> row = new ArrayList<>(List.of(Html.escape(name)));
-        for (int i = 0; i < levels.size(); i++) {
-            List<RunRow> runs = byLevel.getOrDefault(levels.get(i), List.of());
-            row.add(Html.survivalCell(Survival.of(runs)));
-            if (i > 0) {
-                row.add(comparison
-                        .survival(base, runs)
-                        .map(difference -> points(difference, 100))
-                        .orElse("&ndash;"));
+    private static List<String> survivalRow(LevelGroup group, List<String> levels) {
+        List<String> row = new ArrayList<>(List.of(Html.escape(group.name())));
+        for (String level : levels) {
+            row.add(Html.survivalCell(Survival.of(group.runs().getOrDefault(level, List.of()))));
+            if (!level.equals(levels.get(0))) {
+                Comparison.Difference difference = group.differences().get(level);
+                row.add(difference == null ? "&ndash;" : points(difference, 100));
             }
         }
         return row;
@@ -104,22 +119,18 @@ final class VariantSections {
         return points < 0 || text.equals("0") ? text : "+" + text;
     }
 
-    private String forests(Comparison comparison, List<String> levels) {
+    private static String forests(String column, List<String> levels, List<LevelGroup> groups) {
         StringBuilder out = new StringBuilder();
         for (String level : levels.subList(1, levels.size())) {
-            List<String> names = new ArrayList<>();
-            List<Comparison.Difference> differences = new ArrayList<>();
-            comparison.faultGroups().forEach((name, group) -> {
-                Map<String, List<RunRow>> byLevel = comparison.levels(group);
-                Optional<Comparison.Difference> difference = comparison.survival(
-                        byLevel.getOrDefault(levels.get(0), List.of()), byLevel.getOrDefault(level, List.of()));
-                if (difference.isPresent()) {
-                    names.add(name);
-                    differences.add(difference.get());
-                }
-            });
-            String title = comparison.column() + " " + level + " less " + levels.get(0) + ", percentage points";
-            out.append(ReportCharts.differences(title, names, differences));
+            List<LevelGroup> compared = groups.stream()
+                    .filter(group -> group.differences().containsKey(level))
+                    .toList();
+            out.append(ReportCharts.differences(
+                    column + " " + level + " less " + levels.get(0) + ", percentage points",
+                    compared.stream().map(LevelGroup::name).toList(),
+                    compared.stream()
+                            .map(group -> group.differences().get(level))
+                            .toList()));
         }
         return out.toString();
     }
@@ -170,15 +181,15 @@ final class VariantSections {
 
     /** Returns the runs by kind of fault, because the meaning of a fault's value depends on its kind. */
     private Map<String, List<RunRow>> responseGroups(Column column) {
-        Optional<FactorSummary> faults = data.factor(FactorKind.FAULTS)
-                .filter(factor ->
-                        factor.columns().contains(column) && column.unit().isEmpty());
+        Optional<FaultColumns> faults = data.faults().stream()
+                .filter(columns ->
+                        columns.all().contains(column.name()) && column.unit().isEmpty())
+                .findFirst();
         return RunData.group(
                 data.rows().stream()
                         .filter(row -> row.number(column.name()).isPresent())
                         .toList(),
-                row -> faults.map(factor -> ", " + row.text(RunData.faultColumn(factor)))
-                        .orElse(""));
+                row -> faults.map(columns -> ", " + row.text(columns.fault())).orElse(""));
     }
 
     private String response(Column column, String group, List<RunRow> given) {

@@ -63,6 +63,47 @@ class FaultSectionsTest {
         assertFalse(delays().contains("<th scope=\"row\">none</th>"), delays());
     }
 
+    /** Reads a plan with a second fault, of the left sensor, and adds the four runs of one block. */
+    private FaultSections sectionsOfTwoFaults() throws ScenarioException {
+        String second =
+                """
+                <faults name="second"><healthy/><fault kind="stuck" sensor="left" at="1"/></faults>
+                """;
+        plan = SamplePlan.read(SamplePlan.text("", PLAN.replace("front left", "front") + second));
+        lines.clear();
+        lines.add(List.of("run", "fault_kind", "fault_sensor", "second_kind", "second_sensor", "carried_on", "block"));
+        lines.add(List.of("0", "none", "", "none", "", "1", "0"));
+        lines.add(List.of("1", "none", "", "stuck", "left", "0", "0"));
+        lines.add(List.of("2", "off", "front", "none", "", "1", "0"));
+        lines.add(List.of("3", "off", "front", "stuck", "left", "0", "0"));
+        return new FaultSections(new RunData(plan, lines));
+    }
+
+    @Test
+    void aRunWithTheSecondFaultIsNotHealthy() throws ScenarioException {
+        String matrix = sectionsOfTwoFaults().matrix();
+        assertTrue(matrix.contains("<p>Healthy: <b>" + Html.percent(1) + "</b>"), matrix);
+        assertTrue(matrix.contains("n 1</small>.</p>"), matrix);
+    }
+
+    @Test
+    void theSecondFaultHasATableOfItsOwn() throws ScenarioException {
+        String matrix = sectionsOfTwoFaults().matrix();
+        assertTrue(matrix.contains("<th scope=\"col\">fault_kind</th><th scope=\"col\">front</th>"), matrix);
+        assertTrue(matrix.contains("<th scope=\"col\">second_kind</th><th scope=\"col\">left</th>"), matrix);
+        assertTrue(matrix.contains("<th scope=\"row\">stuck</th><td"), matrix);
+        assertTrue(matrix.contains("Healthy runs have none."), matrix);
+    }
+
+    @Test
+    void aGroupOfRunsIsNamedAfterAllOfItsFaults() throws ScenarioException {
+        sectionsOfTwoFaults();
+        RunData data = new RunData(plan, lines);
+        assertEquals(
+                List.of("healthy", "left stuck", "front off", "front off + left stuck"),
+                data.rows().stream().map(data::faultName).toList());
+    }
+
     @Test
     void runsWithoutAnyDelayHaveNoTable() {
         addRun("front", "ALL", "");
