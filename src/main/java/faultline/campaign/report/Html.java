@@ -68,9 +68,9 @@ final class Html {
         return number + " " + noun + (number == 1 ? "" : "s");
     }
 
-    /** Returns a share in per cent, with one decimal between 90 and 100. */
+    /** Returns a share in per cent. */
     static String percent(double share) {
-        return format(share > 0.9 && share < 1 ? "%.1f&thinsp;%%" : "%.0f&thinsp;%%", 100 * share);
+        return Survival.percentText(share) + "&thinsp;%";
     }
 
     /** Returns a share with its interval and number of runs. */
@@ -82,9 +82,11 @@ final class Html {
     }
 
     private static String interval(Survival survival) {
-        double low = 100 * survival.interval().low();
-        double high = 100 * survival.interval().high();
-        return format("<small>%.0f&ndash;%.0f; n %d</small>", low, high, survival.n());
+        return format(
+                "<small>%s&ndash;%s; n %d</small>",
+                Survival.percentText(survival.interval().low()),
+                Survival.percentText(survival.interval().high()),
+                survival.n());
     }
 
     /** Returns a cell with a share, coloured by it. */

@@ -1,6 +1,7 @@
 package faultline.campaign.report;
 
 import java.util.Collection;
+import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.function.Function;
 
@@ -43,6 +44,18 @@ public record Survival(int successes, int n, Interval interval) {
         // All and none are exact, because their intervals end at 1 and 0.
         double share = (double) successes / n;
         return new Survival(successes, n, Interval.wilson(worth * share, worth));
+    }
+
+    /**
+     * {@return a share in percent, with one decimal above 90, and 100 only for all runs} A share is not outside its
+     * interval if both are texts of this form.
+     *
+     * @param share the share, in [0, 1]
+     */
+    public static String percentText(double share) {
+        return share > 0.9 && share < 1
+                ? String.format(Locale.ROOT, "%.1f", Math.min(99.9, 100 * share))
+                : String.format(Locale.ROOT, "%.0f", 100 * share);
     }
 
     /** {@return the share, 0 without runs} */

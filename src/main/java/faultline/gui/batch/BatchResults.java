@@ -105,10 +105,10 @@ final class BatchResults {
         }
         String text = String.format(
                 Locale.ROOT,
-                "%.0f %% [%.0f, %.0f] / %d",
-                100 * share.share(),
-                100 * share.interval().low(),
-                100 * share.interval().high(),
+                "%s %% [%s, %s] / %d",
+                Survival.percentText(share.share()),
+                Survival.percentText(share.interval().low()),
+                Survival.percentText(share.interval().high()),
                 share.n());
         return new ResultCell(text, share.share());
     }

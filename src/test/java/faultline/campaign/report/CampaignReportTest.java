@@ -200,6 +200,29 @@ class CampaignReportTest {
     }
 
     @Test
+    void onlyAllRunsAreAHundredPerCent() {
+        assertEquals("99.9", Survival.percentText(2939 / 2940.0));
+        assertEquals("99.9", Survival.percentText(0.99999));
+        assertEquals("100", Survival.percentText(1));
+    }
+
+    @Test
+    void aPrintedIntervalContainsItsShare() {
+        int n = 10_000;
+        for (int successes = 0; successes <= n; successes++) {
+            Survival survival = new Survival(successes, n, Interval.wilson(successes, n));
+            double share = Double.parseDouble(Survival.percentText(survival.share()));
+            String low = Survival.percentText(survival.interval().low());
+            String high = Survival.percentText(survival.interval().high());
+            assertTrue(Double.parseDouble(low) <= share && share <= Double.parseDouble(high), low + " to " + high);
+            if (successes % 100 == 0) {
+                String range = "<small>" + low + "&ndash;" + high + "; n " + n + "</small>";
+                assertTrue(Html.survival(survival).contains(range), range);
+            }
+        }
+    }
+
+    @Test
     void theTableHasOneRowForEachPairOfKinds() throws Exception {
         report(
                 """
