@@ -12,7 +12,7 @@ public enum SensorFinding {
     NOISY,
     /** Its readings appear and disappear. */
     INTERMITTENT,
-    /** Its readings contradict its earlier ones. */
+    /** Its readings contradict its own, or those of several other sensors together. */
     INCONSISTENT,
     /** Its readings contradict those of other sensors. */
     CONTRADICTED,
