@@ -58,7 +58,7 @@ public final class ScrolledMenuLayout implements LayoutManager {
 
     private List<Component> items() {
         return Stream.of(popup.getComponents())
-                .filter(part -> !(part instanceof MenuArrow))
+                .filter(part -> part.isVisible() && !(part instanceof MenuArrow))
                 .toList();
     }
 

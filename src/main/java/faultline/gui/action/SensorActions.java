@@ -8,8 +8,11 @@ import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.SensorPresets;
 import faultline.gui.edit.UndoController;
 import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.stream.IntStream;
 
 /** The actions that switch sensors, one by its key or several at once, and that add, copy and remove them. */
 public final class SensorActions {
@@ -21,12 +24,21 @@ public final class SensorActions {
     private final UndoController editor;
     private final SensorEditor sensorEditor;
     private final CanvasTools tools;
+    private final List<UiAction> switches;
+    /** The sensors that the names of the switches show. */
+    private List<String> namedIds = List.of();
 
     public SensorActions(Workspace workspace, UndoController editor, SensorEditor sensorEditor, CanvasTools tools) {
         this.workspace = workspace;
         this.editor = editor;
         this.sensorEditor = sensorEditor;
         this.tools = tools;
+        switches = IntStream.range(0, SENSOR_KEYS).mapToObj(this::createSwitch).toList();
+    }
+
+    private UiAction createSwitch(int index) {
+        return UiAction.toggle("sensor" + (index + 1), false, on -> toggle(index))
+                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_1 + index));
     }
 
     public void addTo(ActionRegistry actions) {
@@ -34,11 +46,24 @@ public final class SensorActions {
         actions.add(UiAction.of("sensorsTwo", () -> applyPreset(2)));
         actions.add(UiAction.of("sensorsThree", () -> applyPreset(3)));
         actions.add(UiAction.of("sensorsAll", () -> applyPreset(ALL_SENSORS)));
+        switches.forEach(actions::add);
+    }
+
+    /** Names the switches after the robot's sensors, shows which are on, and disables those without a sensor. */
+    public void update() {
+        List<SensorSpec> sensors = robot().sensors();
+        List<String> ids =
+                sensors.stream().map(SensorSpec::id).limit(SENSOR_KEYS).toList();
         for (int i = 0; i < SENSOR_KEYS; i++) {
-            int index = i;
-            actions.add(UiAction.of("sensor" + (i + 1), () -> toggle(index))
-                    .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_1 + i)));
+            UiAction action = switches.get(i);
+            boolean present = i < ids.size();
+            action.setEnabled(present);
+            action.setOn(present && sensors.get(i).on());
+            if (present && !ids.equals(namedIds)) {
+                action.rename(action.key() + ".of", ids.get(i));
+            }
         }
+        namedIds = ids;
     }
 
     /** Adds a sensor that faces the widest gap between the others, and selects it. */
@@ -70,6 +95,7 @@ public final class SensorActions {
                 .skip(index)
                 .findFirst()
                 .ifPresent(sensor -> editor.send(new Command.SwitchSensor(sensor.id(), !sensor.on())));
+        update();
     }
 
     private RobotSpec robot() {

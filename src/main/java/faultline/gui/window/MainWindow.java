@@ -149,6 +149,7 @@ public final class MainWindow extends JFrame {
             comparisonActions.update(frame);
             runActions.update(status, frame.snapshot().tick());
             obstacleActions.update();
+            sensorActions.update();
         });
         return poller;
     }

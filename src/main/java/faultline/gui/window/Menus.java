@@ -73,7 +73,17 @@ final class Menus {
     }
 
     private JMenu createSensorMenu() {
-        return createMenu("sensors", "sensor1 sensor2 sensor3 sensor4 sensor5 sensor6 sensor7 sensor8");
+        JMenu menu = createMenu("sensors", "sensor1 sensor2 sensor3 sensor4 sensor5 sensor6 sensor7 sensor8");
+        // A menu is not empty, so the first item stays even if the robot has no sensors.
+        for (int i = 1; i < menu.getItemCount(); i++) {
+            showWhileEnabled(menu.getItem(i));
+        }
+        return menu;
+    }
+
+    private static void showWhileEnabled(JMenuItem item) {
+        item.setVisible(item.isEnabled());
+        item.addPropertyChangeListener("enabled", event -> item.setVisible(item.isEnabled()));
     }
 
     private JMenu createPresetMenu() {

@@ -19,12 +19,17 @@ import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.SensorSnapshot;
+import java.awt.Component;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.JComboBox;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -116,6 +121,12 @@ class SensorMenuRobotTest {
         driver.waitForFrame("no copy", frame -> !ids(frame).contains("left-2"));
         choose("Delete left");
         driver.waitForFrame("seven sensors", frame -> ids(frame).size() == 7);
+        List<String> left = ids(driver.frame());
+        List<String> named = IntStream.rangeClosed(1, 7)
+                .mapToObj(i -> "Sensor " + i + ": " + left.get(i - 1))
+                .toList();
+        driver.robot()
+                .waitFor("the menu lists seven sensors", () -> shownSwitches().equals(named));
         driver.choose("undo");
         driver.waitForFrame("left again", frame -> ids(frame).indexOf("left") == 2);
         driver.choose("undo");
@@ -123,6 +134,23 @@ class SensorMenuRobotTest {
         driver.choose("undo");
         driver.waitForFrame("eight sensors", frame -> ids(frame).size() == 8);
         driver.waitForTitle("office.xml");
+    }
+
+    /** Returns the names of the items of Simulation > Switch sensor that show. */
+    private List<String> shownSwitches() {
+        JMenuBar bar = driver.window().getJMenuBar();
+        JMenu menu = IntStream.range(0, bar.getMenuCount())
+                .mapToObj(bar::getMenu)
+                .flatMap(each -> Stream.of(each.getMenuComponents()))
+                .filter(part ->
+                        part instanceof JMenu submenu && submenu.getText().equals("Switch sensor"))
+                .map(JMenu.class::cast)
+                .findFirst()
+                .orElseThrow();
+        return Stream.of(menu.getMenuComponents())
+                .filter(Component::isVisible)
+                .map(item -> ((JMenuItem) item).getText())
+                .toList();
     }
 
     @Test

@@ -1,0 +1,80 @@
+package faultline.gui.action;
+
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
+import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.edit.SensorEditor;
+import faultline.gui.edit.UndoController;
+import faultline.gui.theme.Theme;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+class SensorActionsTest {
+
+    private final ActionRegistry actions = new ActionRegistry();
+    private final List<Command> sent = new ArrayList<>();
+    private UndoController edits;
+    private SensorActions sensors;
+
+    @Test
+    void theSwitchesAreNamedAfterTheSensorsAndDisabledWithoutOne() {
+        runOnEdt(() -> {
+            addActions();
+            SensorSpec nose = RobotSpec.DEFAULT.sensors().get(0).withId("nose");
+            SensorSpec tail = RobotSpec.DEFAULT.sensors().get(4).withId("tail").withOn(false);
+            edits.pendingEdits().setRobot(RobotSpec.DEFAULT.withSensors(List.of(nose, tail)));
+            sensors.update();
+            assertEquals(List.of("Sensor 1: nose", "Sensor 2: tail"), enabled());
+            assertEquals(List.of("Sensor 1: nose"), on());
+            edits.pendingEdits().setRobot(RobotSpec.DEFAULT);
+            sensors.update();
+            assertEquals(8, enabled().size());
+            assertEquals("Sensor 8: front-right", enabled().get(7));
+            assertEquals(enabled(), on());
+        });
+    }
+
+    @Test
+    void aSwitchTurnsItsSensorOffAtOnce() {
+        runOnEdt(() -> {
+            addActions();
+            sensors.update();
+            actions.get("sensor3").actionPerformed(null);
+            assertEquals(List.of(new Command.SwitchSensor("left", false)), sent);
+            assertEquals(7, on().size());
+        });
+    }
+
+    private List<String> enabled() {
+        return switches().filter(UiAction::isEnabled).map(UiAction::name).toList();
+    }
+
+    private List<String> on() {
+        return switches().filter(UiAction::isOn).map(UiAction::name).toList();
+    }
+
+    private Stream<UiAction> switches() {
+        return IntStream.rangeClosed(1, 8).mapToObj(number -> actions.get("sensor" + number));
+    }
+
+    private void addActions() {
+        Theme.LIGHT.install();
+        Workspace workspace = new Workspace();
+        edits = new UndoController((commands, onExecuted) -> sent.addAll(commands), () -> {});
+        SimulationCanvas canvas = new SimulationCanvas(edits);
+        ScenarioEditor scenarios = new ScenarioEditor(new RunController(workspace), edits);
+        sensors =
+                new SensorActions(workspace, edits, new SensorEditor(workspace, scenarios, note -> {}), canvas.tools());
+        sensors.addTo(actions);
+    }
+}
