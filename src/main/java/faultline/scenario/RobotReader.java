@@ -3,9 +3,11 @@ package faultline.scenario;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
+import faultline.io.MessageText;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.NumberRange;
@@ -20,11 +22,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** Reads the robot and its initial pose. */
 final class RobotReader {
 
     private static final List<String> CHILD_ELEMENTS = List.of("motor", "sensor");
+
+    /** The attributes that a sensor needs unless it is a standard one. */
+    private static final List<String> PLACE = List.of("x", "y", "bearing");
 
     private final Problems problems;
 
@@ -104,8 +110,16 @@ final class RobotReader {
         standard.forEach(sensor -> sensors.put(sensor.id(), sensor));
         Map<String, SourceLocation> ids = new HashMap<>();
         List<XmlElement> elements = robot.childrenNamed("sensor").toList();
+        List<String> known = Stream.concat(
+                        standard.stream().map(SensorSpec::id),
+                        elements.stream()
+                                .filter(RobotReader::hasPlace)
+                                .flatMap(node ->
+                                        Stream.ofNullable(node.attributes().get("id"))))
+                .distinct()
+                .toList();
         elements.stream().limit(ScenarioLimits.MAX_SENSORS).forEach(node -> {
-            SensorSpec sensor = readSensor(node, standard);
+            SensorSpec sensor = readSensor(node, standard, known);
             ElementRules.checkUniqueId(node, sensor.id(), ids, problems);
             sensors.put(sensor.id(), sensor);
         });
@@ -115,13 +129,25 @@ final class RobotReader {
         return List.copyOf(sensors.values());
     }
 
-    private SensorSpec readSensor(XmlElement node, List<SensorSpec> standard) {
+    private static boolean hasPlace(XmlElement sensor) {
+        return PLACE.stream().anyMatch(sensor.attributes()::containsKey);
+    }
+
+    /** Reads a sensor, given the standard ones and the ids of those that have a place on the robot. */
+    private SensorSpec readSensor(XmlElement node, List<SensorSpec> standard, List<String> known) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         String id = fields.id("id");
         Optional<SensorSpec> standardSensor =
                 standard.stream().filter(sensor -> sensor.id().equals(id)).findFirst();
-        SensorSpec defaults = standardSensor.orElseGet(() -> readCustomSensor(id, fields));
+        SensorSpec defaults = standardSensor.orElseGet(() -> {
+            if (hasPlace(node) || known.isEmpty() || !fields.isValid("id", id)) {
+                return readCustomSensor(id, fields);
+            }
+            // It is likely to be one of the others, misspelt.
+            problems.add(node, () -> ProblemKind.NEW_SENSOR.with(MessageText.excerpt(id), Allowed.names(known, id)));
+            return RobotSpec.DEFAULT.sensors().get(0).withId(id);
+        });
         SensorSpec sensor = readAttributes(fields, defaults);
         fields.reportUnknownAndMissing();
         return sensor;

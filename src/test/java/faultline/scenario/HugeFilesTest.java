@@ -88,7 +88,7 @@ class HugeFilesTest {
 
         public static void main(String[] args) {
             assertEquals(
-                    "file.xml: and 69900 more problems",
+                    "file.xml: more problems: 69900",
                     problemsOf(unknownIds()).get(Problems.MAX_LISTED).toString());
             assertEquals(Problems.MAX_LISTED + 1, problemsOf(wrongAttributes()).size());
             assertEquals(Problems.MAX_LISTED + 1, problemsOf(wrongFaults()).size());

@@ -55,7 +55,7 @@ class ProblemsTest {
             sensor="front" kind="stuck" value="0.4" | motor="left" sensor="front" kind="dead" | 20:72: <fault> has no attribute "sensor"; expected at, until, motor, kind, value
             <fault at="10" sensor="front" kind="stuck" | <fault at="10" kind="stuck" | 20:57: <fault> lacks the attribute "sensor"; expected 1 to 100 characters, none of them a comma, a double quote or a control character
             value="0.4"        | value="-0.4"       | 20:73: value of <fault> is "-0.4"; expected a number from 0 to 100 metres
-            "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower"; expected wall-follower, none, drive, extern, recorded or a controller in Java of --jar; did you mean "wall-follower"?
+            "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower"; expected wall-follower, none, drive, extern, recorded or a controller in Java from --jar; did you mean "wall-follower"?
             distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left"; expected type, distance, hand, period, timing, diagnosis, gains, aheadMargin, turnClearance, timingLevel, settledRate, lostMargin and 4 more
             collision="false"  | states="FOLOW"     | 29:27: states of <expect> is "FOLOW"; expected one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP; did you mean "FOLLOW"?
             collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE"; expected one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP
@@ -86,6 +86,7 @@ class ProblemsTest {
             id="pole"          | id="a,b"           | 5:49: id of <circle> is "a,b"; expected 1 to 100 characters, none of them a comma, a double quote or a control character
             id="pole"          | id="a&quot;b"      | 5:54: id of <circle> is "a"b"; expected 1 to 100 characters, none of them a comma, a double quote or a control character
             id="pole"          | id="a&#9;b"        | 5:52: id of <circle> is "a b"; expected 1 to 100 characters, none of them a comma, a double quote or a control character
+            id="left" range    | id="lft" range     | 15:35: <sensor> "lft" lacks x, y and bearing; expected these attributes for a new sensor, or one of front, front-left, left, rear-left, rear, rear-right, right, front-right, probe; did you mean "left"?
             id="probe"         | id="left"          | 16:51: id of <sensor> is "left", which the element in line 15 already has; expected unique ids
             sensor="front"     | sensor="frnt"      | 20:71: sensor of <fault> is "frnt"; expected one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right, probe; did you mean "front"?
             obstacle="desk"    | obstacle="desc"    | 24:48: obstacle of <move> is "desc"; expected one of the obstacles: desk, pole, sofa, niche, screen, visitor, extra; did you mean "desk"?
@@ -243,7 +244,7 @@ class ProblemsTest {
                 "<circle id=\"pole\" x=\"3\" y=\"1\" radius=\"0.02\"/>", "<b/>".repeat(1000));
         List<String> problems = SampleScenario.problems(many);
         assertEquals(101, problems.size());
-        assertEquals("room.xml: and 900 more problems", problems.get(100));
+        assertEquals("room.xml: more problems: 900", problems.get(100));
     }
 
     @Test

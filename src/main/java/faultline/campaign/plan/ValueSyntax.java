@@ -31,6 +31,13 @@ public final class ValueSyntax {
 
     private static final Pattern INTERVAL = Pattern.compile("(\\S+?)\\.\\.([^\\s/]+)(?:/(\\d{1,6}))?");
     private static final Pattern CHOICE = Pattern.compile("any of\\s+(.+)");
+    private static final String NUMBER = "-?\\d+(?:\\.\\d+)?";
+
+    /**
+     * A list or range of numbers in another notation, such as 20, or 0-0.8 or 5,10,20; no attribute has such values.
+     */
+    private static final Pattern OTHER_NOTATION = Pattern.compile("N,|N-N|N(?:,N){2,}".replace("N", NUMBER));
+
     private static final MathContext TWELVE_DIGITS = new MathContext(12);
 
     private ValueSyntax() {}
@@ -96,7 +103,7 @@ public final class ValueSyntax {
                 .toList();
     }
 
-    /** Returns the different words of a text; empty if it has too many words. */
+    /** Returns the different words of a text; empty if it has too many words, or a list in another notation. */
     private static Optional<List<String>> words(String text, boolean isText) {
         String[] words = text.strip().split("\\s+", MAX_VALUES + 1);
         if (words.length > MAX_VALUES) {
@@ -104,6 +111,9 @@ public final class ValueSyntax {
         }
         Map<Object, String> different = new LinkedHashMap<>();
         for (String word : words) {
+            if (!isText && OTHER_NOTATION.matcher(word).matches()) {
+                return Optional.empty();
+            }
             Optional<BigDecimal> number = isText ? Optional.empty() : DecimalText.parse(word);
             different.putIfAbsent(number.isPresent() ? number.get().stripTrailingZeros() : word, word);
         }

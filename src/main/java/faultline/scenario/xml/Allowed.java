@@ -69,7 +69,7 @@ public enum Allowed implements Message.Template {
     /** The name of a controller's state. */
     STATES("one of the controller''s states: {0}"),
     /** The name of a controller. */
-    CONTROLLERS("{0} or a controller in Java of --jar"),
+    CONTROLLERS("{0} or a controller in Java from --jar"),
     /** A list of names with a suggestion. */
     HINT("{0}; did you mean \"{1}\"?"),
     /** A list of names that is cut short. */

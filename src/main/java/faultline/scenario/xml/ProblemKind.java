@@ -31,6 +31,8 @@ public enum ProblemKind implements Message.Template {
     /** The robot could turn too fast. */
     SPIN_RATE("<robot> could spin at {0} rad/s (twice the maximum wheel speed divided by the track);"
             + " expected {1} rad/s or less"),
+    /** A sensor that is none of the known ones has no place on the robot. */
+    NEW_SENSOR("<sensor> \"{0}\" lacks x, y and bearing; expected these attributes for a new sensor, or one of {1}"),
     /** The root element is not that of a scenario. */
     ROOT("the root element is <{0}>; expected <scenario xmlns=\"{1}\">"),
     /** A required element is missing. */
@@ -93,7 +95,7 @@ public enum ProblemKind implements Message.Template {
     /** The file is empty. */
     EMPTY_FILE("the file is empty; expected a scenario"),
     /** There are more problems than are listed. */
-    MORE("and {0} more problems"),
+    MORE("more problems: {0}"),
     /** The scenario cannot be saved. */
     NOT_SAVED("the scenario cannot be saved: {0}"),
     /** Reading the written file would give a different scenario. */

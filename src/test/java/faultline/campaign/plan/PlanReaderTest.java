@@ -32,6 +32,9 @@ class PlanReaderTest {
             textBlock =
                     """
             <set attribute="robot/sensor[front]/@cone" value="5 200"/> | plan.xml:3:59: cone of <sensor> is "200"; expected a number without exponent, more than 0 and less than 180 degrees (in room)
+            <set attribute="robot/sensor[frnt]/@cone" value="5"/> | plan.xml:3:54: <sensor> "frnt" lacks x, y and bearing; expected these attributes for a new sensor, or one of front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "front"? (in room)
+            <set attribute="robot/sensor[front]/@cone" value="20, 10, 5"/> | plan.xml:3:63: value of <set> is "20, 10, 5"; expected one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C; at most 100000 values
+            <faults><fault sensor="front" kind="stuck" value="0-0.8" at="1"/></faults> | plan.xml:3:66: value of <fault> is "0-0.8"; expected one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C; at most 100000 values
             <set attribute="robot/@sped" value="5"/> | plan.xml:3:41: <robot> has no attribute "sped"; expected x, y, heading, length, width, track, trackScale, speed, turnRate, defaultSensors; did you mean "speed"? (in room)
             <set attribute="robot/speed" value="5"/> | plan.xml:3:41: attribute of <set> is "robot/speed"; expected a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration
             <set attribute="world/circle[pale]/@x" value="1"/> | plan.xml:3:51: attribute of <set> is "world/circle[pale]/@x", but <world> has no circle[pale]; did you mean "pole"? (in room)
@@ -104,7 +107,7 @@ class PlanReaderTest {
         List<String> problems = SamplePlan.problems("<set attribute=\"robot/@speed\" value=\"" + values + "\"/>");
         assertEquals(101, problems.size());
         assertTrue(problems.get(0).contains("speed of <robot> is \"-1\""), problems.get(0));
-        assertTrue(problems.get(100).endsWith("and 900 more problems"), problems.get(100));
+        assertTrue(problems.get(100).endsWith("more problems: 900"), problems.get(100));
     }
 
     @Test
