@@ -3,6 +3,8 @@ package faultline.engine.metrics;
 import faultline.control.ControllerState;
 import faultline.io.DecimalText;
 import faultline.world.Collision;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -18,6 +20,12 @@ public record Expectation(List<Condition> conditions) {
 
     /** Expects nothing. */
     public static final Expectation NONE = new Expectation(List.of());
+
+    /** The decimals in sentences: millimetres and milliseconds, and those of the summary. */
+    private static final int COLLISION_DECIMALS = 3;
+
+    private static final int COVERAGE_DECIMALS = 4;
+    private static final int RMS_DECIMALS = 6;
 
     /**
      * Creates an expectation from a copy of the conditions.
@@ -81,8 +89,19 @@ public record Expectation(List<Condition> conditions) {
             return Optional.of("expected " + wanted + ", but " + found);
         }
 
-        private static String describe(double value, String otherwise) {
-            return Double.isNaN(value) ? otherwise : "it is " + DecimalText.format(value);
+        /** Describes a value with some decimals, or exactly if it would then seem to be within its limit. */
+        private static String describe(double value, double limit, int decimals, String otherwise) {
+            if (Double.isNaN(value)) {
+                return otherwise;
+            }
+            String rounded = round(value, decimals);
+            boolean sameSide = Double.compare(Double.parseDouble(rounded), limit) == Double.compare(value, limit);
+            return "it is " + (sameSide ? rounded : DecimalText.format(value));
+        }
+
+        private static String round(double value, int decimals) {
+            BigDecimal rounded = new BigDecimal(DecimalText.format(value)).setScale(decimals, RoundingMode.HALF_UP);
+            return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
         }
     }
 
@@ -126,9 +145,9 @@ public record Expectation(List<Condition> conditions) {
 
         private static String describe(Collision collision) {
             return "the robot struck " + collision.obstacle() + " at "
-                    + DecimalText.format(collision.point().x()) + ","
-                    + DecimalText.format(collision.point().y()) + " after " + DecimalText.format(collision.time())
-                    + " s";
+                    + Condition.round(collision.point().x(), COLLISION_DECIMALS) + ","
+                    + Condition.round(collision.point().y(), COLLISION_DECIMALS) + " after "
+                    + Condition.round(collision.time(), COLLISION_DECIMALS) + " s";
         }
     }
 
@@ -164,6 +183,8 @@ public record Expectation(List<Condition> conditions) {
                             "a coverage of at least " + DecimalText.format(share),
                             Condition.describe(
                                     result.coverage().orElse(Double.NaN),
+                                    share,
+                                    COVERAGE_DECIMALS,
                                     result.isPathTooLong() ? "it is not known" : "no wall was followed"));
         }
     }
@@ -199,7 +220,10 @@ public record Expectation(List<Condition> conditions) {
                     : Condition.expected(
                             "a distance error of at most " + DecimalText.format(metres) + " m RMS",
                             Condition.describe(
-                                    result.distanceRms().orElse(Double.NaN), "no straight wall was followed"));
+                                    result.distanceRms().orElse(Double.NaN),
+                                    metres,
+                                    RMS_DECIMALS,
+                                    "no straight wall was followed"));
         }
     }
 

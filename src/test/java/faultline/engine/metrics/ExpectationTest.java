@@ -93,6 +93,26 @@ class ExpectationTest {
     }
 
     @Test
+    void aSentenceHasReadableNumbersThatAreNeverWithinTheLimit() {
+        Expectation.Condition coverage = new Expectation.MinCoverage(0.97);
+        Expectation.Condition distance = new Expectation.MaxDistanceRms(0.005);
+        Expectation all = new Expectation(List.of(new Expectation.Collides(false), coverage, distance));
+        Collision collision = new Collision(
+                new Vector2(4.2, 5.661382960239527), 60.449199503620775, 6045, "desk", Map.of(), List.of());
+        assertEquals(
+                List.of(
+                        "expected no collision, but the robot struck desk at 4.2,5.661 after 60.449 s",
+                        "expected a coverage of at least 0.97, but it is 0.6056",
+                        "expected a distance error of at most 0.005 m RMS, but it is 0.012346"),
+                all.unmet(result(List.of(collision), 0.6056250000000011, 0.0123456789)));
+        assertEquals(
+                List.of(
+                        "expected a coverage of at least 0.97, but it is 0.9699999",
+                        "expected a distance error of at most 0.005 m RMS, but it is 0.0050000001"),
+                all.unmet(result(List.of(), 0.9699999, 0.0050000001)));
+    }
+
+    @Test
     void whatCouldNotBeMeasuredIsUnmet() {
         Expectation all = expectation(true, endsIn(FollowerState.FOLLOW));
         assertEquals(
