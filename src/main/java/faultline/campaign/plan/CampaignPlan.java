@@ -112,6 +112,14 @@ public final class CampaignPlan {
         return (long) worlds.count() * seeds.count() * cells;
     }
 
+    /** {@return the names of the scenarios whose own timeline has faults, which act in all of their runs} */
+    public List<String> scenariosWithFaults() {
+        return worlds.kinds().stream()
+                .filter(source -> source instanceof WorldSource.ScenarioFile scenario && scenario.hasFaults())
+                .map(source -> source.label(0))
+                .toList();
+    }
+
     /** {@return the factors, in the order of the plan} */
     public List<FactorSummary> factors() {
         return factors.stream()

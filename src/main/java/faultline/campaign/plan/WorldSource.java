@@ -50,6 +50,14 @@ sealed interface WorldSource {
         public XmlElement root(int index) {
             return tree;
         }
+
+        /** Returns whether its timeline has faults. */
+        boolean hasFaults() {
+            return tree.childrenNamed("timeline")
+                    .flatMap(timeline -> timeline.childrenNamed("fault"))
+                    .findAny()
+                    .isPresent();
+        }
     }
 
     /** Generated rooms with consecutive seeds, and the rules for their corners and visitors. */

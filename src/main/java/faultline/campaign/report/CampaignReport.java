@@ -8,6 +8,7 @@ import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.WorstRuns;
 import faultline.io.ProgramCommand;
 import faultline.io.ShellText;
+import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -97,11 +98,22 @@ public final class CampaignReport {
         return Html.section(
                 "Summary",
                 Html.paragraph(size + meaning + independence())
+                        + ownFaults()
                         + repeats()
                         + undecided()
                         + broken()
                         + "<p>All runs: " + Html.survival(all)
                         + "</p>\n" + Html.table("numbers", List.of("outcome", "runs", "share"), rows));
+    }
+
+    private String ownFaults() {
+        List<String> scenarios = data.plan().scenariosWithFaults();
+        return scenarios.isEmpty()
+                ? ""
+                : Html.paragraph(
+                        "The faults in the timeline of a scenario act in all of its runs, also in those that are"
+                                + " called healthy here. Scenarios with such faults: " + Allowed.names(scenarios)
+                                + ".");
     }
 
     /** Returns how intervals regard runs that are not independent. */

@@ -27,10 +27,15 @@ public final class SamplePlan {
 
     /** Reads a plan, whose file is called plan.xml. */
     public static CampaignPlan read(String text) throws ScenarioException {
+        return read(text, ROOM);
+    }
+
+    /** Reads a plan, whose file is called plan.xml and whose scenario files are all the same room. */
+    public static CampaignPlan read(String text, String room) throws ScenarioException {
         return PlanReader.read(
                 "plan.xml",
                 text.getBytes(StandardCharsets.UTF_8),
-                (number, name) -> ROOM.getBytes(StandardCharsets.UTF_8));
+                (number, name) -> room.getBytes(StandardCharsets.UTF_8));
     }
 
     /** Returns the problems of a plan with a room and some elements, one per line. */

@@ -43,7 +43,11 @@ class CampaignReportTest {
     }
 
     private String reportOf(String elements) throws Exception {
-        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", elements));
+        return reportOf(elements, SamplePlan.ROOM);
+    }
+
+    private String reportOf(String elements, String room) throws Exception {
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", elements), room);
         new CampaignRunner(plan, new CampaignFolder(folder), Shard.ALL, 2).run(true, (made, runs) -> {}, () -> false);
         return new CampaignReport(folder).html(List.of());
     }
@@ -68,6 +72,17 @@ class CampaignReportTest {
                 headings(html));
         assertTrue(html.contains("<th scope=\"row\">stuck</th>"));
         assertTrue(html.contains("java -jar target/faultline.jar " + folder.resolve("replays/run-")));
+    }
+
+    @Test
+    void theSummaryNamesScenariosWithFaultsOfTheirOwn() throws Exception {
+        String elements = "<worlds><scenario file=\"a.xml\"/></worlds><faults><healthy/></faults>";
+        String sentence = "Scenarios with such faults: a.";
+        assertFalse(reportOf(elements).contains(sentence));
+        folder = folder.resolve("faulty");
+        String fault = "<timeline><fault at=\"1\" sensor=\"front\" kind=\"off\"/></timeline></scenario>";
+        String html = reportOf(elements, SamplePlan.ROOM.replace("</scenario>", fault));
+        assertTrue(html.contains(sentence), html);
     }
 
     @Test
