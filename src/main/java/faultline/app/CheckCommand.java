@@ -35,7 +35,7 @@ final class CheckCommand {
             Path path = Arguments.parsePath(file);
             if (PlanFiles.isPlan(path)) {
                 CampaignPlan plan = PlanFiles.read(path);
-                output.println(file + ": good, " + plan.runCount() + " runs");
+                output.println(file + ": good, " + plan.runCount() + (plan.runCount() == 1 ? " run" : " runs"));
             } else {
                 Scenario.load(path);
                 output.println(file + ": good");

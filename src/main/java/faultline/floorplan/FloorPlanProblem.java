@@ -16,7 +16,7 @@ public enum FloorPlanProblem implements Message.Template {
     /** A map file lacks a key. */
     MISSING_KEY("there is no \"{0}\"; a map file needs it"),
     /** A map file has a misspelt key. */
-    MISSPELT_KEY("there is no \"{0}\"; \"{1}\" may be meant as \"{0}\""),
+    MISSPELT_KEY("there is no \"{0}\"; \"{1}\" may be a misspelling of it"),
     /** The map file is not text. */
     NOT_UTF_8("the file is not UTF-8 text"),
     /** The kind of file that is expected. */
@@ -76,12 +76,12 @@ public enum FloorPlanProblem implements Message.Template {
     /** The missing number is a pixel. */
     PIXEL("pixel {0}"),
     /** The map is larger than a world. */
-    MAP_SIZE("the map is {0} x {1} m large; expected at most {2} m; the resolution may be wrong"),
+    MAP_SIZE("the map measures {0} x {1} m; expected at most {2} m; the resolution may be wrong"),
     /** The map has too many wall segments. */
     SEGMENTS("the map has {0} wall segments; expected at most {1};"
             + " drop specks, straighten outlines or use a coarser image"),
     /** The map does not fit into the memory. */
-    MEMORY("the map needs more memory than the program has; start it with more"),
+    MEMORY("the map needs more memory than the program has; start Java with more, such as -Xmx2g"),
     /** The map has no free place of the robot's size. */
     NO_ROOM("the robot, {0} m long and {1} m wide, does not fit anywhere in a map of {2} x {3} m;"
             + " the resolution, the threshold or negate may be wrong");

@@ -301,7 +301,7 @@ class FloorPlanTest {
                     """
             {image: m.pgm, resolution: fast}     | m.yaml:1:28: resolution is "fast"; expected a number
             {image: m.pgm, resolution 1}         | m.yaml:1:16: a line is "resolution 1"; expected "key: value"
-            {image: m.pgm, resolution: 1         | m.yaml:1:1: there is no "image"; "{image" may be meant as "image"
+            {image: m.pgm, resolution: 1         | m.yaml:1:1: there is no "image"; "{image" may be a misspelling of it
             {image: m.pgm,@ image: b}            | m.yaml:2:2: "image" is given twice; expected once
             {image: 'm.pgm, resolution: 1}       | m.yaml:1:1: there is no "resolution"; a map file needs it
             image: m.pgm@resolution: [1,@2       | m.yaml:2:13: resolution is "[1, 2"; expected a number
@@ -325,7 +325,7 @@ class FloorPlanTest {
             resolution: 1e9          | m.yaml:2:13: resolution is "1e9"; expected a number of metres from 0.000001 to 100000
             resolution: 1@origin: [0, 0, 1e6] | m.yaml:3:9: origin is "0, 0, 1e6"; expected [x, y, yaw] with a yaw of at most 17000 radians
             resolution 0.05          | m.yaml:2:1: a line is "resolution 0.05"; expected "key: value"
-            resolutoin: 0.05         | m.yaml:1:1: there is no "resolution"; "resolutoin" may be meant as "resolution"
+            resolutoin: 0.05         | m.yaml:1:1: there is no "resolution"; "resolutoin" may be a misspelling of it
             image: other.pgm         | m.yaml:2:1: "image" is given twice; expected once
             """)
     void aWrongMapFileIsReportedWithItsPlace(String line, String expected) throws IOException {
@@ -381,7 +381,7 @@ class FloorPlanTest {
                 FloorPlanException.class,
                 () -> FloorPlan.readImage(image, new BigDecimal("5e4"), FloorPlan.Options.DEFAULT));
         assertEquals(
-                image + ": the map is 150000 x 100000 m large; expected at most 100000 m; the resolution may be wrong",
+                image + ": the map measures 150000 x 100000 m; expected at most 100000 m; the resolution may be wrong",
                 e.getMessage());
     }
 
@@ -392,7 +392,7 @@ class FloorPlanTest {
         IOException e =
                 assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
         assertEquals(
-                image + ": the map is 106000 x 106000 m large; expected at most 100000 m; the resolution may be wrong",
+                image + ": the map measures 106000 x 106000 m; expected at most 100000 m; the resolution may be wrong",
                 e.getMessage());
     }
 

@@ -38,7 +38,9 @@ public final class HealthText {
             case DISTRUSTED -> Messages.get("health.distrusted", health.sensor(), reason(health.finding()));
             case SUSPECTED ->
                 Messages.get(
-                        "health.suspected", health.sensor(), String.format(Locale.ROOT, "%.1f", health.evidence()));
+                        "health.suspected",
+                        health.sensor(),
+                        String.format(Locale.ROOT, "%.0f", 100 * health.evidence()));
             case TRUSTED ->
                 Messages.get(from == SensorTrust.SUSPECTED ? "health.cleared" : "health.trusted", health.sensor());
         };

@@ -75,7 +75,7 @@ class BatchFormTest {
         assertEquals(List.of(new BatchPlan.FaultValues("stuck", "0.2..0.8")), plan.faults());
         assertEquals(Optional.empty(), callOnEdt(form::findProblem));
         long expected = 10L * (plan.sensors().size() + 1);
-        assertTrue(labels().contains("|" + expected + " runs"), labels());
+        assertTrue(labels().contains("|Runs: " + expected), labels());
     }
 
     @Test

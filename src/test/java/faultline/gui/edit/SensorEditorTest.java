@@ -186,7 +186,7 @@ class SensorEditorTest {
         waitForRun();
         SimulationSetup before = setup();
         remove("left");
-        assertEquals(List.of("Entries of the time line deleted with left: 2"), notes);
+        assertEquals(List.of("Timeline entries deleted with left: 2"), notes);
         assertEquals(List.of(timeline.get(0), timeline.get(2), timeline.get(4)), setup().timeline());
         assertEquals(7, setup().robot().sensors().size());
         assertRunIsThatOf(setup());

@@ -62,7 +62,7 @@ class EventLogViewTest {
                 List.of(
                         "0.000 Command rear switched off",
                         "0.010 Health rear is not trusted: it gives no answer",
-                        "0.010 Rung All sensors → Side and front"),
+                        "0.010 Strategy All sensors → Side and front"),
                 rows());
     }
 
@@ -126,7 +126,7 @@ class EventLogViewTest {
         assertEquals(
                 "Time, s\tKind\tEvent\n"
                         + "0.000\tCommand\trear switched off\n"
-                        + "0.010\tRung\tAll sensors → Side and front\n",
+                        + "0.010\tStrategy\tAll sensors → Side and front\n",
                 callOnEdt(view::selectedText));
         runOnEdt(() -> ((JMenuItem) view.createMenu().getComponent(1)).doClick(0));
         assertEquals(3, callOnEdt(view.table()::getSelectedRowCount));

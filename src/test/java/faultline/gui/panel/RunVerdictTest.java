@@ -68,7 +68,7 @@ class RunVerdictTest {
             assertEquals(run.unmetExpectations().isEmpty(), verdict.success(), verdict.title());
             assertEquals(-1, verdict.event());
             if (!verdict.success()) {
-                assertEquals("End of the run at 31.000 s: 1 of 2 expectations not met", verdict.title());
+                assertEquals("End of the run at 31.000 s: 1 of 2 expectations failed", verdict.title());
                 assertTrue(verdict.detail().startsWith("Coverage at least 99.9 % ("), verdict.detail());
             }
         }

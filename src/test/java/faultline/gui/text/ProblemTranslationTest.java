@@ -102,7 +102,7 @@ class ProblemTranslationTest {
                         "to nie jest poprawny XML, za \"<a\", wewnątrz <world> z wiersza 3"),
                 Arguments.of(
                         FloorPlanProblem.MISSPELT_KEY.with("resolution", "resolutoin"),
-                        "brakuje \"resolution\"; być może \"resolutoin\" miało znaczyć \"resolution\""),
+                        "brakuje \"resolution\"; być może \"resolutoin\" to błędna pisownia tej nazwy"),
                 Arguments.of(
                         FloorPlanProblem.MISSING_NUMBER.with(FloorPlanProblem.PIXEL.with(2), 12),
                         "w bajcie 12 brakuje piksela 2"),

@@ -79,7 +79,7 @@ class EventKindTest {
                         "Timing",
                         "Health",
                         "Health!",
-                        "Rung",
+                        "Strategy",
                         "Fault!",
                         "Fault",
                         "Command",

@@ -67,10 +67,10 @@ class StatusBarTest {
         show(1900, frame, running(2.0));
         assertTrue(texts().contains("2.00× real time"));
         show(2100, frame, running(2.0));
-        assertTrue(texts().contains("Waiting for an answer of the controller"));
+        assertTrue(texts().contains("Waiting for an answer from the controller"));
         assertFalse(texts().contains("2.00× real time"));
         show(frame, new SessionStatus(false, 1, 0, 0, null, null));
-        assertFalse(texts().contains("Waiting for an answer of the controller"));
+        assertFalse(texts().contains("Waiting for an answer from the controller"));
     }
 
     @Test

@@ -59,7 +59,7 @@ class VerdictRobotTest {
             driver.robot().waitFor("the banner shows", () -> banner(driver).isShowing());
             assertEquals(150, driver.frame().snapshot().tick());
             assertTrue(callOnEdt(() -> banner(driver).getAccessibleContext().getAccessibleName())
-                    .contains("1 of 1 expectations not met"));
+                    .contains("1 of 1 expectations failed"));
             driver.choose("run");
             driver.waitForFrame("the user may go on", frame -> frame.snapshot().tick() > 160);
             driver.robot().waitFor("the banner is gone", () -> !banner(driver).isShowing());
