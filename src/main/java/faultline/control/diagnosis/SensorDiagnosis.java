@@ -4,9 +4,9 @@ import faultline.control.Observation;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.control.WallSide;
-import faultline.control.wallfollower.WallFollower;
 import faultline.robot.RobotSpec;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /**
  * Diagnoses the sensors. Each tick it updates the robot's pose by dead reckoning and tests the signal of each sensor.
@@ -39,6 +39,7 @@ public final class SensorDiagnosis {
     private HealthReport report;
     private long tick;
     private double wantedDistance = Double.POSITIVE_INFINITY;
+    private ToDoubleFunction<RobotSpec> centreDistance = anyRobot -> 0;
     private EvidenceReach reach = EvidenceReach.LEAST;
 
     /**
@@ -163,9 +164,11 @@ public final class SensorDiagnosis {
      * Sets the distance from the wall that the robot keeps, which is the nearest that surfaces come.
      *
      * @param metres the distance, in metres
+     * @param fromCentre the distance from a robot's centre to that wall, in metres
      */
-    public void setWantedDistance(double metres) {
+    public void setWantedDistance(double metres, ToDoubleFunction<RobotSpec> fromCentre) {
         wantedDistance = metres;
+        centreDistance = fromCentre;
         if (inspection != null) {
             inspection.setWantedDistance(metres);
             updateReach();
@@ -174,7 +177,7 @@ public final class SensorDiagnosis {
 
     /** Collects evidence as far as the wanted distance needs; what was collected before a change is forgotten. */
     private void updateReach() {
-        EvidenceReach needed = EvidenceReach.of(WallFollower.wantedCentreDistance(wantedDistance, side, robot));
+        EvidenceReach needed = EvidenceReach.of(centreDistance.applyAsDouble(robot));
         if (!needed.equals(reach)) {
             reach = needed;
             grid.resize(reach.gridSize());

@@ -52,7 +52,7 @@ public final class FaultTolerantFollower implements Controller {
     public FaultTolerantFollower(ControllerSpec.WallFollowing spec) {
         this.spec = spec;
         this.diagnosis = new SensorDiagnosis(spec.side());
-        diagnosis.setWantedDistance(spec.distance());
+        setWantedDistance();
         this.mapFollower = new MapFollower(diagnosis, spec);
         this.sixStates = new WallFollower(spec, diagnosis.reckoning().odometer());
     }
@@ -70,9 +70,14 @@ public final class FaultTolerantFollower implements Controller {
     @Override
     public void configure(ControllerSpec.BuiltIn settings) {
         spec = (ControllerSpec.WallFollowing) settings;
-        diagnosis.setWantedDistance(spec.distance());
+        setWantedDistance();
         mapFollower.configure(spec);
         sixStates.configure(spec);
+    }
+
+    private void setWantedDistance() {
+        ControllerSpec.WallFollowing wanted = spec;
+        diagnosis.setWantedDistance(wanted.distance(), robot -> WallFollower.wantedCentreDistance(wanted, robot));
     }
 
     private void switchRung() {

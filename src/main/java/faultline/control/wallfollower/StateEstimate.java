@@ -252,8 +252,8 @@ final class StateEstimate {
     }
 
     /** Returns the distance from a robot's centre to the wall if a follower holds its wanted distance, metres. */
-    static double wantedCentreDistance(double distance, WallSide side, RobotSpec robot) {
-        return centreDistance(distance, SensorViews.facing(Direction.LEFT, side, robot), robot);
+    static double wantedCentreDistance(ControllerSpec.WallFollowing spec, RobotSpec robot) {
+        return centreDistance(spec.distance(), SensorViews.facing(Direction.LEFT, spec.side(), robot), robot);
     }
 
     /** Returns the distance from the robot's centre to the wall if the reading is as wanted, metres. */

@@ -145,19 +145,7 @@ public final class WallFollower implements Controller {
      * @param robot the robot; if no sensor faces the wall, the distance is that from the side of the platform
      */
     public static double wantedCentreDistance(ControllerSpec.WallFollowing spec, RobotSpec robot) {
-        return wantedCentreDistance(spec.distance(), spec.side(), robot);
-    }
-
-    /**
-     * {@return the distance from the robot's centre to the wall at which the sensor that faces the wall reads a
-     * distance, metres, at least half the width of the platform}
-     *
-     * @param distance the reading, metres
-     * @param side the side of the wall
-     * @param robot the robot; if no sensor faces the wall, the distance is that from the side of the platform
-     */
-    public static double wantedCentreDistance(double distance, WallSide side, RobotSpec robot) {
-        return StateEstimate.wantedCentreDistance(distance, side, robot);
+        return StateEstimate.wantedCentreDistance(spec, robot);
     }
 
     @Override

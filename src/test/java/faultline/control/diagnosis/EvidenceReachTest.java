@@ -21,11 +21,19 @@ class EvidenceReachTest {
 
     private static SensorDiagnosis diagnosis(double wantedDistance) {
         SensorDiagnosis diagnosis = new SensorDiagnosis(WallSide.LEFT);
-        diagnosis.setWantedDistance(wantedDistance);
+        setWantedDistance(diagnosis, wantedDistance);
         double[] readings = new double[RobotSpec.DEFAULT.sensors().size()];
         Arrays.fill(readings, 0.7);
         diagnosis.update(new Observation(0, 0.01, RobotSpec.DEFAULT, readings), 0, 0, 1);
         return diagnosis;
+    }
+
+    /** Sets the reading that the left sensor shall have, which is mounted 0.1 m from the centre. */
+    private static void setWantedDistance(SensorDiagnosis diagnosis, double wantedDistance) {
+        diagnosis.setWantedDistance(
+                wantedDistance,
+                robot -> wantedDistance
+                        + robot.sensor("left").orElseThrow().mountPosition().y());
     }
 
     @ParameterizedTest
@@ -60,9 +68,9 @@ class EvidenceReachTest {
     void evidenceIsForgottenOnlyIfTheReachChanges() {
         SensorDiagnosis diagnosis = diagnosis(0.5);
         diagnosis.markUnseen(0.3, 0.2);
-        diagnosis.setWantedDistance(0.7);
+        setWantedDistance(diagnosis, 0.7);
         assertTrue(isMarked(diagnosis));
-        diagnosis.setWantedDistance(1.5);
+        setWantedDistance(diagnosis, 1.5);
         assertFalse(isMarked(diagnosis));
         diagnosis.markUnseen(0.3, 0.2);
         assertTrue(isMarked(diagnosis));
