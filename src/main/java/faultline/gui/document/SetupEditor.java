@@ -152,7 +152,7 @@ final class SetupEditor {
     }
 
     /**
-     * Returns the timeline with the commands that belong to a time. Commands that changed nothing are omitted, two of
+     * Returns the timeline with the commands that belong to a time. Commands that changed nothing are omitted, those of
      * one tick that cancel each other, and the hidden commands.
      */
     List<TimedCommand> timeline() {

@@ -6,9 +6,13 @@ import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
+import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /**
  * The commands that belong to a time of the run: a sensor is switched, or a sensor or motor gets a fault or is
@@ -30,33 +34,19 @@ public final class TimelineEvents {
         return command.match(IS_EVENT);
     }
 
-    /** Returns the events among executed commands that changed something, without two of one tick that cancel out. */
+    /**
+     * Returns the events among executed commands that changed something, without those of one tick that cancel out,
+     * such as a fault that was undone while the run was paused.
+     */
     static List<CommandResult> in(List<CommandResult> executed) {
-        List<CommandResult> events = new ArrayList<>();
-        for (CommandResult result : executed) {
-            if (result.isNoOp() || !isEvent(result.command())) {
-                continue;
-            }
-            Optional<CommandResult> cancelled = events.stream()
-                    .filter(earlier -> earlier.tick() == result.tick() && cancels(result.command(), earlier.command()))
-                    .findFirst();
-            if (cancelled.isPresent()) {
-                events.remove(cancelled.get());
-            } else {
-                events.add(result);
-            }
-        }
-        return events;
-    }
-
-    private static boolean cancels(Command command, Command earlier) {
-        if (command instanceof Command.SwitchSensor now && earlier instanceof Command.SwitchSensor before) {
-            return now.sensor().equals(before.sensor()) && now.on() != before.on();
-        }
-        return earlier instanceof Command.InjectFault inject
-                        && command.equals(new Command.ClearFault(inject.sensor(), inject.fault()))
-                || earlier instanceof Command.InjectMotorFault broken
-                        && command.equals(new Command.ClearMotorFault(broken.motor(), broken.fault()));
+        List<CommandResult> events = executed.stream()
+                .filter(result -> !result.isNoOp() && isEvent(result.command()))
+                .toList();
+        Map<List<Object>, List<CommandResult>> ofOneTick = events.stream()
+                .collect(Collectors.groupingBy(event -> List.of(event.tick(), EventEffects.subject(event.command()))));
+        Set<CommandResult> kept = Collections.newSetFromMap(new IdentityHashMap<>());
+        ofOneTick.values().forEach(changes -> kept.addAll(EventEffects.withoutDetours(changes)));
+        return events.stream().filter(kept::contains).toList();
     }
 
     /** Returns a scenario whose timeline lacks some events; of equal ones, it lacks the last. */

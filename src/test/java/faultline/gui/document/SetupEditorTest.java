@@ -131,8 +131,10 @@ class SetupEditorTest {
     @Test
     void aRepairAtALaterTimeStaysOnTheTimeline() {
         SetupEditor editor = new SetupEditor(BASE);
-        add(editor, 10, new Command.InjectFault("front", new Fault.Dead()));
-        add(editor, 30, new Command.ClearFaults("front"));
+        Command inject = new Command.InjectFault("front", new Fault.Dead());
+        Command repair = new Command.ClearFaults("front");
+        add(editor, 10, inject, repair);
+        add(editor, 30, repair, repair, inject);
         assertEquals(
                 List.of(10 * BASE.dt(), 30 * BASE.dt()),
                 editor.setup().timeline().stream()
@@ -317,7 +319,12 @@ class SetupEditorTest {
 
     private static SimulationSetup after(Command... commands) {
         SetupEditor editor = new SetupEditor(BASE);
-        Stream.of(commands).forEach(command -> add(editor, 7, command));
+        try (Simulation simulation = new Simulation(BASE, ControllerMode.DIRECT)) {
+            for (int i = 0; i < 6; i++) {
+                simulation.tick();
+            }
+            Stream.of(commands).forEach(command -> editor.add(simulation.execute(command)));
+        }
         return editor.setup();
     }
 

@@ -270,4 +270,23 @@ class UndoneEventsTest {
         undo();
         assertTimes(0.11, 0.13);
     }
+
+    /** Undo sends all faults that the sensor had before. */
+    @Test
+    void aFaultThatIsUndoneInItsOwnTickLeavesNothing() {
+        send(FAULT);
+        undo();
+        assertEquals(original, scenario());
+        redo();
+        assertTimes(0.11);
+        send(new Command.InjectFault("left", new Fault.Stuck(0.3)));
+        send(new Command.InjectMotorFault(MotorSide.RIGHT, new MotorFault.Weak(0.5)));
+        assertTimes(0.11, 0.11, 0.11);
+        undo();
+        undo();
+        assertEquals(
+                List.of(FAULT), timeline().stream().map(TimedCommand::command).toList());
+        undo();
+        assertEquals(original, scenario());
+    }
 }
