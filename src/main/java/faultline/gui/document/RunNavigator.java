@@ -37,7 +37,8 @@ public final class RunNavigator implements WorkspaceListener {
     /**
      * Moves the run to the end of a tick, not negative, asynchronously, and pauses it there, in the state in which it
      * was there before: with the commands that were executed before the next tick. Later commands are executed again at
-     * their ticks, unless another command is executed before; later events are put on the timeline and stay there.
+     * their ticks, unless another command is executed before. If there are later events, all events are put on the
+     * timeline before, where they act from their ticks on.
      */
     public void seek(long tick) {
         endResimulation();

@@ -26,8 +26,8 @@ final class EditHistory {
     /** The number of changes that the run has passed. */
     private int passed;
 
-    /** An edit that was done or undone at the start of a tick. */
-    private record Change(long tick, CommandEdit edit, boolean done) {}
+    /** An edit that was done or undone at the start of a tick; {@code first} if it was done for the first time. */
+    private record Change(long tick, CommandEdit edit, boolean done, boolean first) {}
 
     /**
      * Adds an edit that is done. One of the same gesture as the last edit is merged into it; one without effect is
@@ -98,9 +98,18 @@ final class EditHistory {
         }
     }
 
-    /** Records that an edit was done or undone at a tick, after all other changes. */
+    /** Records that a new edit was done at a tick, after all other changes. */
+    void addExecution(long tick, CommandEdit edit) {
+        addChange(new Change(tick, edit, true, true));
+    }
+
+    /** Records that an edit was redone or undone at a tick, after all other changes. */
     void addChange(long tick, CommandEdit edit, boolean done) {
-        changes.add(new Change(tick, edit, done));
+        addChange(new Change(tick, edit, done, false));
+    }
+
+    private void addChange(Change change) {
+        changes.add(change);
         passed = changes.size();
     }
 
@@ -172,12 +181,18 @@ final class EditHistory {
         }
     }
 
+    /** Returns what was executed in this run when an edit was done, undone and redone. */
     private List<Journal.Entry> executed(CommandEdit edit) {
-        List<Journal.Entry> executed = new ArrayList<>(edit.executed());
-        changes.stream().filter(change -> change.edit() == edit).skip(1).forEach(change -> {
-            List<Command> commands = change.done() ? edit.redoCommands() : edit.undoCommands();
-            commands.forEach(command -> executed.add(new Journal.Entry(change.tick(), command)));
-        });
+        List<Journal.Entry> executed = new ArrayList<>();
+        for (Change change : changes) {
+            if (change.edit() == edit && change.first()) {
+                // The commands of a gesture may have been executed at several ticks.
+                executed.addAll(edit.executed());
+            } else if (change.edit() == edit) {
+                List<Command> commands = change.done() ? edit.redoCommands() : edit.undoCommands();
+                commands.forEach(command -> executed.add(new Journal.Entry(change.tick(), command)));
+            }
+        }
         return executed;
     }
 

@@ -136,7 +136,7 @@ public final class UndoController {
         if (!effective.isEmpty()) {
             CommandEdit edit = new CommandEdit(sentAs, effective);
             if (history.add(edit)) {
-                history.addChange(results.get(0).tick(), edit, true);
+                history.addExecution(results.get(0).tick(), edit);
             }
             onStateChange.run();
         }

@@ -77,7 +77,7 @@ class EditHistoryTest {
         CommandEdit edit =
                 new CommandEdit(nextGesture++, List.of(new CommandResult.Executed(tick, command, List.of(inverse))));
         history.add(edit);
-        history.addChange(tick, edit, true);
+        history.addExecution(tick, edit);
         return edit;
     }
 

@@ -289,4 +289,35 @@ class UndoneEventsTest {
         undo();
         assertEquals(original, scenario());
     }
+
+    /** What was executed before the restart, or before the move back, is no longer part of the edit. */
+    @Test
+    void anEventThatIsRedoneInAnotherRunIsTheOneThatIsUndone() {
+        send(FAULT);
+        advance(5);
+        undo();
+        restart();
+        advance(2);
+        redo();
+        assertTimes(0.11, 0.16, 0.03);
+        advance(5);
+        restart();
+        undo();
+        assertTimes(0.11, 0.16);
+    }
+
+    @Test
+    void anEventThatIsRedoneAtAnEarlierTickIsTheOneThatIsUndone() {
+        send(FAULT);
+        advance(5);
+        undo();
+        advance(5);
+        seek(3);
+        redo();
+        assertTimes(0.11, 0.16, 0.04);
+        advance(2);
+        seek(1);
+        undo();
+        assertTimes(0.11, 0.16);
+    }
 }
