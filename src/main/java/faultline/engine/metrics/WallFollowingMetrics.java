@@ -8,6 +8,7 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.geometry.Vector2;
+import faultline.robot.RobotSpec;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.BiFunction;
@@ -32,9 +33,10 @@ final class WallFollowingMetrics implements TickObserver {
     /** Whether states that the built-in follower does not have count as following. */
     private final boolean hasOwnStates;
 
-    private final SimulationSetup setup;
-    /** The settings from which the wanted distance is. */
+    /** The settings and the robot from which the wanted distance is. */
     private ControllerSpec controller;
+
+    private RobotSpec robot;
     /** The wanted distance of the robot's centre from the wall, metres. */
     private double distance;
     /** The wanted distance at the start, by which the places are found that the robot must pass, metres. */
@@ -55,10 +57,10 @@ final class WallFollowingMetrics implements TickObserver {
 
     /** Creates metrics of one run with a coverage for its walls and the wanted distance. */
     WallFollowingMetrics(SimulationSetup setup, BiFunction<WallReference, Double, Coverage> newCoverage) {
-        this.setup = setup;
         OptionalDouble wanted = CarryOnMetrics.wantedDistance(setup);
         isWallFollower = wanted.isPresent();
         controller = setup.controller();
+        robot = setup.robot();
         hasOwnStates = !(controller instanceof ControllerSpec.WallFollowing);
         walls = new WallReference(setup.world());
         startDistance = wanted.orElse(0);
@@ -72,9 +74,10 @@ final class WallFollowingMetrics implements TickObserver {
         if (!isWallFollower || simulation.collision().isPresent()) {
             return;
         }
-        if (simulation.controllerSpec() != controller) {
+        if (simulation.controllerSpec() != controller || simulation.robot() != robot) {
             controller = simulation.controllerSpec();
-            setDistance(CarryOnMetrics.wantedDistance(controller, setup.robot()).orElse(distance));
+            robot = simulation.robot();
+            setDistance(CarryOnMetrics.wantedDistance(controller, robot).orElse(distance));
         }
         walls.share(simulation);
         Vector2 centre = simulation.pose().position();

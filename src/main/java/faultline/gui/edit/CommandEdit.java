@@ -30,9 +30,13 @@ final class CommandEdit implements Edit {
                 (earlier, later) -> new CommandResult.Executed(later.tick(), later.command(), earlier.inverse()));
     }
 
-    /** Adds the commands of a newer edit if it belongs to the same gesture; returns whether it does. */
+    /**
+     * Adds the commands of a newer edit if it belongs to the same gesture; returns whether it does. A key that is
+     * pressed during a drag is an edit of its own if it switches a sensor or injects a fault, because such events are
+     * undone on the timeline in a later run.
+     */
     boolean merge(CommandEdit newer) {
-        boolean sameGesture = newer.gestureId == gestureId;
+        boolean sameGesture = newer.gestureId == gestureId && newer.hasOnlyEvents() == hasOnlyEvents();
         if (sameGesture) {
             newer.results.values().forEach(this::add);
         }

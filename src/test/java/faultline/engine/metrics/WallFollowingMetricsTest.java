@@ -118,6 +118,14 @@ class WallFollowingMetricsTest {
     }
 
     @Test
+    void theWantedDistanceIsThatOfASensorThatIsMovedDuringTheRun() {
+        SensorSpec inside = RobotSpec.DEFAULT.sensor("left").orElseThrow().withMountPosition(new Vector2(0, 0.02));
+        RunResult result = runFollower(80, new SimulationSetup.TimedCommand(1, new Command.ConfigureSensor(inside)));
+        assertEquals(1, result.coverage().orElse(-1), 0.03);
+        assertTrue(result.distanceRms().orElse(1) < 0.001, () -> "error " + result.distanceRms());
+    }
+
+    @Test
     void beforeTheRobotReachesAWallThereIsNothingToMeasure() {
         RunResult result = runFollower(1);
         assertTrue(result.coverage().isEmpty() && result.distanceRms().isEmpty());

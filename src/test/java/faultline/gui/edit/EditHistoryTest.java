@@ -254,4 +254,20 @@ class EditHistoryTest {
         history.mark(moved, false);
         assertDoneAndUndone(setup, moved);
     }
+
+    @Test
+    void anEventDuringADragIsAnEditOfItsOwn() {
+        CommandEdit moved = execute(10, "box");
+        nextGesture--;
+        CommandEdit switched = switchOff(10, "front");
+        nextGesture--;
+        CommandEdit movedOn = execute(11, "box");
+        nextGesture--;
+        execute(12, "box");
+        assertDoneAndUndone(movedOn, null);
+        history.mark(movedOn, false);
+        assertDoneAndUndone(switched, movedOn);
+        history.mark(switched, false);
+        assertDoneAndUndone(moved, switched);
+    }
 }
