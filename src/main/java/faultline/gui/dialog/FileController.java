@@ -41,11 +41,15 @@ public final class FileController {
      * that changed a value.
      */
     public FileController(Component parent, Workspace workspace, BooleanSupplier commitPendingEdit) {
+        this(parent, workspace, commitPendingEdit, new FileDialogs(parent));
+    }
+
+    FileController(Component parent, Workspace workspace, BooleanSupplier commitPendingEdit, FileDialogs fileDialogs) {
         this.workspace = workspace;
         this.documentStore = new DocumentStore(workspace);
         this.commitPendingEdit = commitPendingEdit;
         this.parent = parent;
-        this.fileDialogs = new FileDialogs(parent);
+        this.fileDialogs = fileDialogs;
     }
 
     public void addTo(ActionRegistry actions, Runnable quit) {
@@ -69,9 +73,9 @@ public final class FileController {
     private static void doNothing() {}
 
     private void open() {
-        runIfChangesHandled(() -> fileDialogs
+        fileDialogs
                 .chooseFileToOpen("open", workspace.file().orElse(null))
-                .ifPresent(documentStore::open));
+                .ifPresent(file -> runIfChangesHandled(() -> documentStore.open(file)));
     }
 
     /** Asks for the reference run to load. */
@@ -166,7 +170,7 @@ public final class FileController {
         if (workspace.isChanged()
                 && fileDialogs.showOptions("revert", Messages.get("revert.question"), "revert.revert", "unsaved.cancel")
                         == 0) {
-            documentStore.revert();
+            leaveQuestion.accept(documentStore::revert);
         }
     }
 
@@ -196,7 +200,7 @@ public final class FileController {
                                 "changed", Messages.get("changed.question", name), "changed.reload", "changed.keep")
                         == 0;
         if (reload) {
-            documentStore.open(file);
+            reload(file);
         }
     }
 
@@ -246,8 +250,12 @@ public final class FileController {
         if (answer == 0) {
             change.save().run();
         } else if (answer == 1 && readable) {
-            documentStore.open(file);
+            reload(file);
         }
+    }
+
+    private void reload(Path file) {
+        leaveQuestion.accept(() -> documentStore.open(file));
     }
 
     private void saveAs(Runnable then) {

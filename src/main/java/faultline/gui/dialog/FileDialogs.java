@@ -28,7 +28,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import javax.swing.plaf.metal.MetalFileChooserUI;
 
 /** File choosers and option dialogs. */
-final class FileDialogs {
+class FileDialogs {
 
     private static final int LOADING_DELAY_MILLIS = 1000;
     private static final Pattern PATTERN_CHARACTERS = Pattern.compile("[*?\\[]");

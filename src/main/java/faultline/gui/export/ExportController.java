@@ -30,6 +30,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -46,6 +47,8 @@ public final class ExportController implements WorkspaceListener {
     /** Pixels of an image per pixel of the canvas, in each direction. */
     private static final double RESOLUTION_SCALE = 2;
 
+    private static final long NO_RECORDING = -1;
+
     private final Component parent;
     private final Workspace workspace;
     private final SimulationCanvas canvas;
@@ -59,7 +62,9 @@ public final class ExportController implements WorkspaceListener {
     private Supplier<Optional<StripContent>> chart = Optional::empty;
     private Supplier<PrintService[]> printers = PrinterJob::lookupPrintServices;
     private Supplier<Optional<Boolean>> discardQuestion = () -> Optional.of(true);
-    private long recordingStart;
+    private Consumer<String> errorDialog = this::showErrorDialog;
+    /** The first tick of the newest recording, or {@link #NO_RECORDING}. */
+    private long recordingStart = NO_RECORDING;
 
     /**
      * Creates a controller. {@code fileSelector} asks for a file, given the key of the dialog's title and the extension
@@ -95,6 +100,11 @@ public final class ExportController implements WorkspaceListener {
     /** Sets what finds the printers of this machine. */
     void setPrinters(Supplier<PrintService[]> newPrinters) {
         printers = newPrinters;
+    }
+
+    /** Sets what shows the sentence of a failure. */
+    void setErrorDialog(Consumer<String> newDialog) {
+        errorDialog = newDialog;
     }
 
     /** Returns the actions of the controller. */
@@ -164,32 +174,39 @@ public final class ExportController implements WorkspaceListener {
         if (on) {
             recordingStart = tick();
         } else {
-            withRenderRequest(this::saveRecording);
+            withRenderRequest(this::endRecording);
         }
     }
 
-    private void saveRecording(RenderRequest request) {
-        saveRecording(request, () -> {});
-    }
-
-    /** Saves the recording, or discards it on request, and then runs an action. */
-    private void saveRecording(RenderRequest request, Runnable then) {
-        // A run that has been restarted since is exported from its start.
-        long from = recordingStart <= tick() ? recordingStart : 0;
-        workspace.replayScenario().ifPresent(run -> {
-            AnimatedGifExport recording = new AnimatedGifExport(request, run, from);
-            while (!write("exportGif", ".gif", recording, then)) {
+    /** Saves the recording that was switched off, or discards it on request. */
+    private void endRecording(RenderRequest request) {
+        long start = recordingStart;
+        recording(request).ifPresent(recording -> {
+            while (!write("exportGif", ".gif", recording, () -> {}, () -> resumeRecording(start))) {
                 if (discardQuestion.get().orElse(false)) {
-                    then.run();
                     return;
                 }
             }
         });
     }
 
+    /** Continues a recording that could not be written, unless its run is gone or there is a newer one. */
+    private void resumeRecording(long start) {
+        if (start == recordingStart) {
+            recordGif.setOn(true);
+        }
+    }
+
+    private Optional<AnimatedGifExport> recording(RenderRequest request) {
+        // A run that has been restarted since is exported from its start.
+        long from = recordingStart <= tick() ? recordingStart : 0;
+        return workspace.replayScenario().map(run -> new AnimatedGifExport(request, run, from));
+    }
+
     /**
-     * Runs an action that ends the recording, if there is one, after asking whether to discard it. If the question is
-     * closed, nothing happens.
+     * Runs an action that ends the recording, if there is one, after asking whether to discard it. If the question or
+     * the choice of a file is cancelled, or the file cannot be written, nothing happens. The recording is on until it
+     * is saved, or the action has opened a scenario.
      */
     public void runIfRecordingHandled(Runnable action) {
         if (!recordGif.isOn()) {
@@ -197,7 +214,6 @@ public final class ExportController implements WorkspaceListener {
             return;
         }
         discardQuestion.get().ifPresent(discard -> {
-            recordGif.setOn(false);
             if (discard) {
                 action.run();
             } else {
@@ -206,10 +222,25 @@ public final class ExportController implements WorkspaceListener {
         });
     }
 
+    private void saveRecording(RenderRequest request, Runnable then) {
+        recording(request).ifPresent(recording -> {
+            boolean ignored = write(
+                    "exportGif",
+                    ".gif",
+                    recording,
+                    () -> {
+                        recordGif.setOn(false);
+                        then.run();
+                    },
+                    () -> {});
+        });
+    }
+
     /** Ends the recording, because its run is gone. */
     @Override
     public void scenarioOpened() {
         recordGif.setOn(false);
+        recordingStart = NO_RECORDING;
     }
 
     private long tick() {
@@ -222,7 +253,7 @@ public final class ExportController implements WorkspaceListener {
                 RESOLUTION_SCALE,
                 Toolkit.getDefaultToolkit().getSystemClipboard(),
                 () -> notes.show(Messages.get("note.imageCopied")),
-                failure -> showError(Messages.get("copy.failed", ErrorMessages.describe(failure))));
+                failure -> errorDialog.accept(Messages.get("copy.failed", ErrorMessages.describe(failure))));
     }
 
     private void print(RenderRequest request) {
@@ -242,16 +273,19 @@ public final class ExportController implements WorkspaceListener {
     private void printFailed(Throwable failure) {
         // The user aborts a job on purpose.
         if (!(failure instanceof PrinterAbortException)) {
-            showError(Messages.get("print.failed", ErrorMessages.describe(failure)));
+            errorDialog.accept(Messages.get("print.failed", ErrorMessages.describe(failure)));
         }
     }
 
     private void write(String action, String ending, FileExport export) {
-        boolean ignored = write(action, ending, export, () -> {});
+        boolean ignored = write(action, ending, export, () -> {}, () -> {});
     }
 
-    /** Asks for a file and starts to write it; returns whether it does. {@code then} runs when it is written. */
-    private boolean write(String action, String ending, FileExport export, Runnable then) {
+    /**
+     * Asks for a file and starts to write it; returns whether it does. {@code then} runs when it is written, or
+     * {@code otherwise} when that has failed or was cancelled.
+     */
+    private boolean write(String action, String ending, FileExport export, Runnable then, Runnable otherwise) {
         Optional<Path> chosen = fileSelector.apply(action, ending);
         if (chosen.isEmpty()) {
             return false;
@@ -259,7 +293,7 @@ public final class ExportController implements WorkspaceListener {
         Path file = chosen.get();
         if (LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file))
                 .isPresent()) {
-            showError(failureText(file, new MessageException("", WriteProblem.OWN_INPUT.with(), null)));
+            errorDialog.accept(failureText(file, new MessageException("", WriteProblem.OWN_INPUT.with(), null)));
             return false;
         }
         String writing = Messages.get("export.writing", FileNames.lastOf(file));
@@ -273,12 +307,17 @@ public final class ExportController implements WorkspaceListener {
                             onWritten.accept(written);
                             then.run();
                         },
-                        failure -> showError(failureText(file, failure)))
+                        failure -> {
+                            otherwise.run();
+                            if (!(failure instanceof CancellationException)) {
+                                errorDialog.accept(failureText(file, failure));
+                            }
+                        })
                 .start();
         return true;
     }
 
-    private void showError(String sentence) {
+    private void showErrorDialog(String sentence) {
         JOptionPane.showMessageDialog(
                 parent, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
     }

@@ -10,7 +10,6 @@ import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import javax.swing.ProgressMonitor;
 import javax.swing.Timer;
@@ -33,7 +32,10 @@ final class ExportTask {
     private final Timer timer = new Timer(POLL_MILLIS, event -> updateMonitor());
     private int shownProgress;
 
-    /** Creates a task; {@code onEnd} runs when it has ended, also if it was cancelled. */
+    /**
+     * Creates a task; {@code onEnd} runs when it has ended. If it was cancelled, {@code onFailed} receives a
+     * {@link java.util.concurrent.CancellationException}.
+     */
     ExportTask(
             Component parent,
             FileExport export,
@@ -93,9 +95,7 @@ final class ExportTask {
 
     private void failed(Throwable failure) {
         end();
-        if (!(failure instanceof CancellationException)) {
-            onFailed.accept(failure);
-        }
+        onFailed.accept(failure);
     }
 
     private void end() {

@@ -3,25 +3,106 @@ package faultline.gui.dialog;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
+import faultline.world.Command;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
 
 @ExtendWith(EdtChecker.class)
 class FileControllerTest {
 
+    private static final Set<String> LOSING_ANSWERS = Set.of("revert.revert", "changed.reload");
+
+    @TempDir
+    private Path folder;
+
+    /** What was asked, in order. */
+    private final List<String> questions = new CopyOnWriteArrayList<>();
+
     private final Workspace workspace = callOnEdt(Workspace::new);
-    private final FileController files = callOnEdt(() -> new FileController(new JPanel(), workspace, () -> false));
+    private final RunController run = callOnEdt(() -> new RunController(workspace));
+    private final ActionRegistry actions = new ActionRegistry();
+    private final FileController files =
+            callOnEdt(() -> new FileController(new JPanel(), workspace, () -> false, new AnsweringDialogs()));
+
+    @BeforeEach
+    void addActions() {
+        runOnEdt(() -> {
+            files.addTo(actions, () -> {});
+            files.setLeaveQuestion(leave -> questions.add("recording"));
+        });
+    }
 
     @AfterEach
     void close() {
         runOnEdt(workspace::close);
+    }
+
+    private Path openCopy() throws IOException {
+        Path file = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
+        runOnEdt(() -> files.openWithoutAsking(file));
+        Await.until("open", () -> workspace.file().isPresent());
+        return file;
+    }
+
+    private void edit() {
+        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("left", false)), results -> {}));
+        Await.until("the edit", workspace::isChanged);
+    }
+
+    private void perform(String action) {
+        runOnEdt(() -> actions.get(action).actionPerformed(null));
+    }
+
+    @Test
+    void openAsksAboutARecordingWhenTheFileIsChosen() {
+        perform("open");
+        assertEquals(List.of("open", "recording"), questions);
+    }
+
+    @Test
+    void revertAsksAboutARecording() throws IOException {
+        Path file = openCopy();
+        edit();
+        perform("revert");
+        assertEquals(List.of("revert", "recording"), questions);
+        assertEquals(Optional.of(file), callOnEdt(workspace::file));
+        assertTrue(callOnEdt(workspace::isChanged));
+    }
+
+    @Test
+    void reloadAfterAChangeOnDiskAsksAboutARecording() throws IOException {
+        Path file = openCopy();
+        runOnEdt(() -> files.onFileChangedOnDisk(file));
+        assertEquals(List.of("changed", "recording"), questions);
+    }
+
+    @Test
+    void reloadInsteadOfASaveAsksAboutARecording() throws IOException {
+        Path file = openCopy();
+        edit();
+        Files.writeString(file, Files.readString(file).replaceFirst("duration=\"180\"", "duration=\"170\""));
+        perform("save");
+        Await.until("the question", () -> questions.size() == 2);
+        assertEquals(List.of("changed", "recording"), questions);
     }
 
     /** The command line may name the file by a path that is relative to the working directory. */
@@ -37,5 +118,28 @@ class FileControllerTest {
     @Test
     void aScenarioWithoutAFileIsSavedInTheFolderOfTheLastDialog() {
         assertEquals(Path.of("scenario.xml"), callOnEdt(files::suggestedScenarioFile));
+    }
+
+    /** Chooses the office, and the answer of a question that reverts or reloads. */
+    private final class AnsweringDialogs extends FileDialogs {
+
+        AnsweringDialogs() {
+            super(new JPanel());
+        }
+
+        @Override
+        Optional<Path> chooseFileToOpen(String action, Path selected) {
+            questions.add(action);
+            return Optional.of(Path.of("scenarios/office.xml"));
+        }
+
+        @Override
+        int showOptions(String key, String question, String... answerKeys) {
+            questions.add(key);
+            return IntStream.range(0, answerKeys.length)
+                    .filter(i -> LOSING_ANSWERS.contains(answerKeys[i]))
+                    .findFirst()
+                    .orElseThrow();
+        }
     }
 }

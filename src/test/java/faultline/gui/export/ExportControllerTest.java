@@ -53,6 +53,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -65,6 +66,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Exports a run in every format and reads the result, without a display. */
 @ExtendWith(EdtChecker.class)
@@ -86,6 +89,7 @@ class ExportControllerTest {
 
     private final List<Path> written = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
+    private final List<String> sentences = new CopyOnWriteArrayList<>();
     private final List<String> notes = new ArrayList<>();
     private final List<String> removedNotes = new ArrayList<>();
 
@@ -269,14 +273,77 @@ class ExportControllerTest {
             controller.runIfRecordingHandled(() -> left.add("closed"));
             assertTrue(action("record").isOn());
             controller.runIfRecordingHandled(() -> left.add("discarded"));
-            assertFalse(action("record").isOn());
-            setRecording(true);
         });
         stepTo(STEPS + 6);
         runOnEdt(() -> controller.runIfRecordingHandled(() -> left.add("saved")));
         Await.until("the end", () -> left.contains("saved"));
         assertEquals(List.of("no recording", "discarded", "saved"), left);
         assertEquals(2, frameCount(Files.readAllBytes(folder.resolve("out.gif"))), "ticks 12 and 17 of 18");
+        assertFalse(callOnEdt(action("record")::isOn));
+    }
+
+    @Test
+    void theScenarioIsNotLeftWhenTheChoiceOfAFileIsCancelled() {
+        List<Optional<Boolean>> answers = new ArrayList<>(List.of(Optional.of(false), Optional.of(true)));
+        List<String> left = new ArrayList<>();
+        runOnEdt(() -> {
+            controller.setDiscardQuestion(() -> answers.remove(0));
+            refusals = 1;
+            setRecording(true);
+            controller.runIfRecordingHandled(() -> left.add("saved"));
+        });
+        assertEquals(List.of(), left);
+        assertEquals(1, answers.size(), "asked once");
+        assertTrue(callOnEdt(action("record")::isOn));
+    }
+
+    /** The action can still be cancelled, or fail. */
+    @Test
+    void aDiscardedRecordingIsOnUntilTheScenarioIsLeft() {
+        runOnEdt(() -> {
+            setRecording(true);
+            controller.runIfRecordingHandled(() -> {});
+            assertTrue(action("record").isOn());
+            controller.runIfRecordingHandled(controller::scenarioOpened);
+            assertFalse(action("record").isOn());
+        });
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aRecordingThatCannotBeWrittenIsKept(boolean leaves) throws IOException {
+        List<String> left = new ArrayList<>();
+        Path file = Files.createDirectory(folder.resolve("out.gif"));
+        runOnEdt(() -> {
+            controller.setDiscardQuestion(() -> Optional.of(false));
+            controller.setErrorDialog(sentences::add);
+            setRecording(true);
+        });
+        stepTo(STEPS + 6);
+        runOnEdt(() -> {
+            if (leaves) {
+                controller.runIfRecordingHandled(() -> left.add("left"));
+            } else {
+                setRecording(false);
+            }
+        });
+        Await.until("the failure", () -> !sentences.isEmpty());
+        assertEquals(List.of(), left);
+        assertTrue(callOnEdt(action("record")::isOn));
+        Files.delete(file);
+        assertEquals(2, recordedFrameCount(), "ticks 12 and 17 of 18");
+    }
+
+    @Test
+    void aRecordingThatCannotBeWrittenIsGoneWithItsScenario() throws IOException {
+        Files.createDirectory(folder.resolve("out.gif"));
+        runOnEdt(() -> {
+            controller.setErrorDialog(sentences::add);
+            setRecording(true);
+            setRecording(false);
+            controller.scenarioOpened();
+        });
+        Await.until("the failure", () -> !sentences.isEmpty());
         assertFalse(callOnEdt(action("record")::isOn));
     }
 
