@@ -132,7 +132,7 @@ final class TimelineReader {
             return NEVER;
         }
         double until = fields.number("until", NumberRange.TIME);
-        if (until <= at) {
+        if (until <= at && fields.isNumber("at", NumberRange.TIME) && fields.isNumber("until", NumberRange.TIME)) {
             problems.add(node, ProblemKind.UNTIL.with(DecimalText.format(until), DecimalText.format(at)));
         }
         return until;

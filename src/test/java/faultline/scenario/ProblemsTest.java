@@ -120,6 +120,28 @@ class ProblemsTest {
                         .size());
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            at="5" until="1O"   | until of <fault> is "1O"; expected a number from 0 to 10000000 seconds
+            at="O" until="0.5"  | at of <fault> is "O"; expected a number from 0 to 10000000 seconds
+            at="5" until="-1"   | until of <fault> is "-1"; expected a number from 0 to 10000000 seconds
+            until="0.5"         | <fault> lacks the attribute "at"; expected a number from 0 to 10000000 seconds
+            at="5" until="5"    | until of <fault> is 5; expected a time after at, which is 5
+            """)
+    void aTimeThatIsNoNumberIsReportedOnce(String times, String problem) {
+        List<String> problems = SampleScenario.problems(SampleScenario.withReplacement(
+                "<fault at=\"10\" sensor=\"front\" kind=\"stuck\" value=\"0.4\" until=\"20\"/>",
+                "<fault sensor=\"front\" kind=\"off\" " + times + "/>"));
+        assertEquals(
+                List.of(problem),
+                problems.stream()
+                        .map(line -> line.replaceFirst("^room.xml:\\d+:\\d+: ", ""))
+                        .toList());
+    }
+
     @Test
     void noControllerInJavaCanHaveTheNameOfATypeThatTheFormatDefines() {
         String problem = SampleScenario.problems(SampleScenario.withReplacement("\"wall-follower\"", "\"?\""))

@@ -331,19 +331,38 @@ public final class AttributeReader {
         return text;
     }
 
+    /**
+     * {@return whether the file gives a number in a range, so that {@link #number} has returned it rather than a
+     * placeholder}
+     *
+     * @param name the attribute
+     * @param range the numbers allowed
+     */
+    public boolean isNumber(String name, NumberRange range) {
+        String text = node.attributes().get(name);
+        return text != null && !Double.isNaN(findNumber(text, range));
+    }
+
     private double parseNumber(String name, String text, NumberRange range) {
+        double value = findNumber(text, range);
+        if (Double.isNaN(value)) {
+            reportValue(name, text, () -> numberRule(range));
+            return placeholder(range);
+        }
+        return value;
+    }
+
+    /** Returns the number that a text states, or NaN if it states none in the range. */
+    private static double findNumber(String text, NumberRange range) {
         double rounded = DecimalText.parseShort(text);
         if (range.isInside(rounded)) {
             return rounded;
         }
-        Optional<Double> value = DecimalText.parse(text)
+        return DecimalText.parse(text)
                 .filter(range::contains)
                 .map(exact -> DecimalText.toDouble(exact, text))
-                .filter(nearest -> nearest != 0 || range.minInclusive());
-        if (value.isEmpty()) {
-            reportValue(name, text, () -> numberRule(range));
-        }
-        return value.orElse(placeholder(range));
+                .filter(nearest -> nearest != 0 || range.minInclusive())
+                .orElse(Double.NaN);
     }
 
     private double parseAngle(String name, String text, NumberRange range) {
