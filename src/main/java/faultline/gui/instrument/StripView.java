@@ -46,7 +46,7 @@ final class StripView extends AccessibleComponent {
 
     /** Creates an empty plot, which names its lines unless {@code named} returns that they are named elsewhere. */
     StripView(BooleanSupplier named) {
-        super(AccessibleRole.SWING_COMPONENT);
+        super(AccessibleRole.CANVAS);
         this.named = named;
         setMinimumSize(MIN_SIZE);
         setPreferredSize(MIN_SIZE);

@@ -5,10 +5,12 @@ import java.awt.KeyboardFocusManager;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.function.IntConsumer;
+import javax.accessibility.AccessibleContext;
 import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingConstants;
+import javax.swing.table.JTableHeader;
 import javax.swing.table.TableModel;
 
 /** A table of rows that are read or opened, not edited. */
@@ -24,6 +26,11 @@ public class RowTable extends JTable {
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         alignHeadings();
+    }
+
+    @Override
+    protected final JTableHeader createDefaultTableHeader() {
+        return new NamedHeader(this);
     }
 
     /** Aligns the headings with the texts below them; another look and feel centres them. */
@@ -49,6 +56,30 @@ public class RowTable extends JTable {
     private static void open(int row, IntConsumer listener) {
         if (row >= 0) {
             listener.accept(row);
+        }
+    }
+
+    /** A header that screen readers call by the name of its table. */
+    private static final class NamedHeader extends JTableHeader {
+
+        private final JTable named;
+
+        NamedHeader(JTable named) {
+            super(named.getColumnModel());
+            this.named = named;
+        }
+
+        @Override
+        public AccessibleContext getAccessibleContext() {
+            if (accessibleContext == null) {
+                accessibleContext = new AccessibleJTableHeader() {
+                    @Override
+                    public String getAccessibleName() {
+                        return named.getAccessibleContext().getAccessibleName();
+                    }
+                };
+            }
+            return accessibleContext;
         }
     }
 }

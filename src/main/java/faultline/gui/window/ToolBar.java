@@ -35,6 +35,7 @@ final class ToolBar extends JToolBar {
 
     ToolBar(ActionRegistry actions, BoundedRangeModel speed) {
         this.actions = actions;
+        UiText.name(this, "toolBar");
         setFloatable(false);
         setLayout(new ToolBarLayout());
         addGroup("open", "save");

@@ -34,6 +34,8 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -83,6 +85,13 @@ class StripChartTest {
                 + (time - span.start())
                         / span.length()
                         * (chart.view().getWidth() - StripScale.LEFT_MARGIN - StripScale.RIGHT_MARGIN);
+    }
+
+    @Test
+    void screenReadersCallItACanvas() {
+        AccessibleContext view = callOnEdt(() -> chart.view().getAccessibleContext());
+        assertEquals("Strip chart", view.getAccessibleName());
+        assertEquals(AccessibleRole.CANVAS, view.getAccessibleRole());
     }
 
     @Test

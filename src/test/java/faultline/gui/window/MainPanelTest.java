@@ -76,9 +76,11 @@ import javax.swing.JSlider;
 import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
+import javax.swing.JToolBar;
 import javax.swing.JViewport;
 import javax.swing.MenuElement;
 import javax.swing.SwingUtilities;
+import javax.swing.table.JTableHeader;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -561,6 +563,8 @@ class MainPanelTest {
                         || part instanceof JSlider
                         || part instanceof JTextField
                         || part instanceof SimulationCanvas
+                        || part instanceof JToolBar
+                        || part instanceof JTableHeader
                         || part instanceof JComboBox);
     }
 
