@@ -73,9 +73,9 @@ public final class FileController {
     private static void doNothing() {}
 
     private void open() {
-        fileDialogs
+        runIfChangesHandled(() -> fileDialogs
                 .chooseFileToOpen("open", workspace.file().orElse(null))
-                .ifPresent(file -> runIfChangesHandled(() -> documentStore.open(file)));
+                .ifPresent(documentStore::open));
     }
 
     /** Asks for the reference run to load. */

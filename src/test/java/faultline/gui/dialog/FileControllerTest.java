@@ -73,9 +73,9 @@ class FileControllerTest {
     }
 
     @Test
-    void openAsksAboutARecordingWhenTheFileIsChosen() {
+    void openAsksAboutARecordingBeforeAFileIsChosen() {
         perform("open");
-        assertEquals(List.of("open", "recording"), questions);
+        assertEquals(List.of("recording"), questions);
     }
 
     @Test
