@@ -162,8 +162,8 @@ public final class FileController {
      */
     public Consumer<Scenario> reopening() {
         Path file = workspace.file().orElse(null);
-        Scenario saved = workspace.savedScenario().orElse(null);
-        return edited -> runIfChangesHandled(() -> documentStore.openEdited(file, saved, edited));
+        Scenario base = workspace.replaceableScenario().orElse(null);
+        return edited -> runIfChangesHandled(() -> documentStore.openEdited(file, base, edited));
     }
 
     private void revert() {
@@ -186,22 +186,23 @@ public final class FileController {
         leaveQuestion = newQuestion;
     }
 
-    /** Asks whether to reload the open file after another program has changed it. */
-    public void onFileChangedOnDisk(Path file) {
+    /**
+     * Asks whether to reload the open file after another program has changed it. Returns true if the user keeps the
+     * open scenario, and false if the file is reloaded or the question is closed.
+     */
+    public boolean onFileChangedOnDisk(Path file) {
         String name = FileNames.lastOf(file);
-        boolean reload = workspace.isChanged()
+        boolean changed = workspace.isChanged();
+        int answer = changed
                 ? fileDialogs.showOptions(
-                                "changed",
-                                Messages.get("changed.questionUnsaved", name),
-                                "changed.keep",
-                                "changed.reload")
-                        == 1
+                        "changed", Messages.get("changed.questionUnsaved", name), "changed.keep", "changed.reload")
                 : fileDialogs.showOptions(
-                                "changed", Messages.get("changed.question", name), "changed.reload", "changed.keep")
-                        == 0;
-        if (reload) {
+                        "changed", Messages.get("changed.question", name), "changed.reload", "changed.keep");
+        int keep = changed ? 0 : 1;
+        if (answer == 1 - keep) {
             reload(file);
         }
+        return answer == keep;
     }
 
     /** Offers to recover edits after a crash. If the user closes the question, it is asked again at the next start. */

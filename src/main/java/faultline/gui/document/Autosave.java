@@ -58,7 +58,7 @@ public final class Autosave implements AutoCloseable {
             lastWritten = unsaved;
             lastWriteSucceeded = true;
             Path origin = workspace.file().orElse(null);
-            Scenario base = workspace.savedScenario().orElse(null);
+            Scenario base = workspace.replaceableScenario().orElse(null);
             BackgroundTasks.run(
                     () -> {
                         write(origin, base, unsaved);

@@ -151,15 +151,16 @@ public final class DocumentStore {
             }
         }
 
-        /** Returns whether an edit of a scenario, null for nothing, can replace this content without a loss. */
-        boolean mayBeReplaced(Scenario edited, Scenario saved) {
-            return problem == null && (scenario == null || scenario.equals(edited) || scenario.equals(saved));
+        /** Returns whether a save needs no question, given what it may replace, null for nothing. */
+        boolean mayBeReplaced(Scenario edited, Scenario replaceable) {
+            return problem == null && (scenario == null || scenario.equals(edited) || scenario.equals(replaceable));
         }
     }
 
     /**
      * Saves the edited scenario to the file that it came from, unless another program has changed that file:
-     * {@code onForeignChange} is called instead. The watch of the file notices a change only after some seconds.
+     * {@code onForeignChange} is called instead, each time until the edited scenario is saved nevertheless. The watch
+     * of the file notices a change only after some seconds.
      */
     public void saveUnlessReplaced(Path file, Runnable then, Consumer<ForeignChange> onForeignChange) {
         workspace.openDocument().ifPresent(now -> {
@@ -173,7 +174,7 @@ public final class DocumentStore {
                     },
                     found -> {
                         if (found.mayBeReplaced(
-                                edited.join(), now.document().saved().orElse(null))) {
+                                edited.join(), now.document().replaceable().orElse(null))) {
                             save.run();
                         } else {
                             // The watch need not report it again.

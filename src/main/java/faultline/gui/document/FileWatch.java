@@ -12,6 +12,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javax.swing.Timer;
 
 /**
@@ -24,7 +25,7 @@ public final class FileWatch implements AutoCloseable {
     private static final int PERIOD_MILLIS = 2000;
 
     private final Workspace workspace;
-    private final Consumer<Path> onChanged;
+    private final Predicate<Path> onChanged;
     private final Consumer<ScenarioException> onBroken;
     private final Consumer<Path> onDeleted;
     /** Whether nothing can be asked now. */
@@ -46,13 +47,13 @@ public final class FileWatch implements AutoCloseable {
 
     /**
      * Starts to watch the open file of a workspace. On the event dispatch thread, {@code onChanged} is called with the
-     * file if it holds another scenario, {@code onBroken} if it can no longer be read, and {@code onDeleted} with the
-     * file if it no longer exists. While a modal dialog is open, which may show values of the scenario, nothing is
-     * reported.
+     * file if it holds another scenario, and returns whether a save may replace it; {@code onBroken} is called if it
+     * can no longer be read, and {@code onDeleted} with the file if it no longer exists. While a modal dialog is open,
+     * which may show values of the scenario, nothing is reported.
      */
     public FileWatch(
             Workspace workspace,
-            Consumer<Path> onChanged,
+            Predicate<Path> onChanged,
             Consumer<ScenarioException> onBroken,
             Consumer<Path> onDeleted) {
         this(workspace, ModalDialogs::isAnyOpen, onChanged, onBroken, onDeleted);
@@ -62,7 +63,7 @@ public final class FileWatch implements AutoCloseable {
     FileWatch(
             Workspace workspace,
             BooleanSupplier busy,
-            Consumer<Path> onChanged,
+            Predicate<Path> onChanged,
             Consumer<ScenarioException> onBroken,
             Consumer<Path> onDeleted) {
         assert EventQueue.isDispatchThread();
@@ -144,10 +145,11 @@ public final class FileWatch implements AutoCloseable {
 
     private void scenarioFound(Scenario found) {
         if (!workspace.savedScenario().equals(Optional.of(found))) {
-            if (!workspace.scenario().equals(Optional.of(found))) {
-                onChanged.accept(lastSeen.file());
-            }
+            boolean replaceable = workspace.scenario().equals(Optional.of(found)) || onChanged.test(lastSeen.file());
             workspace.setSavedScenario(found);
+            if (replaceable) {
+                workspace.allowReplacement();
+            }
         }
     }
 

@@ -96,7 +96,7 @@ public final class RecoveryStore {
      * Saves unsaved edits.
      *
      * @param origin the edited file, null for a scenario without a file
-     * @param base what the file holds as far as it is known, null for nothing
+     * @param base what a save may replace in the file without a question, null for nothing
      * @param scenario the edited scenario
      */
     synchronized void save(Path origin, Scenario base, Scenario scenario) throws IOException {

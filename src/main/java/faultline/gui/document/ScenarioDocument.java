@@ -20,6 +20,8 @@ final class ScenarioDocument {
     private SetupEditor editor;
     private Path file;
     private Scenario saved;
+    /** What the file may hold when a save replaces it without a question, null for nothing. */
+    private Scenario replaceable;
     /** Null if commands have been executed since it was made. */
     private Scenario edited;
     /** The number of times that commands were sent whose results are not known yet. */
@@ -32,6 +34,7 @@ final class ScenarioDocument {
     ScenarioDocument(Path file, Scenario saved, Scenario initial) {
         this.file = file;
         this.saved = saved;
+        this.replaceable = saved;
         this.initial = initial;
         this.edited = initial;
         this.editor = new SetupEditor(initial.setup());
@@ -128,14 +131,28 @@ final class ScenarioDocument {
         editor.moveTo(tick);
     }
 
-    /** Sets what the file holds, null if it cannot be read. */
-    void setSaved(Scenario newSaved) {
-        saved = newSaved;
+    /** Returns what a save may replace without a question; empty for nothing. */
+    Optional<Scenario> replaceable() {
+        return Optional.ofNullable(replaceable);
+    }
+
+    /**
+     * Sets what another program has written to the file, null if it cannot be read. A save replaces it without a
+     * question only after {@link #allowReplacement}.
+     */
+    void setSaved(Scenario found) {
+        saved = found;
+    }
+
+    /** Lets a save replace what the file holds: the user knows it and keeps the edited scenario. */
+    void allowReplacement() {
+        replaceable = saved;
     }
 
     void savedTo(Path newFile, Scenario newSaved) {
         file = newFile;
         saved = newSaved;
+        replaceable = newSaved;
     }
 
     /**
@@ -144,6 +161,7 @@ final class ScenarioDocument {
      */
     void continueFrom(ScenarioDocument other) {
         savedTo(other.file, other.saved);
+        replaceable = other.replaceable;
         if (initial.expectation().equals(other.edited().expectation())) {
             initial = initial.withExpectation(other.initial.expectation());
             edited = null;

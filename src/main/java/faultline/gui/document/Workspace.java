@@ -162,6 +162,11 @@ public final class Workspace implements AutoCloseable {
         fire(WorkspaceListener::titleChanged);
     }
 
+    /** Lets a save replace what the file holds without another question. */
+    void allowReplacement() {
+        document().ifPresent(ScenarioDocument::allowReplacement);
+    }
+
     /** Returns the file of the scenario; empty if it has none. */
     public Optional<Path> file() {
         return document().flatMap(ScenarioDocument::file);
@@ -192,6 +197,11 @@ public final class Workspace implements AutoCloseable {
     /** Returns the scenario that the file holds, as far as is known; empty if there is none. */
     public Optional<Scenario> savedScenario() {
         return document().flatMap(ScenarioDocument::saved);
+    }
+
+    /** Returns what a save of the scenario may replace without a question; empty for nothing. */
+    public Optional<Scenario> replaceableScenario() {
+        return document().flatMap(ScenarioDocument::replaceable);
     }
 
     /** Returns whether the scenario differs from its file. */
