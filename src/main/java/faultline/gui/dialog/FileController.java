@@ -205,8 +205,11 @@ public final class FileController {
         return answer == keep;
     }
 
-    /** Offers to recover edits after a crash. If the user closes the question, it is asked again at the next start. */
-    public RecoveryPrompt.Answer offerRecovery(RecoveryStore.RecoveredFile recovered) {
+    /**
+     * Offers to recover edits after a crash, and opens them on request. If the user closes the question, or the edits
+     * cannot be opened, they are offered again at the next start.
+     */
+    public void offerRecovery(RecoveryStore.RecoveredFile recovered, Consumer<RecoveryPrompt.Answer> onAnswer) {
         String name = recovered
                 .origin()
                 .map(file -> FileNames.lastOf(file))
@@ -214,10 +217,13 @@ public final class FileController {
         int answer = fileDialogs.showOptions(
                 "recover", Messages.get("recover.question", name), "recover.recover", "recover.discard");
         if (answer == 0) {
-            documentStore.recover(recovered);
-            return RecoveryPrompt.Answer.RECOVER;
+            documentStore.recover(
+                    recovered,
+                    () -> onAnswer.accept(RecoveryPrompt.Answer.RECOVER),
+                    () -> onAnswer.accept(RecoveryPrompt.Answer.LATER));
+        } else {
+            onAnswer.accept(answer == 1 ? RecoveryPrompt.Answer.DISCARD : RecoveryPrompt.Answer.LATER);
         }
-        return answer == 1 ? RecoveryPrompt.Answer.DISCARD : RecoveryPrompt.Answer.LATER;
     }
 
     private void save() {

@@ -89,9 +89,12 @@ public final class DocumentStore {
                         saved -> start(now.document().displayPath(), () -> new ScenarioDocument(null, saved, saved)));
     }
 
-    /** Opens a recovered scenario; its edits are still unsaved. */
-    public void recover(RecoveryStore.RecoveredFile recovered) {
-        openEdited(recovered.originFile(), recovered.base(), recovered.scenario());
+    /**
+     * Opens a recovered scenario; its edits are still unsaved. {@code then} runs when it is open, {@code otherwise} if
+     * it cannot be opened or the user cancels that.
+     */
+    public void recover(RecoveryStore.RecoveredFile recovered, Runnable then, Runnable otherwise) {
+        openEdited(recovered.originFile(), recovered.base(), recovered.scenario(), then, otherwise);
     }
 
     /**
@@ -103,9 +106,15 @@ public final class DocumentStore {
      * @param edited the edited scenario
      */
     public void openEdited(Path file, Scenario saved, Scenario edited) {
+        openEdited(file, saved, edited, () -> {}, () -> {});
+    }
+
+    private void openEdited(Path file, Scenario saved, Scenario edited, Runnable then, Runnable otherwise) {
         start(
                 file == null ? Path.of(FileNames.forScenario(edited.name())) : file,
-                () -> new ScenarioDocument(file, saved, edited));
+                () -> new ScenarioDocument(file, saved, edited),
+                then,
+                otherwise);
     }
 
     private void start(Path name, Callable<ScenarioDocument> loader) {
@@ -113,6 +122,10 @@ public final class DocumentStore {
     }
 
     private void start(Path name, Callable<ScenarioDocument> loader, Runnable then) {
+        start(name, loader, then, () -> {});
+    }
+
+    private void start(Path name, Callable<ScenarioDocument> loader, Runnable then, Runnable otherwise) {
         WorkspaceTask task = new WorkspaceTask(TaskKind.OPEN, name);
         workspace.start(
                 task,
@@ -121,7 +134,8 @@ public final class DocumentStore {
                     task.progress().throwIfCancelled();
                     return OpenDocument.start(document, workspace);
                 },
-                then);
+                then,
+                otherwise);
     }
 
     /**

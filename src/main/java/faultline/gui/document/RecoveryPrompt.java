@@ -1,7 +1,8 @@
 package faultline.gui.document;
 
 import faultline.gui.document.RecoveryStore.RecoveredFile;
-import java.util.function.Function;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
@@ -10,13 +11,13 @@ public final class RecoveryPrompt {
 
     private static final Logger LOG = Logger.getLogger(RecoveryPrompt.class.getName());
 
-    /** The user's answer to an offer. */
+    /** What becomes of edits after an offer. */
     public enum Answer {
-        /** The edits are opened. */
+        /** The edits are open. */
         RECOVER,
         /** The edits are discarded. */
         DISCARD,
-        /** The edits are offered again at the next start. */
+        /** The edits are offered again at the next start: the question was closed, or they could not be opened. */
         LATER
     }
 
@@ -24,23 +25,25 @@ public final class RecoveryPrompt {
 
     /**
      * Offers the edits of a crashed process, asynchronously, or calls {@code otherwise} if there are none. Both
-     * callbacks run on the event dispatch thread. Recovered edits are kept as those of this process, which
-     * {@code autosave} then deletes when they are saved.
+     * callbacks run on the event dispatch thread, where {@code offer} calls its consumer with the answer. Recovered
+     * edits are kept as those of this process, which {@code autosave} then deletes when they are saved.
      */
     public static void offerRecovery(
-            RecoveryStore recovery, Autosave autosave, Function<RecoveredFile, Answer> offer, Runnable otherwise) {
+            RecoveryStore recovery,
+            Autosave autosave,
+            BiConsumer<RecoveredFile, Consumer<Answer>> offer,
+            Runnable otherwise) {
         BackgroundTasks.run(
                 recovery::findOrphan,
-                found -> found.ifPresentOrElse(file -> offer(recovery, autosave, file, offer), otherwise),
+                found -> found.ifPresentOrElse(
+                        file -> offer.accept(file, answer -> answered(recovery, autosave, file, answer)), otherwise),
                 failure -> {
                     logFailure(failure);
                     otherwise.run();
                 });
     }
 
-    private static void offer(
-            RecoveryStore recovery, Autosave autosave, RecoveredFile file, Function<RecoveredFile, Answer> offer) {
-        Answer answer = offer.apply(file);
+    private static void answered(RecoveryStore recovery, Autosave autosave, RecoveredFile file, Answer answer) {
         BackgroundTasks.run(
                 () -> {
                     switch (answer) {

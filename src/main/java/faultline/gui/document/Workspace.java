@@ -81,17 +81,27 @@ public final class Workspace implements AutoCloseable {
 
     /** Starts a task as {@link #start(WorkspaceTask, Callable)}; {@code then} runs after its document is open. */
     void start(WorkspaceTask newTask, Callable<OpenDocument> maker, Runnable then) {
+        start(newTask, maker, then, () -> {});
+    }
+
+    /**
+     * Starts a task as {@link #start(WorkspaceTask, Callable, Runnable)}; {@code otherwise} runs if the task fails or
+     * is cancelled. If a failed task is started again, one of both runs again.
+     */
+    void start(WorkspaceTask newTask, Callable<OpenDocument> maker, Runnable then, Runnable otherwise) {
         cancelActiveTask();
         task = newTask;
-        lastTask = () -> start(newTask, maker, then);
+        lastTask = () -> start(newTask, maker, then, otherwise);
         BackgroundTasks.run(
                 maker,
                 made -> {
-                    if (taskDone(newTask, made)) {
-                        then.run();
-                    }
+                    boolean opened = taskDone(newTask, made);
+                    (opened ? then : otherwise).run();
                 },
-                failure -> taskFailed(newTask, failure));
+                failure -> {
+                    otherwise.run();
+                    taskFailed(newTask, failure);
+                });
     }
 
     /** Starts the last task again, after it has failed. */

@@ -88,7 +88,7 @@ class CrashRecoveryTest {
         assertEquals(edited, recovered.scenario());
         runOnEdt(() -> documentStore.open(file));
         Await.until("the file without the edits", () -> !workspace.scenario().equals(Optional.of(edited)));
-        runOnEdt(() -> documentStore.recover(recovered));
+        runOnEdt(() -> documentStore.recover(recovered, () -> {}, () -> {}));
         Await.until("the edits", () -> workspace.scenario().equals(Optional.of(edited)));
         assertTrue(callOnEdt(workspace::isChanged));
         assertEquals(
@@ -107,7 +107,7 @@ class CrashRecoveryTest {
         Await.until("the kept edits", () -> dying.findOrphan().isPresent());
         Files.writeString(file, Files.readString(file).replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
         RecoveryStore.RecoveredFile recovered = dying.findOrphan().orElseThrow();
-        runOnEdt(() -> documentStore.recover(recovered));
+        runOnEdt(() -> documentStore.recover(recovered, () -> {}, () -> {}));
         Await.until("the edits", () -> workspace.file().equals(Optional.of(file.toAbsolutePath())));
         assertSaveIsQuestioned(change -> assertNull(change.problem()));
         assertEquals("Other", Scenario.load(file).name());
@@ -163,10 +163,8 @@ class CrashRecoveryTest {
         runOnEdt(() -> RecoveryPrompt.offerRecovery(
                 own,
                 autosave,
-                found -> {
-                    documentStore.recover(found);
-                    return RecoveryPrompt.Answer.RECOVER;
-                },
+                (found, onAnswer) ->
+                        documentStore.recover(found, () -> onAnswer.accept(RecoveryPrompt.Answer.RECOVER), () -> {}),
                 () -> {}));
         Path ownFile = kept.resolve((DEAD - 1) + "-0.xml");
         Await.until("the edits", () -> workspace.isChanged() && Files.exists(ownFile));
@@ -262,9 +260,9 @@ class CrashRecoveryTest {
         runOnEdt(() -> RecoveryPrompt.offerRecovery(
                 first,
                 autosave,
-                found -> {
+                (found, onAnswer) -> {
                     foundDuringTheOffer.set(isFoundBy(second));
-                    return RecoveryPrompt.Answer.LATER;
+                    onAnswer.accept(RecoveryPrompt.Answer.LATER);
                 },
                 () -> {}));
         Await.until("the answer", () -> foundDuringTheOffer.get() != null);

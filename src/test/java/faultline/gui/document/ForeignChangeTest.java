@@ -135,7 +135,7 @@ class ForeignChangeTest {
         Await.until("the kept edits", () -> dying.findOrphan().isPresent());
         OpenDocument before = callOnEdt(() -> workspace.openDocument().orElseThrow());
         RecoveryStore.RecoveredFile kept = dying.findOrphan().orElseThrow();
-        runOnEdt(() -> documentStore.recover(kept));
+        runOnEdt(() -> documentStore.recover(kept, () -> {}, () -> {}));
         Await.until("the recovery", () -> workspace.openDocument().orElseThrow() != before);
         assertSaveIsQuestioned();
     }

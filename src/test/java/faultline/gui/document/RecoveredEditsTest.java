@@ -1,0 +1,129 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.scenario.Scenario;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Edits that a crash has left are kept until they are open. */
+@ExtendWith(EdtChecker.class)
+class RecoveredEditsTest {
+
+    @TempDir
+    private Path folder;
+
+    private RecoveryStore own;
+    private Workspace workspace;
+    private DocumentStore documentStore;
+    private final List<Throwable> failures = new ArrayList<>();
+    private final List<RecoveryPrompt.Answer> answers = new ArrayList<>();
+
+    @BeforeEach
+    void crash() throws Exception {
+        Scenario edited = Scenario.loadShipped("office.xml");
+        new RecoveryStore(folder, Integer.MAX_VALUE, Instant.EPOCH).save(null, null, edited);
+        own = new RecoveryStore(folder);
+        workspace = callOnEdt(Workspace::new);
+        documentStore = new DocumentStore(workspace);
+        runOnEdt(() -> workspace.addListener(new WorkspaceListener() {
+            @Override
+            public void taskFailed(TaskKind task, Path file, Throwable failure) {
+                failures.add(failure);
+            }
+        }));
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    /** Answers the offer of the edits with a request to open them. */
+    private Autosave recover() {
+        Autosave autosave = callOnEdt(() -> new Autosave(workspace, own, failures::add));
+        runOnEdt(() -> RecoveryPrompt.offerRecovery(
+                own,
+                autosave,
+                (found, onAnswer) -> documentStore.recover(
+                        found,
+                        () -> answer(onAnswer, RecoveryPrompt.Answer.RECOVER),
+                        () -> answer(onAnswer, RecoveryPrompt.Answer.LATER)),
+                () -> {}));
+        return autosave;
+    }
+
+    private void answer(Consumer<RecoveryPrompt.Answer> onAnswer, RecoveryPrompt.Answer answer) {
+        answers.add(answer);
+        onAnswer.accept(answer);
+    }
+
+    private void assertOfferedAgain(Autosave autosave) throws IOException {
+        RecoveryStore next = new RecoveryStore(folder);
+        Await.until("the next offer", () -> next.findOrphan().isPresent());
+        next.release();
+        runOnEdt(autosave::close);
+        assertEquals(List.of(RecoveryPrompt.Answer.LATER), answers);
+        assertTrue(next.findOrphan().isPresent(), "a window without these edits does not delete them");
+    }
+
+    @Test
+    void editsWhoseRunCannotStartAreOfferedAgain() throws IOException {
+        runOnEdt(() -> workspace.setControllerChoice(setup -> {
+            throw new IllegalStateException("no such controller");
+        }));
+        Autosave autosave = recover();
+        Await.until("the failure", () -> failures.size() == 1);
+        assertOfferedAgain(autosave);
+    }
+
+    @Test
+    void editsWhoseRunStartsAtTheSecondAttemptAreThoseOfTheWindow() {
+        runOnEdt(() -> workspace.setControllerChoice(setup -> {
+            throw new IllegalStateException("no such controller");
+        }));
+        Autosave autosave = recover();
+        Await.until("the failure", () -> failures.size() == 1);
+        runOnEdt(() -> {
+            workspace.setControllerChoice(UnaryOperator.identity());
+            workspace.retry();
+        });
+        Await.until("the note of the adoption", autosave::hasEdits);
+        assertEquals(List.of(RecoveryPrompt.Answer.LATER, RecoveryPrompt.Answer.RECOVER), answers);
+        assertTrue(callOnEdt(() -> workspace.scenario().isPresent()));
+    }
+
+    @Test
+    void editsWhoseOpeningIsCancelledAreOfferedAgain() throws IOException {
+        CountDownLatch cancelled = new CountDownLatch(1);
+        runOnEdt(() -> workspace.setControllerChoice(setup -> {
+            try {
+                cancelled.await();
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+            return setup;
+        }));
+        Autosave autosave = recover();
+        Await.until("the opening", () -> workspace.task().isPresent());
+        runOnEdt(workspace::cancelTask);
+        cancelled.countDown();
+        assertOfferedAgain(autosave);
+    }
+}
