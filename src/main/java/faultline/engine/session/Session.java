@@ -40,6 +40,7 @@ public final class Session implements SessionView, AutoCloseable {
     private final Thread thread = new Thread(this::run, "faultline-world");
     private volatile boolean frameWanted;
     private volatile boolean closed;
+    private volatile boolean ended;
     private volatile Runnable pausedChangeListener = () -> {};
 
     // Used by the simulation thread only, after the replay.
@@ -277,6 +278,14 @@ public final class Session implements SessionView, AutoCloseable {
         return journal;
     }
 
+    /**
+     * {@return whether the simulation thread has ended, after {@link #close} or by an error such as a lack of memory}
+     * Later requests have no effect, and commands are not answered.
+     */
+    public boolean hasEnded() {
+        return ended;
+    }
+
     /** Ends the session and its threads. Frames stay valid. */
     @Override
     public void close() {
@@ -301,9 +310,13 @@ public final class Session implements SessionView, AutoCloseable {
             throw broken;
         } finally {
             closed = true;
-            // Requests that were submitted before the end are still answered.
-            runTasks();
-            sendAnswers();
+            try {
+                // Requests that were submitted before the end are still answered.
+                runTasks();
+                sendAnswers();
+            } finally {
+                ended = true;
+            }
         }
     }
 

@@ -46,6 +46,11 @@ public final class Autosave implements AutoCloseable {
                     saveUnsavedEdits();
                 }
             }
+
+            @Override
+            public void workspaceClosing() {
+                close();
+            }
         });
     }
 
@@ -53,7 +58,7 @@ public final class Autosave implements AutoCloseable {
      * Writes the unsaved edits, or deletes the recovery file if there are none. Does nothing if the file is up to date.
      */
     void saveUnsavedEdits() {
-        Scenario unsaved = workspace.isChanged() ? workspace.scenario().orElseThrow() : null;
+        Scenario unsaved = unsavedEdits();
         if (!lastWriteSucceeded || !Objects.equals(unsaved, lastWritten)) {
             lastWritten = unsaved;
             lastWriteSucceeded = true;
@@ -67,6 +72,11 @@ public final class Autosave implements AutoCloseable {
                     written -> failureReported = false,
                     this::writeFailed);
         }
+    }
+
+    /** Returns the scenario with its unsaved edits, null if there are none. */
+    private Scenario unsavedEdits() {
+        return workspace.isChanged() ? workspace.scenario().orElseThrow() : null;
     }
 
     /** Notes that the recovery store holds these edits, which were recovered after a crash. */
@@ -91,9 +101,12 @@ public final class Autosave implements AutoCloseable {
 
     /** Writes edits, null for none, unless newer ones are waiting or the window has been closed. */
     synchronized void write(Path origin, Scenario base, Scenario unsaved) throws IOException {
-        if (closed || !Objects.equals(unsaved, lastWritten)) {
-            return;
+        if (!closed && Objects.equals(unsaved, lastWritten)) {
+            replaceRecoveryFile(origin, base, unsaved);
         }
+    }
+
+    private synchronized void replaceRecoveryFile(Path origin, Scenario base, Scenario unsaved) throws IOException {
         if (unsaved == null) {
             recovery.delete();
         } else {
@@ -101,18 +114,23 @@ public final class Autosave implements AutoCloseable {
         }
     }
 
-    /** Deletes the recovery file: the window closes normally and nothing needs to be recovered. */
+    /**
+     * Deletes the recovery file: the window closes normally and nothing needs to be recovered. Unsaved edits of a run
+     * that has died are kept: perhaps they could not be saved.
+     */
     @Override
     public void close() {
+        if (closed) {
+            return;
+        }
         timer.stop();
         closed = true;
+        Path origin = workspace.file().orElse(null);
+        Scenario base = workspace.replaceableScenario().orElse(null);
+        Scenario kept = workspace.hasRunDied() ? unsavedEdits() : null;
         BackgroundTasks.runBeforeExit(
-                this::deleteRecoveryFile,
+                () -> replaceRecoveryFile(origin, base, kept),
                 () -> {},
-                failure -> LOG.log(Level.WARNING, "the recovery file cannot be deleted", failure));
-    }
-
-    private synchronized void deleteRecoveryFile() throws IOException {
-        recovery.delete();
+                failure -> LOG.log(Level.WARNING, "the recovery file cannot be written or deleted", failure));
     }
 }

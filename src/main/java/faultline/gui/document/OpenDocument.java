@@ -17,10 +17,10 @@ record OpenDocument(ScenarioDocument document, Session session) {
 
     /**
      * Returns the scenario as edited by all commands that have been sent. The future completes on the event dispatch
-     * thread, after their results; exceptionally if the session is closed before.
+     * thread, after their results. If the session has ended, these are the edits that are known.
      */
     CompletableFuture<Scenario> edited() {
         // The session answers in order, so the results of earlier commands are already in the queue.
-        return session.journal().thenApplyAsync(journal -> document.edited(), EventQueue::invokeLater);
+        return session.journal().handleAsync((journal, ended) -> document.edited(), EventQueue::invokeLater);
     }
 }

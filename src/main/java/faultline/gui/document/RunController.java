@@ -115,10 +115,14 @@ public final class RunController implements WorkspaceListener {
 
     /**
      * Sends commands, which are executed in order at the start of the same tick. {@code onExecuted} receives their
-     * results on the event dispatch thread; it is not called without a run.
+     * results on the event dispatch thread, none if the run has died; it is not called without a run.
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
         submit(open -> {
+            if (open.session().hasEnded()) {
+                EventQueue.invokeLater(() -> onExecuted.accept(List.of()));
+                return;
+            }
             open.document().commandsSent();
             open.session()
                     .send(

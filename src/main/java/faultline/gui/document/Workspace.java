@@ -221,7 +221,13 @@ public final class Workspace implements AutoCloseable {
 
     /** Returns whether commands have been sent whose results are not known yet, because the run is busy. */
     public boolean awaitsCommands() {
-        return document().filter(ScenarioDocument::awaitsCommands).isPresent();
+        return !hasRunDied()
+                && document().filter(ScenarioDocument::awaitsCommands).isPresent();
+    }
+
+    /** Returns whether the thread of the run has died of an error; what has been edited is known nevertheless. */
+    boolean hasRunDied() {
+        return openDocument().filter(now -> now.session().hasEnded()).isPresent();
     }
 
     /**
@@ -237,6 +243,7 @@ public final class Workspace implements AutoCloseable {
     /** Ends the run and cancels the active task. */
     @Override
     public void close() {
+        fire(WorkspaceListener::workspaceClosing);
         cancelActiveTask();
         closeSession();
     }

@@ -46,4 +46,7 @@ public interface WorkspaceListener {
 
     /** The journal has been saved to a file. */
     default void journalSaved(Path file) {}
+
+    /** The workspace is about to close; the document is still open. */
+    default void workspaceClosing() {}
 }

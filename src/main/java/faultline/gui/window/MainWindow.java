@@ -356,12 +356,6 @@ public final class MainWindow extends JFrame {
                 workspace,
                 recovery,
                 failure -> showNote(Messages.get("recover.failed", ErrorMessages.describe(failure))));
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosed(WindowEvent event) {
-                autosave.close();
-            }
-        });
         RecoveryPrompt.offerRecovery(recovery, autosave, fileController::offerRecovery, otherwise);
     }
 
