@@ -18,23 +18,29 @@ final class ScenarioDocument {
 
     private volatile Scenario initial;
     private SetupEditor editor;
-    private Path file;
-    private Scenario saved;
-    /** What the file may hold when a save replaces it without a question, null for nothing. */
-    private Scenario replaceable;
+    private FileState onDisk;
     /** Null if commands have been executed since it was made. */
     private Scenario edited;
     /** The number of times that commands were sent whose results are not known yet. */
     private int unanswered;
+
+    /** The file of a scenario. The document after a restart has that of the one before, so a save may end after it. */
+    private static final class FileState {
+        /** Null for none. */
+        private Path file;
+        /** What the file holds, null if that is not known or cannot be read. */
+        private Scenario saved;
+        /** What the file may hold when a save replaces it without a question, null for nothing. */
+        private Scenario replaceable;
+    }
 
     /**
      * Creates a document without edits: its file, null for none; the scenario that the file holds, null for none; and
      * that at the start of the run.
      */
     ScenarioDocument(Path file, Scenario saved, Scenario initial) {
-        this.file = file;
-        this.saved = saved;
-        this.replaceable = saved;
+        this.onDisk = new FileState();
+        savedTo(file, saved);
         this.initial = initial;
         this.edited = initial;
         this.editor = new SetupEditor(initial.setup());
@@ -45,11 +51,11 @@ final class ScenarioDocument {
     }
 
     Optional<Path> file() {
-        return Optional.ofNullable(file);
+        return Optional.ofNullable(onDisk.file);
     }
 
     Optional<Scenario> saved() {
-        return Optional.ofNullable(saved);
+        return Optional.ofNullable(onDisk.saved);
     }
 
     /** Returns the scenario as edited by all commands, including those that are later than the tick of a moved run. */
@@ -82,6 +88,7 @@ final class ScenarioDocument {
 
     /** Returns a scenario as the record of a run again, if the file holds one with this setup. */
     private Scenario withRecord(Scenario changed) {
+        Scenario saved = onDisk.saved;
         boolean recorded = saved != null && saved.recorded() && saved.setup().equals(changed.setup());
         return recorded
                 ? new Scenario(changed.name(), changed.description(), true, changed.setup(), changed.expectation())
@@ -95,7 +102,7 @@ final class ScenarioDocument {
 
     /** Returns whether the file holds another scenario than the edited one, or none. */
     boolean isChanged() {
-        return !edited().equals(saved);
+        return !edited().equals(onDisk.saved);
     }
 
     void commandsSent() {
@@ -133,7 +140,7 @@ final class ScenarioDocument {
 
     /** Returns what a save may replace without a question; empty for nothing. */
     Optional<Scenario> replaceable() {
-        return Optional.ofNullable(replaceable);
+        return Optional.ofNullable(onDisk.replaceable);
     }
 
     /**
@@ -141,27 +148,26 @@ final class ScenarioDocument {
      * question only after {@link #allowReplacement}.
      */
     void setSaved(Scenario found) {
-        saved = found;
+        onDisk.saved = found;
     }
 
     /** Lets a save replace what the file holds: the user knows it and keeps the edited scenario. */
     void allowReplacement() {
-        replaceable = saved;
+        onDisk.replaceable = onDisk.saved;
     }
 
     void savedTo(Path newFile, Scenario newSaved) {
-        file = newFile;
-        saved = newSaved;
-        replaceable = newSaved;
+        onDisk.file = newFile;
+        onDisk.saved = newSaved;
+        onDisk.replaceable = newSaved;
     }
 
     /**
-     * Takes over the file of a document that was edited to this one, what it holds, the hidden commands and the states
-     * that an earlier controller is expected to reach.
+     * Continues a document that was edited to this one: with its file, also if a save of it ends later, its hidden
+     * commands and the states that an earlier controller is expected to reach.
      */
     void continueFrom(ScenarioDocument other) {
-        savedTo(other.file, other.saved);
-        replaceable = other.replaceable;
+        onDisk = other.onDisk;
         if (initial.expectation().equals(other.edited().expectation())) {
             initial = initial.withExpectation(other.initial.expectation());
             edited = null;

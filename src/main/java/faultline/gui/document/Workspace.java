@@ -139,7 +139,7 @@ public final class Workspace implements AutoCloseable {
             return false;
         }
         if (ended.kind() == TaskKind.RESTART) {
-            // The scenario may have been saved to another file in the meantime.
+            // A save to another file may have ended in the meantime or may still be active.
             document().ifPresent(made.document()::continueFrom);
         }
         OpenDocument before = open;

@@ -299,6 +299,27 @@ class WorkspaceTest {
     }
 
     @Test
+    void aSaveThatEndsAfterARestartIsThatOfTheRestartedScenario() {
+        Path other = folder.resolve("other.xml");
+        move();
+        waitFor("the mark", workspace::isChanged);
+        runOnEdt(() -> {
+            OpenDocument before = workspace.openDocument().orElseThrow();
+            Scenario edited = before.document().edited();
+            workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void scenarioRestarted(SimulationSetup setup) {
+                    documentStore.markSaved(before.document(), other, edited);
+                }
+            });
+            run.restart();
+        });
+        waitFor("the second session", () -> sessionCount == 2);
+        assertEquals(Optional.of(other), callOnEdt(workspace::file));
+        assertFalse(callOnEdt(workspace::isChanged));
+    }
+
+    @Test
     void aPendingSessionNeverStartsOnceTheWorkspaceIsClosed() {
         CompletableFuture<OpenDocument> made = new CompletableFuture<>();
         runOnEdt(() -> {
