@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
@@ -15,6 +16,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -45,9 +47,10 @@ class ExportProgressRobotTest {
                 .findFirst()
                 .orElseThrow()
                 .doClick(0));
-        Await.until("the end of the task", task::isDone);
+        Await.until("the end of the task", () -> task.isDone() && !ends.isEmpty());
         assertFalse(Files.exists(file));
-        assertEquals(List.of(), ends);
+        assertEquals(1, ends.size());
+        assertInstanceOf(CancellationException.class, ends.get(0));
     }
 
     private static Optional<JDialog> shownDialog() {
