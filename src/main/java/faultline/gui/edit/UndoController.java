@@ -194,8 +194,8 @@ public final class UndoController {
                 undoListener.accept(history.firstTick(edit));
             }
             history.addChange(results.get(0).tick(), edit, done);
-        } else if (!results.stream().allMatch(UndoController::isAboutNothing)) {
-            // The world refused the command, so the edit does not change.
+        } else if (results.isEmpty() || !results.stream().allMatch(UndoController::isAboutNothing)) {
+            // The world refused the command, or the run has died, so the edit does not change.
             history.mark(edit, !done);
             onStateChange.run();
         }

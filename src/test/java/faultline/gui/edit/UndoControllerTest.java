@@ -39,8 +39,11 @@ class UndoControllerTest {
     private long now;
     private final UndoController controller = callOnEdt(() -> new UndoController(this::execute, () -> {}, () -> now));
 
+    private boolean dead;
+
     private void execute(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
-        onExecuted.accept(commands.stream().map(world::execute).toList());
+        onExecuted.accept(
+                dead ? List.of() : commands.stream().map(world::execute).toList());
     }
 
     private static Command moveTo(double x) {
@@ -49,6 +52,16 @@ class UndoControllerTest {
 
     private Optional<String> undoName() {
         return callOnEdt(controller::undoName);
+    }
+
+    /** The run has ended by an error, such as a lack of memory. */
+    @Test
+    void anEditThatADeadRunDoesNotUndoStaysDone() {
+        runOnEdt(() -> controller.send(moveTo(3)));
+        dead = true;
+        runOnEdt(controller::undo);
+        assertEquals(Optional.of("Move desk"), undoName());
+        assertEquals(Optional.empty(), callOnEdt(controller::redoName));
     }
 
     @Test
