@@ -175,19 +175,6 @@ class UndoneEventsTest {
         assertEquals(original.setup().timeline(), timeline());
     }
 
-    @Test
-    void anEventThatWasUndoneBeforeTheRestartIsRedoneAtThePresentTime() {
-        send(FAULT);
-        advance(5);
-        undo();
-        restart();
-        advance(2);
-        redo();
-        assertEquals(
-                List.of(0.11, 0.16, 0.03),
-                timeline().stream().map(TimedCommand::time).toList());
-    }
-
     private void seek(long tick) {
         runOnEdt(() -> run.navigator().seek(tick));
         rest();
@@ -292,7 +279,7 @@ class UndoneEventsTest {
 
     /** What was executed before the restart, or before the move back, is no longer part of the edit. */
     @Test
-    void anEventThatIsRedoneInAnotherRunIsTheOneThatIsUndone() {
+    void anEventThatIsRedoneAfterARestartAtThePresentTimeIsTheOneThatIsUndone() {
         send(FAULT);
         advance(5);
         undo();
