@@ -40,7 +40,7 @@ final class AlignmentManoeuvre {
         this.rule = rule;
         this.nextRule = rule;
         this.clock = clock;
-        this.edgeTimer = new EdgeTimer(rule);
+        this.edgeTimer = EdgeTimer.of(rule);
     }
 
     /** Sets the timing rule, which holds from the next spin. */
@@ -61,7 +61,7 @@ final class AlignmentManoeuvre {
     void begin(boolean wallMetSideways) {
         if (rule != nextRule) {
             rule = nextRule;
-            edgeTimer = new EdgeTimer(rule);
+            edgeTimer = EdgeTimer.of(rule);
         }
         startHeading = estimate.odometer().heading();
         startTick = estimate.tick();

@@ -6,8 +6,8 @@ package faultline.control.wallfollower;
  *
  * <p>Because third differences beyond a threshold are left out, those of strong noise are, too, and its estimate is too
  * small: noise of 4, 8, 10, 15, 20 and 50 mm is estimated as 4.0, 7.4, 8.3, 9.4, 9.8 and 10.3 mm. No noise gives more
- * than about 0.08 m / sqrt(3 * 20) = 10.3 mm. Five estimated standard deviations, as in {@link EdgeTimer}, are then 4.2
- * true ones at 10 mm and 2.4 at 20 mm, so noise is more often taken for an edge.
+ * than about 0.08 m / sqrt(3 * 20) = 10.3 mm. Five estimated standard deviations, as in {@link EqualReadingsEdgeTimer},
+ * are then 4.2 true ones at 10 mm and 2.4 at 20 mm, so noise is more often taken for an edge.
  */
 final class NoiseEstimator {
 

@@ -19,7 +19,7 @@ class EdgeTimerTest {
     private static final double TURN = Math.toRadians(3);
 
     private static EdgeTimer timeSpin(TimingRule rule, double noise, DoubleUnaryOperator readings) {
-        EdgeTimer timing = new EdgeTimer(rule);
+        EdgeTimer timing = EdgeTimer.of(rule);
         timing.start(0.08, noise, true, TURN);
         int i = 0;
         do {
@@ -46,7 +46,7 @@ class EdgeTimerTest {
 
     @Test
     void beforeASpinNoMomentIsKnown() {
-        EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
+        EdgeTimer timing = EdgeTimer.of(TimingRule.EQUAL_READINGS);
         assertTrue(Double.isNaN(timing.tF3()) && Double.isNaN(timing.tF4()) && Double.isNaN(timing.tP()));
     }
 
@@ -75,7 +75,7 @@ class EdgeTimerTest {
 
     @Test
     void byRangeAWallInSightFromTheStartIsNotReached() {
-        EdgeTimer timing = new EdgeTimer(TimingRule.RANGE);
+        EdgeTimer timing = EdgeTimer.of(TimingRule.RANGE);
         timing.start(0.08, 0, true, TURN);
         timing.addApproachSample(0, 0.4, 0);
         timing.addApproachSample(0.1, 0.3, 0);
@@ -84,7 +84,7 @@ class EdgeTimerTest {
 
     @Test
     void byEqualReadingsAWallInSightFromTheStartIsReachedAsSoonAsReadingsFall() {
-        EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
+        EdgeTimer timing = EdgeTimer.of(TimingRule.EQUAL_READINGS);
         timing.start(0.08, 0, true, TURN);
         timing.addApproachSample(0, 0.3, 0);
         timing.addApproachSample(0.1, 0.4, 0);
@@ -104,7 +104,7 @@ class EdgeTimerTest {
 
     @Test
     void aWiggleOfTheNoiseIsNoWall() {
-        EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
+        EdgeTimer timing = EdgeTimer.of(TimingRule.EQUAL_READINGS);
         timing.start(0.08, 0.005, true, TURN);
         for (int i = 0; i < 50; i++) {
             timing.addApproachSample(i * STEP, 0.4 + wiggle(i), 0);
@@ -114,7 +114,7 @@ class EdgeTimerTest {
 
     @Test
     void aWallThatTheRobotRollsTowardsIsNotReached() {
-        EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
+        EdgeTimer timing = EdgeTimer.of(TimingRule.EQUAL_READINGS);
         timing.start(0.08, 0, true, TURN);
         for (int i = 0; i < 10; i++) {
             timing.addApproachSample(i * STEP, 0.4 - 0.002 * i, 0.003);
@@ -126,7 +126,7 @@ class EdgeTimerTest {
 
     @Test
     void noiseIsAveragedAwayWhereManySamplesFitIntoASmallTurn() {
-        EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
+        EdgeTimer timing = EdgeTimer.of(TimingRule.EQUAL_READINGS);
         timing.start(0.08, 0.005, true, Math.toRadians(0.5));
         for (int i = 0; i < 20; i++) {
             timing.addApproachSample(i * STEP, 0.4 + wiggle(i), 0);
@@ -140,7 +140,7 @@ class EdgeTimerTest {
 
     @Test
     void readingsThatFallAndRiseWhileTheClockRunsBackwardsGiveANegativeTurnBack() {
-        EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
+        EdgeTimer timing = EdgeTimer.of(TimingRule.EQUAL_READINGS);
         timing.start(0.08, 0, true, TURN);
         timing.addApproachSample(0, 0.4, 0);
         timing.addApproachSample(-0.2, 0.3, 0);
@@ -159,7 +159,7 @@ class EdgeTimerTest {
 
     @Test
     void byRangeNothingIsAveraged() {
-        EdgeTimer timing = new EdgeTimer(TimingRule.RANGE);
+        EdgeTimer timing = EdgeTimer.of(TimingRule.RANGE);
         timing.start(0.08, 0.005, true, Math.toRadians(0.5));
         timing.addApproachSample(0, Reading.NOTHING, 0);
         timing.addApproachSample(STEP, 0.7, 0);
@@ -177,7 +177,7 @@ class EdgeTimerTest {
 
     @Test
     void aRobotThatStillRollsBackwardsSeesNoFallInASteadyReading() {
-        EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
+        EdgeTimer timing = EdgeTimer.of(TimingRule.EQUAL_READINGS);
         timing.start(0.15, 0, true, 0.01);
         for (int i = 0; i < 6; i++) {
             timing.addApproachSample(i * STEP, 0.5, 0.0005 * i - 0.003);
