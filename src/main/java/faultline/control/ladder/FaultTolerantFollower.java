@@ -34,8 +34,6 @@ public final class FaultTolerantFollower implements Controller {
     private Rung rung = Rung.ALL;
     private Decision last = new Decision(0, 0, Telemetry.ofState(FollowerState.SEARCH));
     private long lastTick;
-    private int earlierTransitions;
-    private long sinceTick;
     /** The trusted sensors with which the map follower made no progress; it is not tried again with the same ones. */
     private int stuckWith;
 
@@ -101,7 +99,6 @@ public final class FaultTolerantFollower implements Controller {
             } else if (rung.strategy() == Rung.Strategy.SIX_STATES) {
                 sixStates = new WallFollower(spec, diagnosis.reckoning().odometer());
                 alignments.reset();
-                earlierTransitions = last.telemetry().transitions();
             }
         }
     }
@@ -131,23 +128,16 @@ public final class FaultTolerantFollower implements Controller {
         return decision;
     }
 
-    /** Returns a decision with its telemetry completed: the count of transitions continues across rungs. */
+    /** Returns a decision with its telemetry completed: transitions are counted and dated across all rungs. */
     private Decision shown(Decision decision) {
         Telemetry now = decision.telemetry();
         Telemetry before = last.telemetry();
-        boolean six = rung.strategy() == Rung.Strategy.SIX_STATES;
-        if (six && earlierTransitions == 0 && now.diagnosis() == verdict()) {
-            // The first follower still drives; what it shows is complete.
-            sinceTick = now.sinceTick();
+        boolean changed = !now.state().equals(before.state());
+        int transitions = before.transitions() + (changed ? 1 : 0);
+        long sinceTick = changed ? lastTick : before.sinceTick();
+        if (now.transitions() == transitions && now.sinceTick() == sinceTick && now.diagnosis() == verdict()) {
             return decision;
         }
-        boolean changed = !now.state().equals(before.state());
-        int transitions = six ? earlierTransitions + now.transitions() : before.transitions() + (changed ? 1 : 0);
-        if (six && changed && transitions == before.transitions()) {
-            earlierTransitions++;
-            transitions++;
-        }
-        sinceTick = transitions == before.transitions() ? sinceTick : lastTick;
         Telemetry telemetry = new Telemetry(
                 now.state(),
                 rung == Rung.STOP ? stopReason.condition() : now.condition(),
