@@ -11,6 +11,7 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import java.awt.Window;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -162,7 +163,7 @@ public final class ControllerChooser implements WorkspaceListener {
     public void sessionStarted() {
         errorLines.controllerStarted();
         untried = false;
-        started = next;
+        started = workspace.keepsController() ? ControllerSelection.SCENARIO : next;
         scenarioController.setEnabled(!started.isScenarios());
         if (ghostPending) {
             ghostPending = false;
@@ -184,6 +185,11 @@ public final class ControllerChooser implements WorkspaceListener {
                     },
                     failure -> {});
         }
+    }
+
+    @Override
+    public void decidedDifferently(double time) {
+        notes.show(Messages.get("chooseController.differs", NumberText.format("%.2f", time)));
     }
 
     /** Returns whether changes of the files of the session's controller are noted. */

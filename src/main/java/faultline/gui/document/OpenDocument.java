@@ -1,18 +1,23 @@
 package faultline.gui.document;
 
+import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.util.concurrent.CompletableFuture;
 
-/** A document and the session that runs it. */
-record OpenDocument(ScenarioDocument document, Session session) {
+/**
+ * A document and the session that runs it.
+ *
+ * @param ownController whether the session has the scenario's controller although another one may be chosen
+ */
+record OpenDocument(ScenarioDocument document, Session session, boolean ownController) {
 
-    /** Starts a session of a document, with the controller that is chosen in its workspace. */
-    static OpenDocument start(ScenarioDocument document, Workspace workspace) {
-        return new OpenDocument(
-                document,
-                Session.start(workspace.withChosenController(document.initial().setup())));
+    /** Starts a session of a document with its own controller, or with the one that is chosen in its workspace. */
+    static OpenDocument start(ScenarioDocument document, boolean ownController, Workspace workspace) {
+        SimulationSetup setup = document.initial().setup();
+        Session session = Session.start(ownController ? setup : workspace.withChosenController(setup));
+        return new OpenDocument(document, session, ownController);
     }
 
     /**

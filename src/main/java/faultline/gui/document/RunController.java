@@ -87,7 +87,8 @@ public final class RunController implements WorkspaceListener {
             workspace.start(new WorkspaceTask(TaskKind.RESTART, now.document().displayPath()), () -> {
                 Scenario scenario = change.apply(edited.join());
                 // The workspace sets the file when the session has started.
-                return OpenDocument.start(new ScenarioDocument(null, null, scenario), workspace);
+                return OpenDocument.start(
+                        new ScenarioDocument(null, null, scenario), workspace.keepsController(now), workspace);
             });
         });
     }

@@ -1,11 +1,15 @@
 package faultline.gui.document;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
+import faultline.engine.recording.HashTrace;
 import faultline.engine.session.Session;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
+import java.util.List;
 import java.util.OptionalLong;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.LongPredicate;
 import java.util.function.ToLongFunction;
@@ -14,6 +18,7 @@ import java.util.function.ToLongFunction;
 public final class RunNavigator implements WorkspaceListener {
 
     private static final long NONE = -1;
+    private static final ControllerSpec NO_CONTROLLER = new ControllerSpec.None();
 
     private final Workspace workspace;
     /**
@@ -92,17 +97,41 @@ public final class RunNavigator implements WorkspaceListener {
                         },
                         EventQueue::invokeLater);
         WorkspaceTask task = new WorkspaceTask(TaskKind.GO_TO, now.document().displayPath());
-        workspace.start(task, () -> {
+        Callable<OpenDocument> maker = () -> {
             Journal journal = whole.join();
             long tick = end.applyAsLong(past.join());
             synchronized (replaying) {
                 task.progress().throwIfCancelled();
-                return new OpenDocument(now.document(), replay.start(withChosenController(journal), tick, reached -> {
+                boolean own = workspace.keepsController(now);
+                Session session = replay.start(own ? journal : withChosenController(journal), tick, reached -> {
                     task.progress().setFraction((double) reached / tick);
                     return true;
-                }));
+                });
+                return new OpenDocument(now.document(), session, own);
             }
-        });
+        };
+        workspace.start(task, maker, () -> reportOtherDecisions(now, past.join(), whole.join()));
+    }
+
+    /** Reports a run that differs from the one before although only its controller can have decided differently. */
+    private void reportOtherDecisions(OpenDocument before, Journal past, Journal whole) {
+        if (past.setup().controller() instanceof ControllerSpec.Foreign
+                && past.setup()
+                        .withController(NO_CONTROLLER)
+                        .equals(whole.setup().withController(NO_CONTROLLER))
+                && isBeginning(past.entries(), whole.entries())) {
+            OptionalLong tick = hashes(workspace.openDocument().orElseThrow()).firstDifference(hashes(before), 0);
+            tick.ifPresent(first -> workspace.fire(
+                    listener -> listener.decidedDifferently(past.setup().timeOf(first))));
+        }
+    }
+
+    private static boolean isBeginning(List<Journal.Entry> beginning, List<Journal.Entry> all) {
+        return beginning.size() <= all.size() && beginning.equals(all.subList(0, beginning.size()));
+    }
+
+    private static HashTrace hashes(OpenDocument document) {
+        return document.session().frame().recording().hashTrace();
     }
 
     private Journal withChosenController(Journal journal) {

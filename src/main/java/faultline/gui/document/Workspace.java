@@ -27,6 +27,9 @@ public final class Workspace implements AutoCloseable {
     private final List<WorkspaceListener> listeners = new ArrayList<>();
     private OpenDocument open;
     private volatile UnaryOperator<SimulationSetup> controllerChoice = UnaryOperator.identity();
+    /** Whether a session has started since a controller was chosen. */
+    private volatile boolean choiceTried;
+
     private WorkspaceTask task;
     /** Starts the last task again. */
     private Runnable lastTask = () -> {};
@@ -63,10 +66,26 @@ public final class Workspace implements AutoCloseable {
 
     /**
      * Sets the function that replaces the scenario's controller in the next session and all later ones. The scenario
-     * itself does not change.
+     * itself does not change. Saved runs that are opened after the next session keep their own controller.
      */
     public void setControllerChoice(UnaryOperator<SimulationSetup> choice) {
         controllerChoice = choice;
+        choiceTried = false;
+    }
+
+    /** Returns whether the open scenario is a saved run that keeps its own controller. */
+    public boolean keepsController() {
+        return openDocument().filter(OpenDocument::ownController).isPresent();
+    }
+
+    /** Returns whether a scenario that is opened keeps its controller. Any thread may call it. */
+    boolean keepsController(Scenario opened) {
+        return choiceTried && opened.recorded();
+    }
+
+    /** Returns whether a document keeps its controller in its next session. Any thread may call it. */
+    boolean keepsController(OpenDocument before) {
+        return choiceTried && before.ownController();
     }
 
     /** Returns a setup with the chosen controller. Any thread but the event dispatch thread may call it. */
@@ -145,6 +164,7 @@ public final class Workspace implements AutoCloseable {
         OpenDocument before = open;
         closeSession();
         open = made;
+        choiceTried = true;
         fireStarted(ended.kind(), before);
         fire(WorkspaceListener::sessionStarted);
         fire(WorkspaceListener::titleChanged);

@@ -21,6 +21,12 @@ public interface WorkspaceListener {
     default void runRepositioned(long tick, SimulationSetup setup) {}
 
     /**
+     * The run has been moved to another tick, and its controller, which is not part of the program, has decided
+     * differently than before: the run differs from a time on, seconds. Follows {@link #sessionStarted}.
+     */
+    default void decidedDifferently(double time) {}
+
+    /**
      * The simulation of a changed setup has been cancelled or has failed: the change takes effect when the run is moved
      * or restarted.
      */

@@ -5,6 +5,7 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
@@ -53,6 +54,7 @@ class ControllerChoiceTest {
 
     private final List<Throwable> failures = new ArrayList<>();
     private final List<Path> journals = new ArrayList<>();
+    private final List<Double> differences = new ArrayList<>();
     private int sessionCount;
     private Workspace workspace;
     private RunController run;
@@ -67,6 +69,11 @@ class ControllerChoiceTest {
                 @Override
                 public void sessionStarted() {
                     sessionCount++;
+                }
+
+                @Override
+                public void decidedDifferently(double time) {
+                    differences.add(time);
                 }
 
                 @Override
@@ -111,6 +118,10 @@ class ControllerChoiceTest {
 
     private String state() {
         return SessionFrames.frame(workspace).frame().telemetry().state().name();
+    }
+
+    private boolean keepsController() {
+        return callOnEdt(() -> workspace.keepsController());
     }
 
     private long tick() {
@@ -180,6 +191,54 @@ class ControllerChoiceTest {
                 .run());
         assertEquals(30, ghost.lastTick());
         assertEquals(OptionalLong.empty(), ghost.hashTrace().firstDifference(hashes, 0));
+    }
+
+    @Test
+    void aSavedRunKeepsItsControllerUnlessAnotherOneIsChosenForIt() throws Exception {
+        choose("sh " + script("CIRCLE"));
+        waitFor("the second session", () -> sessionCount == 2);
+        runOnEdt(() -> run.navigator().seek(50));
+        waitFor("the third session", () -> sessionCount == 3);
+        long hash = SessionFrames.trajectoryHash(workspace);
+        Path journal = folder.resolve("journal.xml");
+        runOnEdt(() -> documentStore.saveJournal(journal));
+        waitFor("the journal", () -> journals.equals(List.of(journal)));
+        Path changed = Files.writeString(
+                script("FAST"), FOLLOWER.replace("STATE", "FAST").replace("0.1", "0.3"));
+        runOnEdt(() -> documentStore.open(journal));
+        waitFor("the saved run", () -> sessionCount == 4);
+        assertTrue(keepsController());
+        runOnEdt(() -> run.navigator().seek(50));
+        waitFor("its end", () -> sessionCount == 5);
+        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
+        runOnEdt(run::restart);
+        waitFor("a restart", () -> sessionCount == 6);
+        assertTrue(keepsController());
+        choose("sh " + changed);
+        waitFor("the run with another controller", () -> sessionCount == 7);
+        assertFalse(keepsController());
+        runOnEdt(() -> run.navigator().seek(50));
+        waitFor("its tick 50", () -> sessionCount == 8);
+        assertEquals("FAST", state());
+        assertNotEquals(hash, SessionFrames.trajectoryHash(workspace));
+    }
+
+    @Test
+    void aMoveOfTheRunReportsThatAChangedProgramHasDecidedDifferently() throws Exception {
+        choose("sh " + script("CIRCLE"));
+        waitFor("the second session", () -> sessionCount == 2);
+        runOnEdt(() -> run.navigator().seek(30));
+        waitFor("the third session", () -> sessionCount == 3);
+        runOnEdt(() -> run.navigator().seek(20));
+        waitFor("the fourth session", () -> sessionCount == 4);
+        Files.writeString(folder.resolve("follower.sh"), FOLLOWER.replace("0.1", "0.3"));
+        assertEquals(List.of(), callOnEdt(() -> List.copyOf(differences)), "the same program");
+        runOnEdt(() -> run.navigator().seek(10));
+        waitFor("the report", () -> !differences.isEmpty());
+        assertEquals(List.of(0.01), callOnEdt(() -> List.copyOf(differences)));
+        runOnEdt(() -> run.navigator().seek(15));
+        waitFor("the sixth session", () -> sessionCount == 6);
+        assertEquals(1, callOnEdt(differences::size), "the changed program again");
     }
 
     @Test

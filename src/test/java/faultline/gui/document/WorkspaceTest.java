@@ -291,7 +291,7 @@ class WorkspaceTest {
             OpenDocument now = workspace.openDocument().orElseThrow();
             workspace.start(new WorkspaceTask(TaskKind.RESTART, file), made::get);
             documentStore.markSaved(now.document(), other, now.document().edited());
-            made.complete(OpenDocument.start(now.document(), workspace));
+            made.complete(OpenDocument.start(now.document(), false, workspace));
         });
         waitFor("the second session", () -> sessionCount == 2);
         assertEquals(Optional.of(other), callOnEdt(workspace::file));
@@ -325,7 +325,7 @@ class WorkspaceTest {
         runOnEdt(() -> {
             ScenarioDocument document = workspace.openDocument().orElseThrow().document();
             workspace.start(new WorkspaceTask(TaskKind.OPEN, file), () -> {
-                made.complete(OpenDocument.start(document, workspace));
+                made.complete(OpenDocument.start(document, false, workspace));
                 return made.join();
             });
             workspace.close();
