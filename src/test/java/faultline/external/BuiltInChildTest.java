@@ -16,6 +16,7 @@ import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,6 +45,9 @@ class BuiltInChildTest {
             "front-left"    | "front"         |                                | describes a robot that cannot be: two sensors have the id front
             "protocol":1    | "protocol":1.0  | "readings_m":[],"answers":[]   | wrote an observe message with 0 readings and 0 answers; expected 8 of each, one for each sensor
             "protocol":1    | "protocol":1.0  | "readings_m":[1e999],"answers":[true] | wrote a message whose "readings_m" is "[1e999]"; expected an array of finite numbers
+            "protocol":1    | "protocol":1.0  | "readings_m":[1],"answers":[1] | wrote a message whose "answers" is "[1]"; expected an array of true and false
+            "protocol":1    | "protocol":1.0  | "readings_m":[1,1,1,1,1,1,1,1],"answers":[true] | wrote an observe message with 8 readings and 1 answers; expected 8 of each, one for each sensor
+            "protocol":1    | "protocol":1.0  | "readings_m":[1],"answers":[true,true,true,true,true,true,true,true] | wrote an observe message with 1 readings and 8 answers; expected 8 of each, one for each sensor
             """)
     void aBadMessageEndsTheControllerInOneSentence(String part, String other, String readings, String sentence)
             throws Exception {
@@ -70,6 +74,18 @@ class BuiltInChildTest {
         BuiltInChild child = new BuiltInChild(new ByteArrayInputStream(in), new ByteArrayOutputStream());
         return assertThrows(RunFailedException.class, () -> child.run(ControllerSpec.WallFollowing.DEFAULT))
                 .getMessage();
+    }
+
+    @Test
+    void eachAnswerIsSentBeforeTheNextMessageIsRead() throws Exception {
+        SimulationSetup setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
+        double[] readings = new double[setup.robot().sensors().size()];
+        WaitingClient simulator = new WaitingClient(
+                ProtocolMessages.hello(RunDescription.of("test", "Office", setup, 1)),
+                ProtocolMessages.observe(new Observation(0, setup.dt(), setup.robot(), readings), false)
+                        .finish());
+        new BuiltInChild(simulator, simulator.answers()).run(setup.controller());
+        assertEquals(List.of(0L, 1L, 2L), simulator.answersBefore());
     }
 
     /** Runs the child with a controller of a test against a simulator that sends observations up to a tick. */

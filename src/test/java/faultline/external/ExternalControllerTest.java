@@ -16,6 +16,7 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.net.URISyntaxException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -27,6 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -46,15 +48,28 @@ class ExternalControllerTest {
 
     private final List<String> errors = Collections.synchronizedList(new ArrayList<>());
 
+    /** In the last scenario a sensor of the following robot is switched off and then looks elsewhere. */
     @Test
-    void aBuiltInControllerAsAChildGivesTheSameTrajectory() throws Exception {
-        for (String file : List.of("scenarios/right-hand.xml", "scenarios/every-fault.xml")) {
-            Scenario scenario = Scenario.load(Path.of(file));
-            SimulationSetup setup = scenario.setup().withDuration(20);
+    void aBuiltInControllerAsAChildGivesTheSameTrajectory(@TempDir Path folder) throws Exception {
+        String changes =
+                """
+                <timeline>
+                  <switch at="12" sensor="left" on="false"/>
+                  <switch at="16" sensor="left" on="true"/>
+                  <tune at="17" sensor="left" bearing="60"/>
+                </timeline>
+                <expect collision""";
+        Path changed = Files.writeString(
+                folder.resolve("changed.xml"),
+                Files.readString(Path.of("scenarios/office.xml")).replace("<expect collision", changes));
+        for (Path file : List.of(Path.of("scenarios/right-hand.xml"), Path.of("scenarios/every-fault.xml"), changed)) {
+            SimulationSetup setup = Scenario.load(file).setup().withDuration(20);
             long expected =
                     HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()).trajectoryHash();
             assertEquals(
-                    expected, run(javaChild("controller " + file), setup, 10).trajectoryHash());
+                    expected,
+                    run(javaChild("controller '" + file + "'"), setup, 10).trajectoryHash(),
+                    file::toString);
         }
     }
 

@@ -108,6 +108,19 @@ class SimulationServerTest {
     }
 
     @Test
+    void eachAnswerIsSentBeforeTheNextRequestIsRead() throws Exception {
+        String drive = "{\"type\":\"drive\",\"left_v\":1,\"right_v\":1}";
+        WaitingClient client = new WaitingClient("{\"type\":\"reset\"}", drive, drive);
+        new SimulationServer("faultline test", "Office", false, client, client.answers()).run(office());
+        assertEquals(List.of(1L, 2L, 3L, 4L), client.answersBefore());
+    }
+
+    @Test
+    void aRequestBehindTheCloseIsNotAnswered() throws Exception {
+        assertEquals(1, serve("{\"type\":\"close\"}", "{\"type\":\"reset\"}").size());
+    }
+
+    @Test
     void drivingConstantlyGivesTheTrajectoryOfTheDriveController() throws Exception {
         SimulationSetup setup = office();
         SimulationSetup constant = setup.withController(new ControllerSpec.Drive(2.5, 3));
