@@ -243,6 +243,31 @@ class AtomicFileTest {
         }
     }
 
+    /** As in {@code --trace /dev/fd/7 7>>all.csv}. */
+    @Test
+    void whatIsWrittenToAnInheritedFileIsAppended() throws IOException {
+        Path file = Files.writeString(folder.resolve("a.txt"), "old ");
+        try (FileChannel inherited = FileChannel.open(file, StandardOpenOption.WRITE)) {
+            assertEquals(4, inherited.size());
+            write(descriptor(file), "new", true);
+        }
+        assertEquals("old new", Files.readString(file));
+        assertEquals(List.of(file), files());
+    }
+
+    /** Returns the descriptor with which this process has opened a file. */
+    private static Path descriptor(Path file) throws IOException {
+        Path own = Path.of("/proc/self/fd");
+        assumeTrue(Files.isDirectory(own));
+        try (Stream<Path> descriptors = Files.list(own)) {
+            return descriptors
+                    .filter(each -> LinkResolver.findConflict(List.of(file), List.of(each))
+                            .isPresent())
+                    .findFirst()
+                    .orElseThrow();
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({
         "a.txt, a.txt",
