@@ -1,6 +1,7 @@
 package faultline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -96,6 +97,43 @@ class CampaignPlanTest {
             speeds.add(original.robot().speed());
         }
         assertEquals(6, speeds.size());
+    }
+
+    private static final String FIFTY_SPEEDS =
+            """
+            <worlds><scenario file="a.xml"/></worlds>
+            <seeds count="50"/>
+            <set attribute="robot/@speed" value="0.1..0.2"/>
+            """;
+
+    /** Returns how many fiftieths of the range the speeds of fifty blocks are in. */
+    private static long drawnParts(String attributes) throws ScenarioException {
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text(attributes, FIFTY_SPEEDS));
+        return LongStream.range(0, plan.runCount())
+                .mapToDouble(run -> Double.parseDouble(plan.run(run).cells().get(0)))
+                .mapToLong(speed -> (long) ((speed - 0.1) / 0.1 * 50))
+                .distinct()
+                .count();
+    }
+
+    /** Independent draws are in all parts with a probability of 50! / 50^50, which is 3e-21. */
+    @Test
+    void aLatinHypercubeIsDrawnOnRequestOnly() throws ScenarioException {
+        assertEquals(50, drawnParts("sampling=\"latin\""));
+        assertTrue(drawnParts("sampling=\"random\"") < 50);
+        assertTrue(drawnParts("") < 50);
+    }
+
+    @Test
+    void aRunEndsAtItsVerdictOnRequestOnly() throws ScenarioException {
+        assertTrue(SamplePlan.read(SamplePlan.text("end=\"verdict\"", FIFTY_SPEEDS))
+                .header()
+                .untilVerdict());
+        for (String attributes : List.of("end=\"duration\"", "")) {
+            assertFalse(SamplePlan.read(SamplePlan.text(attributes, FIFTY_SPEEDS))
+                    .header()
+                    .untilVerdict());
+        }
     }
 
     @Test

@@ -19,6 +19,7 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
@@ -85,6 +86,60 @@ class PlanReaderTest {
                 ScenarioException.class, () -> SamplePlan.read(SamplePlan.text("", "<worlds>" + worlds + "</worlds>")));
         assertEquals(1, refusal.problems().size());
         assertEquals(problem, refusal.problems().get(0).toString().replaceFirst("^plan.xml:2:\\d+: ", ""));
+    }
+
+    private static final String EVERY_ELEMENT = SamplePlan.text(
+            "",
+            """
+            <description>Words</description>
+            <worlds><scenario file="room.xml"/><rooms first="3"/></worlds>
+            <seeds count="2"/>
+            <set attribute="@duration" value="1 2"/>
+            <variants><variant name="a"><set attribute="robot/@speed" value="0.1"/></variant></variants>
+            <faults><healthy/><fault sensor="front" kind="off" at="1"/></faults>
+            <masks sensors="front left"><mask on="front"/></masks>
+            """);
+
+    /** A misspelt attribute or element would otherwise be ignored, and the campaign would be another one. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "campaign xmlns",
+                "description",
+                "worlds",
+                "scenario file",
+                "rooms first",
+                "seeds count",
+                "set attribute=\"@duration",
+                "variants",
+                "variant name",
+                "set attribute=\"robot",
+                "faults",
+                "healthy",
+                "fault sensor",
+                "masks sensors",
+                "mask on"
+            })
+    void anUnknownAttributeOrElementIsReportedInEveryElement(String begin) throws Exception {
+        SamplePlan.read(EVERY_ELEMENT);
+        String name = begin.split(" ")[0];
+        int tag = EVERY_ELEMENT.indexOf("<" + begin);
+        int afterName = tag + 1 + name.length();
+        String attribute = EVERY_ELEMENT.substring(0, afterName) + " odd=\"1\"" + EVERY_ELEMENT.substring(afterName);
+        assertReported(attribute, "<" + name + "> has no attribute \"odd\"");
+
+        int end = EVERY_ELEMENT.indexOf('>', tag);
+        boolean isEmpty = EVERY_ELEMENT.charAt(end - 1) == '/';
+        String element = EVERY_ELEMENT.substring(0, isEmpty ? end - 1 : end) + "><odd/>"
+                + (isEmpty ? "</" + name + ">" : "") + EVERY_ELEMENT.substring(end + 1);
+        assertReported(element, "<" + name + "> must not contain <odd>");
+    }
+
+    private static void assertReported(String plan, String problem) {
+        ScenarioException refusal = assertThrows(ScenarioException.class, () -> SamplePlan.read(plan));
+        assertTrue(
+                refusal.problems().stream().anyMatch(each -> each.toString().contains(": " + problem)),
+                refusal::getMessage);
     }
 
     /** A comparison of all pairs takes several times as long, as does a room for each element. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
@@ -21,6 +22,44 @@ class UniformSamplerTest {
         assertNotEquals(third, sampler.uniform("speed", 4));
         assertNotEquals(third, sampler.uniform("cone", 3));
         assertNotEquals(third, new UniformSampler(8, false, 10).uniform("speed", 3));
+    }
+
+    /** Returns what SplitMix64 makes of a state; the JDK adds this number to the state first. */
+    private static long mix(long state) {
+        return new SplittableRandom(state - 0x9E3779B97F4A7C15L).nextLong();
+    }
+
+    /** Returns the state that belongs to seed 7 and a stream. */
+    private static long key(String stream) {
+        long key = new SplittableRandom(7).nextLong();
+        for (char c : stream.toCharArray()) {
+            key = new SplittableRandom(key + c).nextLong();
+        }
+        return key;
+    }
+
+    /** The parts of a campaign, and a campaign and its repetition, may be made by different versions. */
+    @Test
+    void theDrawsAreThoseOfEarlierVersions() {
+        for (int block = 0; block < 5; block++) {
+            long bits = mix(key("speed") ^ mix(block * 0x9E3779B97F4A7C15L + 1));
+            double expected = (bits >>> 11) * 0x1.0p-53;
+            assertEquals(expected, new UniformSampler(7, false, 5).uniform("speed", block));
+            double latin = new UniformSampler(7, true, 5).uniform("speed", block);
+            assertEquals((order()[block] + expected) / 5, latin, 1e-15);
+        }
+    }
+
+    /** Returns the parts of five blocks, each inserted at a random place. */
+    private static int[] order() {
+        SplittableRandom random = new SplittableRandom(mix(key("speed") + 1));
+        int[] order = new int[5];
+        for (int i = 0; i < 5; i++) {
+            int place = (int) ((random.nextLong() >>> 11) * 0x1.0p-53 * (i + 1));
+            order[i] = order[place];
+            order[place] = i;
+        }
+        return order;
     }
 
     @Test

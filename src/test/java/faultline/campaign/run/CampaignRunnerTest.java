@@ -61,6 +61,29 @@ class CampaignRunnerTest {
         assertArrayEquals(expected, runs(folder, Shard.ALL, 3, false));
     }
 
+    /** The robot drives into the wall, and would stand there for the rest of the run. */
+    @Test
+    void aRunEndsWithItsVerdictOnRequest() throws Exception {
+        assertEquals("6", simulatedSeconds("end=\"duration\""));
+        assertTrue(Double.parseDouble(simulatedSeconds("end=\"verdict\"")) < 5);
+    }
+
+    private String simulatedSeconds(String attributes) throws Exception {
+        String plan = SamplePlan.text(
+                attributes,
+                """
+                <worlds><scenario file="room.xml"/></worlds>
+                <set attribute="controller/@type" value="drive"/>
+                <set attribute="controller/@left" value="6"/>
+                <set attribute="controller/@right" value="6"/>
+                """);
+        CampaignFolder out = new CampaignFolder(folder.resolve(attributes.replaceAll("\\W", "")));
+        new CampaignRunner(SamplePlan.read(plan), out, Shard.ALL, 1).run(false, (made, runs) -> {}, () -> false);
+        List<String> lines = Files.readAllLines(out.runs());
+        int column = List.of(lines.get(0).split(",")).indexOf("simulated_s");
+        return lines.get(1).split(",", -1)[column];
+    }
+
     @Test
     void mergedPartsAreTheWholeCampaign() throws Exception {
         List<CampaignFolder> parts = new ArrayList<>();
