@@ -277,7 +277,6 @@ final class MapYamlReader {
     /** Returns the problem of a missing key, with an unknown key that may be a misspelling of it. */
     private Message missing(String key) {
         return entries.keySet().stream()
-                .filter(given -> !KEYS.contains(given))
                 .filter(given -> DidYouMean.nearest(given, List.of(key)).isPresent())
                 .findFirst()
                 .map(given -> FloorPlanProblem.MISSPELT_KEY.with(key, MessageText.excerpt(given)))

@@ -164,6 +164,11 @@ class FloorPlanTest {
         assertEquals(
                 List.of(FREE, UNKNOWN, UNKNOWN, OCCUPIED),
                 row(read(file, "negate: 1\n").grid(), 0));
+        for (String no : List.of("0", "false", "No", "OFF")) {
+            assertEquals(
+                    List.of(OCCUPIED, OCCUPIED, UNKNOWN, FREE),
+                    row(read(file, "negate: " + no + "\n").grid(), 0));
+        }
         assertEquals(
                 List.of(FREE, UNKNOWN, OCCUPIED, UNKNOWN),
                 row(read(file, "mode: raw\n").grid(), 0));
@@ -231,6 +236,7 @@ class FloorPlanTest {
                         + "origin: [-10, 2.5, '0.5'], negate: 1}\n",
                 "note: of \"Bob\nwho: - 'Bob\nimage: 'm.pgm'\nresolution: \"0.05\"\nnegate: 1\n"
                         + "origin:\n- |-\n  -10\n- !!float \"2.5\"\n- '0.5'\n",
+                "{note: !!str \"a }, b: [\", image: m.pgm, resolution: 0.05, origin: [-10, 2.5, 0.5], negate: 1}",
                 "image: m.pgm\nresolution: &r 0.05\norigin: &o !!seq [-10,\n 2.5, 0.5]\nnegate: 1\n",
                 "image: m.pgm\nresolution: 0.05\norigin:\n  !!seq [-10, 2.5, 0.5]\nnegate: 1\n",
                 "image: m.pgm\nresolution: 0.05\norigin: &o\n  - -10\n  - 2.5\n  - &yaw 0.5\nnegate: 1\n",
@@ -323,6 +329,7 @@ class FloorPlanTest {
             resolution: 0            | m.yaml:2:13: resolution is "0"; expected a number of metres from 0.000001 to 100000
             resolution: 1e-400       | m.yaml:2:13: resolution is "1e-400"; expected a number of metres from 0.000001 to 100000
             resolution: 1e9          | m.yaml:2:13: resolution is "1e9"; expected a number of metres from 0.000001 to 100000
+            resolution: 1@origin: [0, 0, 0, 1] | m.yaml:3:9: origin is "0, 0, 0, 1"; expected three numbers, [x, y, yaw] in metres and radians
             resolution: 1@origin: [0, 0, 1e6] | m.yaml:3:9: origin is "0, 0, 1e6"; expected [x, y, yaw] with a yaw of at most 17000 radians
             resolution 0.05          | m.yaml:2:1: a line is "resolution 0.05"; expected "key: value"
             resolutoin: 0.05         | m.yaml:1:1: there is no "resolution"; "resolutoin" may be a misspelling of it
