@@ -172,7 +172,6 @@ public final class UndoController {
 
     /** Redoes the edit that was undone last, if there is one. */
     public void redo() {
-        endEdit();
         history.nextRedo().ifPresent(edit -> apply(edit, true));
     }
 

@@ -172,6 +172,15 @@ class RunNavigatorTest {
     }
 
     @Test
+    void anEditInThePastThatIsRefusedKeepsTheLaterOnes() {
+        seek(5);
+        runOnEdt(() -> edits.send(new Command.MoveObstacle("no-such-obstacle", FIRST)));
+        stepTo(30);
+        assertEquals(SECOND, pole());
+        assertEquals(List.of(), forks);
+    }
+
+    @Test
     void editsInThePastPrecedeTheLaterOnes() {
         seek(15);
         edit(new Command.SetPlatform(0.2, 0.2, 0.4));

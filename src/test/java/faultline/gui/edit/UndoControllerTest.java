@@ -119,6 +119,47 @@ class UndoControllerTest {
     }
 
     @Test
+    void anEditAfterAnotherWasRedoneIsNotPartOfIt() {
+        runOnEdt(() -> {
+            controller.send(moveTo(4.2));
+            controller.undo();
+            controller.redo();
+            controller.send(moveTo(4.4));
+            controller.undo();
+        });
+        assertEquals(4.2, x());
+    }
+
+    @Test
+    void aGestureIsNotPartOfTheEditBefore() {
+        runOnEdt(() -> {
+            controller.send(moveTo(4.2));
+            controller.beginGesture();
+            controller.send(moveTo(4.4));
+            controller.endGesture();
+            controller.undo();
+        });
+        assertEquals(4.2, x());
+    }
+
+    @Test
+    void nothingOfAnotherScenarioIsUndoneOrStillExpected() {
+        List<Runnable> answers = new ArrayList<>();
+        UndoController late = callOnEdt(() -> new UndoController(
+                (commands, onExecuted) -> answers.add(() -> execute(commands, onExecuted)), () -> {}, () -> now));
+        runOnEdt(() -> {
+            late.send(moveTo(4.2));
+            answers.remove(0).run();
+            late.send(new Command.SetPlatform(0.3, 0.2, 0.3));
+            late.clear();
+        });
+        assertEquals(Optional.empty(), callOnEdt(late::undoName));
+        assertEquals(RobotSpec.DEFAULT, callOnEdt(() -> late.pendingEdits().robot()));
+        runOnEdt(() -> answers.get(0).run());
+        assertEquals(Optional.empty(), callOnEdt(late::undoName), "the answer to a command to the run before");
+    }
+
+    @Test
     void oneGestureIsOneEdit() {
         runOnEdt(() -> {
             controller.beginGesture();

@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -22,6 +23,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -96,6 +98,24 @@ class LanePainterTest {
             assertEquals(0, labelPixels(picture, bar, line), "line " + line + " of " + height);
         }
         assertTrue(labelPixels(picture, bar, height / 2) > 10, "there is no label");
+    }
+
+    @Test
+    void barsAndThePresentTimeAreVisibleAndTheSelectedBarHasHandles() {
+        int accent = Theme.LIGHT.colours().accent().getRGB();
+        runOnEdt(() -> view.update(List.of(new Lane.SensorLane("left"), Lane.OTHER), new TimeAxis(0, WIDTH, 60), 31.3));
+        BufferedImage picture = picture(17);
+        Rectangle2D bar = callOnEdt(() -> view.lanes().bounds(0));
+        int left = (int) bar.getMinX();
+        int middle = (int) bar.getCenterY();
+        assertNotEquals(picture.getRGB(left - 20, middle), picture.getRGB(left + 200, middle), "the bar");
+        int now = (int) (31.3 / 60 * WIDTH);
+        int otherLane = RULER + 17 + 8;
+        assertEquals(accent, picture.getRGB(now, otherLane), "the present time");
+        assertNotEquals(accent, picture.getRGB(left - 1, middle));
+
+        runOnEdt(() -> view.select(0, 0));
+        assertEquals(accent, picture(17).getRGB(left - 1, middle), "a handle");
     }
 
     @ParameterizedTest
