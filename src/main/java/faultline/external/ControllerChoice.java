@@ -13,7 +13,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Supplier;
 
 /** The choice of a controller by a user: a built-in one, the name of a controller in Java, or a command. */
 public final class ControllerChoice {
@@ -43,6 +42,21 @@ public final class ControllerChoice {
     }
 
     /**
+     * {@return whether a choice is a command that starts a child process, also if some jars are searched}
+     *
+     * @param choice the value of an option or a field
+     * @param jars the jar files
+     */
+    public static boolean isCommand(String choice, List<Path> jars) {
+        return !isInJars(choice, jars) && isCommand(choice);
+    }
+
+    private static boolean isInJars(String choice, List<Path> jars) {
+        return !jars.isEmpty()
+                && withJars(jars, () -> ControllerProviders.find(choice).isPresent());
+    }
+
+    /**
      * {@return a setup with a chosen controller}
      *
      * @param choice a name or a command
@@ -51,13 +65,8 @@ public final class ControllerChoice {
      */
     public static SimulationSetup apply(String choice, SimulationSetup setup, ControllerSource commands) {
         ControllerSpec original = setup.controller();
-        if (choice.equals(WALL_FOLLOWER)) {
-            return original instanceof ControllerSpec.WallFollowing
-                    ? setup
-                    : setup.withController(ControllerSpec.WallFollowing.DEFAULT);
-        }
-        if (choice.equals(NONE)) {
-            return setup.withController(new ControllerSpec.None());
+        if (isBuiltIn(choice)) {
+            return name(choice, setup);
         }
         Optional<ControllerProvider> provider = ControllerProviders.find(choice);
         if (provider.isEmpty()) {
@@ -79,11 +88,39 @@ public final class ControllerChoice {
     public static SimulationSetup apply(
             String choice, List<Path> jars, SimulationSetup setup, ControllerSource commands) {
         ControllerSpec original = setup.controller();
-        return !jars.isEmpty()
-                        && withJars(jars, () -> ControllerProviders.find(choice).isPresent())
+        return isInJars(choice, jars)
                 ? setup.withController(new ControllerSpec.Chosen(
                         original, new JarControllerSource(choice, jars, settings(choice, original))))
                 : apply(choice, setup, commands);
+    }
+
+    /**
+     * {@return a setup with a chosen controller as a scenario file names it} The choice is no command, which no file
+     * can name. It need not be available.
+     *
+     * @param choice a name
+     * @param setup the setup with another controller; it keeps its period, and its settings if it has the same name
+     */
+    public static SimulationSetup name(String choice, SimulationSetup setup) {
+        ControllerSpec original = setup.controller();
+        if (choice.equals(WALL_FOLLOWER)) {
+            return original instanceof ControllerSpec.WallFollowing
+                    ? setup
+                    : setup.withController(ControllerSpec.WallFollowing.DEFAULT);
+        }
+        return setup.withController(
+                choice.equals(NONE)
+                        ? new ControllerSpec.None()
+                        : new ControllerSpec.Provided(choice, original.period(), settings(choice, original)));
+    }
+
+    /**
+     * {@return whether a choice is a controller of the program}
+     *
+     * @param choice a name or a command
+     */
+    public static boolean isBuiltIn(String choice) {
+        return choice.equals(WALL_FOLLOWER) || choice.equals(NONE);
     }
 
     private static Map<String, String> settings(String choice, ControllerSpec original) {
@@ -145,23 +182,43 @@ public final class ControllerChoice {
     }
 
     /**
-     * {@return the result of an action that is called with the current controllers of some jars available}
+     * An action that uses controllers.
+     *
+     * @param <T> the type of its result
+     * @param <X> the exceptions that it throws
+     */
+    @FunctionalInterface
+    public interface JarAction<T, X extends Exception> {
+
+        /**
+         * {@return the result}
+         *
+         * @throws X if the action fails
+         */
+        T call() throws X;
+    }
+
+    /**
+     * {@return the result of an action that is called with the current controllers of some jars available} They are
+     * also available to the threads that the action starts.
      *
      * @param <T> the type of the result
+     * @param <X> the exceptions of the action
      * @param jars the jar files
      * @param action the action, which is called on the calling thread
+     * @throws X if the action throws it
      */
-    public static <T> T withJars(List<Path> jars, Supplier<T> action) {
+    public static <T, X extends Exception> T withJars(List<Path> jars, JarAction<T, X> action) throws X {
         return withLoader(loader(jars), action);
     }
 
     /** Calls an action with a class loader that finds controllers. */
-    static <T> T withLoader(ClassLoader loader, Supplier<T> action) {
+    static <T, X extends Exception> T withLoader(ClassLoader loader, JarAction<T, X> action) throws X {
         Thread thread = Thread.currentThread();
         ClassLoader before = thread.getContextClassLoader();
         thread.setContextClassLoader(loader);
         try {
-            return action.get();
+            return action.call();
         } finally {
             thread.setContextClassLoader(before);
         }

@@ -69,6 +69,13 @@ record AttributePath(List<PathStep> steps, String attribute) {
         }
     }
 
+    /** Returns whether it leads to the type of the controller. */
+    boolean isControllerType() {
+        return attribute.equals("type")
+                && steps.size() == 1
+                && steps.get(0).element().equals("controller");
+    }
+
     /** Parses a path, which may start with {@code scenario/}; returns an empty result if the text is not a path. */
     static Optional<AttributePath> parse(String text) {
         List<String> parts = new ArrayList<>(List.of(text.strip().split("/", -1)));

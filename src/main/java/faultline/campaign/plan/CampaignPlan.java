@@ -120,6 +120,11 @@ public final class CampaignPlan {
                 .toList();
     }
 
+    /** {@return the types of the controllers that drive the robots, in the order of the plan, each once} */
+    public List<String> controllerTypes() {
+        return ControllerTypes.of(worlds.kinds(), commonChanges, factors);
+    }
+
     /** {@return the factors, in the order of the plan} */
     public List<FactorSummary> factors() {
         return factors.stream()

@@ -94,13 +94,8 @@ final class PlanCheck {
     private static boolean setsType(Factor factor) {
         return factor.levels().stream()
                 .flatMap(level -> level.edits().stream())
-                .anyMatch(edit -> edit instanceof ScenarioChange.SetAttribute set && isType(set.path()));
-    }
-
-    private static boolean isType(AttributePath path) {
-        return path.attribute().equals("type")
-                && path.steps().size() == 1
-                && path.steps().get(0).element().equals("controller");
+                .anyMatch(edit -> edit instanceof ScenarioChange.SetAttribute set
+                        && set.path().isControllerType());
     }
 
     /** Checks some changes of a world, given whether another factor also sets the type of the controller. */

@@ -1,10 +1,12 @@
 package faultline.gui.batch;
 
+import faultline.control.ControllerSpec;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.dialog.ControllerChooser;
 import faultline.gui.dialog.FileController;
+import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextWrap;
@@ -13,6 +15,7 @@ import java.awt.Component;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -59,22 +62,50 @@ public final class BatchActions {
     private void showDialog() {
         Path stem = files.suggestedFile("");
         Consumer<Scenario> reopening = files.reopening();
+        ControllerSelection chosen = controllers.chosen();
         files.editedScenario()
                 .ifPresent(edited -> edited.thenAccept(
-                        open -> showDialog(new BatchSource(open, stem, () -> reopening.accept(open)))));
+                        open -> showDialog(new BatchSource(open, stem, () -> reopening.accept(open)), chosen)));
     }
 
-    private void showDialog(BatchSource open) {
+    private void showDialog(BatchSource open, ControllerSelection chosen) {
+        if (chosen.isScenarios()) {
+            showDialog(open, chosen, false);
+        } else {
+            // If a jar is broken by now, the batch says so when it starts.
+            BackgroundTasks.run(
+                    chosen::startsProgram,
+                    program -> showDialog(open, chosen, program),
+                    failure -> showDialog(open, chosen, false));
+        }
+    }
+
+    private void showDialog(BatchSource open, ControllerSelection chosen, boolean startsProgram) {
+        if (!owner.isDisplayable()) {
+            return;
+        }
         dialogs()
                 .filter(dialog -> dialog.isFor(open.scenario()))
                 .findFirst()
-                .ifPresentOrElse(BatchDialog::bringToFront, () -> new BatchDialog(owner, open, this).setVisible(true));
+                .ifPresentOrElse(
+                        known -> {
+                            known.setChosen(chosen, startsProgram);
+                            known.bringToFront();
+                        },
+                        () -> new BatchDialog(owner, open, this, chosen, startsProgram).setVisible(true));
     }
 
-    /** Opens a run in the window, with the controller that it was made with: the scenario's. */
-    void openRun(Scenario run) {
+    /**
+     * Opens a run in the window, with the controller that it was made with: that of its scenario, which some jars may
+     * contain.
+     */
+    void openRun(Scenario run, List<Path> jars) {
+        String name = !jars.isEmpty() && run.setup().controller() instanceof ControllerSpec.Provided provided
+                ? provided.name()
+                : "";
+        List<Path> kept = jars.isEmpty() ? controllers.jars() : jars;
         files.runIfChangesHandled(() -> {
-            controllers.select(ControllerSelection.SCENARIO);
+            controllers.select(new ControllerSelection(name, kept));
             // Opening removes the notes about the scenario before.
             files.openGeneratedWithoutAsking(
                     run, () -> note.accept(Keystrokes.withMenuModifier(Messages.get("batch.opened"))));

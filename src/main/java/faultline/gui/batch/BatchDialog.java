@@ -4,6 +4,7 @@ import faultline.campaign.run.CampaignRunner;
 import faultline.campaign.run.RunScenario;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
@@ -55,6 +56,9 @@ final class BatchDialog extends JDialog {
     private transient BatchResults results;
 
     private transient ResultTabs resultTabs;
+    /** The controller of the results. */
+    private transient ControllerSelection controller = ControllerSelection.SCENARIO;
+
     private boolean running;
     /** Runs when the batch has ended, null for nothing. */
     private transient Runnable afterEnd;
@@ -63,13 +67,23 @@ final class BatchDialog extends JDialog {
 
     private boolean saved = true;
 
-    /** Creates a dialog for runs of a scenario that is not yet visible. */
+    /** Creates a dialog for runs of a scenario that is not yet visible; its controller is that of the scenario. */
     BatchDialog(Window owner, BatchSource source, BatchActions actions) {
+        this(owner, source, actions, ControllerSelection.SCENARIO, false);
+    }
+
+    /**
+     * Creates a dialog for runs of a scenario that is not yet visible, given the controller that drives the robot of
+     * the window and whether it is a program.
+     */
+    BatchDialog(
+            Window owner, BatchSource source, BatchActions actions, ControllerSelection chosen, boolean startsProgram) {
         super(owner, ModalityType.MODELESS);
         assert EventQueue.isDispatchThread();
         this.source = source;
         this.actions = actions;
         form = new BatchForm(source.scenario());
+        form.setChosen(chosen, startsProgram);
         UiText.addTab(tabs, "batch.tab.plan", form);
         UiText.name(tabs, "batch.tabs");
         RefreshSteps.add(
@@ -127,6 +141,11 @@ final class BatchDialog extends JDialog {
         return source.scenario().equals(other) || !isShowing();
     }
 
+    /** Offers the controller that drives the robot of the window, given whether it is a program. */
+    void setChosen(ControllerSelection chosen, boolean startsProgram) {
+        form.setChosen(chosen, startsProgram);
+    }
+
     /** Shows the dialog where the user left it. */
     void bringToFront() {
         setVisible(true);
@@ -169,13 +188,17 @@ final class BatchDialog extends JDialog {
             discardRun();
             BatchRun started = new BatchRun(plan, form.jobs());
             run = started;
+            controller = form.controllerSelection();
+            ControllerSelection made = controller;
             saved = true;
             setRunning(true);
             progress.showStatus(() -> Messages.get("batch.checking"));
             progress.begin();
             poll.start();
             BackgroundTasks.runBeforeExit(
-                    started::make, result -> ended(started, result), failure -> failed(started, failure));
+                    () -> made.callWithJars(started::make),
+                    result -> ended(started, result),
+                    failure -> failed(started, failure));
         });
     }
 
@@ -226,6 +249,7 @@ final class BatchDialog extends JDialog {
             results = new BatchResults(run.planOrNull());
             resultTabs = new ResultTabs(tabs, results, this::open);
             resultTabs.select();
+            progress.showControllers(run.planOrNull().controllerTypes());
         }
         if (results != null) {
             int before = results.size();
@@ -246,11 +270,11 @@ final class BatchDialog extends JDialog {
         }
         BatchResults shown = results;
         BackgroundTasks.run(
-                () -> RunScenario.create(
+                () -> controller.callWithJars(() -> RunScenario.create(
                         shown.plan(),
                         index,
                         shown.value(index, "outcome"),
-                        Double.parseDouble(shown.value(index, "simulated_s"))),
+                        Double.parseDouble(shown.value(index, "simulated_s")))),
                 opened -> openRun(named(opened, index)),
                 this::showFailure);
     }
@@ -263,7 +287,7 @@ final class BatchDialog extends JDialog {
     private void openRun(Scenario opened) {
         setVisible(false);
         reopen.setEnabled(true);
-        actions.openRun(opened);
+        actions.openRun(opened, controller.jars());
     }
 
     private void reopen() {
@@ -366,6 +390,7 @@ final class BatchDialog extends JDialog {
         }
         results = null;
         resultTabs = null;
+        progress.showControllers(List.of());
     }
 
     private static void delete(BatchRun ended) {

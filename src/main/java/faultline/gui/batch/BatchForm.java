@@ -3,6 +3,7 @@ package faultline.gui.batch;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.run.CampaignRunner;
 import faultline.control.ControllerSpec;
+import faultline.gui.document.ControllerSelection;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.panel.NumberSpinner;
@@ -23,8 +24,11 @@ import java.awt.GridBagLayout;
 import java.awt.GridLayout;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.DefaultComboBoxModel;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -48,6 +52,12 @@ final class BatchForm extends JPanel {
     private final JCheckBox untilVerdict = UiText.text(new JCheckBox(), "batch.untilVerdict");
     private final NamedChoice<DiagnosisChoice> diagnosis = new NamedChoice<>(
             DiagnosisChoice.values(), value -> Messages.get("batch.diagnosis." + value), ignored -> updateCount());
+    private final NamedChoice<BatchController> controller;
+    /** What there is to know about the controller, empty for nothing. */
+    private final JLabel controllerRemark = new JLabel();
+    /** Whether the window starts a program to drive the robot, which a batch does not. */
+    private boolean program;
+
     private final NumberSpinner jobs = number("0", 1, CampaignRunner.MAX_JOBS, 1, "batch.jobs");
     private final JTextField onset = new JTextField(COLUMNS);
     private final JCheckBox healthy = UiText.text(new JCheckBox("", true), "batch.healthy");
@@ -67,6 +77,8 @@ final class BatchForm extends JPanel {
         super(new BorderLayout());
         this.scenario = scenario;
         RobotSpec robot = scenario.setup().robot();
+        controller = new NamedChoice<>(
+                choices(ControllerSelection.SCENARIO), value -> value.text(scenario.setup()), ignored -> updateCount());
         sensors = robot.sensors().stream().map(this::createSensorBox).toList();
         faults = new FaultChoices(this::updateCount);
         setInitialValues();
@@ -119,7 +131,49 @@ final class BatchForm extends JPanel {
         double earliest = Math.rint(EARLIEST_SHARE * seconds);
         double latest = Math.max(earliest + 1, Math.rint(LATEST_SHARE * seconds));
         onset.setText(DecimalText.format(earliest) + ".." + DecimalText.format(latest));
-        diagnosis.setEnabled(scenario.setup().controller() instanceof ControllerSpec.WallFollowing);
+    }
+
+    private BatchController[] choices(ControllerSelection chosen) {
+        return BatchController.choices(scenario.setup(), chosen, program).toArray(BatchController[]::new);
+    }
+
+    /**
+     * Offers the controller that drives the robot of the window, and selects it if it was not offered before, given
+     * whether it is a program. One that was offered stays if the window now uses that of the scenario, which it does
+     * after a run of the batch has been opened.
+     */
+    void setChosen(ControllerSelection chosen, boolean startsProgram) {
+        program = startsProgram;
+        BatchController[] choices = choices(chosen);
+        boolean offered = IntStream.range(0, controller.getItemCount())
+                .mapToObj(controller::getItemAt)
+                .toList()
+                .containsAll(List.of(choices));
+        if (!offered) {
+            controller.setModel(new DefaultComboBoxModel<>(choices));
+        }
+        updateCount();
+    }
+
+    private void updateRemark(Scenario driven) {
+        String key =
+                program ? "batch.controller.program" : isMeasuredElsewhere(driven) ? "batch.controller.distance" : "";
+        controllerRemark.setVisible(!key.isEmpty());
+        controllerRemark.setText(key.isEmpty() ? "" : Messages.get(key));
+        controllerRemark.setToolTipText(key.isEmpty() ? null : Messages.get(key + ".tip"));
+    }
+
+    /** Returns whether the distance of a controller in Java is measured from another one than the scenario wants. */
+    private boolean isMeasuredElsewhere(Scenario driven) {
+        OptionalDouble wanted = scenario.setup().controller().wantedDistance();
+        return wanted.isPresent()
+                && driven.setup().controller() instanceof ControllerSpec.Provided provided
+                && !provided.wantedDistance().equals(wanted);
+    }
+
+    /** Returns the name and the jars of the chosen controller. */
+    ControllerSelection controllerSelection() {
+        return controller.value().selection();
     }
 
     private JCheckBox createSensorBox(SensorSpec sensor) {
@@ -144,9 +198,11 @@ final class BatchForm extends JPanel {
         addField(fields, "batch.duration", duration, "s");
         UiText.tip(untilVerdict, "batch.untilVerdict.tip");
         fields.add(untilVerdict, FormConstraints.fillRow(0, row++));
-        JLabel controller = UiText.label("batch.controller.scenario");
-        UiText.tip(controller, "batch.controller.tip");
-        addField(fields, "batch.controller", controller, "");
+        UiText.tip(UiText.name(controller, "batch.controller"), "batch.controller.tip");
+        // Below its label, because the names are long.
+        fields.add(FormConstraints.label("batch.controller", controller), FormConstraints.fillRow(0, row++));
+        fields.add(controller, FormConstraints.fillRow(0, row++));
+        fields.add(controllerRemark, FormConstraints.fillRow(0, row++));
         UiText.name(diagnosis, "batch.diagnosis");
         fields.add(FormConstraints.label("batch.diagnosis", diagnosis), FormConstraints.cell(0, row));
         fields.add(diagnosis, FormConstraints.fillRow(1, row++));
@@ -198,6 +254,8 @@ final class BatchForm extends JPanel {
         // Fields call this while they are created.
         if (faults != null) {
             BatchPlan plan = plan();
+            diagnosis.setEnabled(plan.scenario().setup().controller() instanceof ControllerSpec.WallFollowing);
+            updateRemark(plan.scenario());
             OptionalLong runs = plan.runCount();
             count.setText(
                     runs.isPresent()
@@ -214,13 +272,15 @@ final class BatchForm extends JPanel {
 
     /** Returns the plan of the fields. */
     BatchPlan plan() {
+        Scenario driven = scenario.withSetup(controller.value().applyTo(scenario.setup()));
+        boolean follows = driven.setup().controller() instanceof ControllerSpec.WallFollowing;
         return new BatchPlan(
-                scenario,
+                driven,
                 (long) firstSeed.doubleValue(),
                 (int) seeds.doubleValue(),
                 duration.doubleValue(),
                 untilVerdict.isSelected(),
-                diagnosis.isEnabled() ? diagnosis.value() : DiagnosisChoice.SCENARIO,
+                follows ? diagnosis.value() : DiagnosisChoice.SCENARIO,
                 healthy.isSelected(),
                 faults.chosen(),
                 onset.getText().strip(),

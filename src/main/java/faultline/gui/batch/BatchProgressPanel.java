@@ -5,7 +5,9 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
+import java.util.List;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
@@ -17,6 +19,8 @@ final class BatchProgressPanel extends JPanel {
 
     private final JProgressBar bar = new JProgressBar(0, STEPS);
     private final JLabel status = new JLabel(" ");
+    private final JLabel controllers = new JLabel();
+    private transient List<String> types = List.of();
     /** Returns the status in the current language. */
     private transient Supplier<String> statusText = () -> " ";
 
@@ -24,7 +28,17 @@ final class BatchProgressPanel extends JPanel {
         super(new BorderLayout(12, 0));
         UiText.name(bar, "batch.progress");
         add(bar, BorderLayout.CENTER);
-        add(RefreshSteps.add(status, label -> label.setText(statusText.get())), BorderLayout.SOUTH);
+        JPanel texts = new JPanel(new BorderLayout(12, 0));
+        texts.add(RefreshSteps.add(status, label -> label.setText(statusText.get())), BorderLayout.CENTER);
+        texts.add(RefreshSteps.add(controllers, label -> showControllers(types)), BorderLayout.LINE_END);
+        add(texts, BorderLayout.SOUTH);
+    }
+
+    /** Shows which controllers drove the robots, given their types in scenario files; none without results. */
+    void showControllers(List<String> newTypes) {
+        types = newTypes;
+        String names = newTypes.stream().map(BatchController::nameOf).collect(Collectors.joining(", "));
+        controllers.setText(newTypes.isEmpty() ? "" : Messages.get("batch.drivenBy", names));
     }
 
     /** Shows a sentence, given what returns it in the current language. */

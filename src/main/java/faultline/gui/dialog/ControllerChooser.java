@@ -99,6 +99,16 @@ public final class ControllerChooser implements WorkspaceListener {
         return started.text();
     }
 
+    /** Returns the controller that drives the robot of the open scenario. */
+    public ControllerSelection chosen() {
+        return started;
+    }
+
+    /** Returns the jars with controllers that the user has added. */
+    public List<Path> jars() {
+        return choice.jars();
+    }
+
     private Optional<ControllerSelection> ask(String key, ControllerSelection now) {
         return new ControllerDialog(key, now, workspace.file().orElse(null)).showDialog(owner);
     }

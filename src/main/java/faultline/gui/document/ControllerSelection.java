@@ -8,6 +8,7 @@ import faultline.io.ProgramVersion;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
@@ -30,6 +31,14 @@ public record ControllerSelection(String text, List<Path> jars) {
     }
 
     /**
+     * Returns whether this starts a program. This searches the jars, so it is no work for the event dispatch thread.
+     */
+    public boolean startsProgram() {
+        assert !EventQueue.isDispatchThread();
+        return !isScenarios() && ControllerChoice.isCommand(text, jars);
+    }
+
+    /**
      * Returns a setup with this controller. A controller in another process gets the name of the scenario; each line
      * that it writes to standard error is passed on, on a separate thread. This searches the jars, whose code may take
      * any time, so it is no work for the event dispatch thread.
@@ -42,6 +51,16 @@ public record ControllerSelection(String text, List<Path> jars) {
         ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 ProgramVersion.text(), scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
         return ControllerChoice.apply(text, jars, setup, new ProcessControllerSource(text, settings));
+    }
+
+    /**
+     * Returns the result of work that can use the controllers of the jars, as can the threads that it starts. This
+     * loads the jars, so it is no work for the event dispatch thread.
+     */
+    public <T> T callWithJars(Callable<T> work) throws Exception {
+        assert !EventQueue.isDispatchThread();
+        // Without jars, those of the command line are available.
+        return jars.isEmpty() ? work.call() : ControllerChoice.withJars(jars, work::call);
     }
 
     /** Returns the files of the controller that the selection names. */

@@ -55,6 +55,30 @@ class CampaignPlanTest {
                 new ControllerSpec.None(), plan.scenario(plan.run(1)).setup().controller());
     }
 
+    @Test
+    void aPlanNamesTheControllersThatDriveItsRobots() throws ScenarioException {
+        assertEquals(List.of("wall-follower"), plan("").controllerTypes());
+        assertEquals(
+                List.of("none"),
+                plan("<set attribute=\"controller/@type\" value=\"none\"/>").controllerTypes());
+        assertEquals(
+                List.of("drive", "none"),
+                plan("<set attribute=\"controller/@type\" value=\"any of drive none\"/>")
+                        .controllerTypes());
+        String variants =
+                """
+                <variants><variant name="own"/>
+                <variant name="still"><set attribute="controller/@type" value="none"/></variant></variants>
+                """;
+        String drive = SamplePlan.ROOM.replace("</scenario>", "<controller type=\"drive\"/></scenario>");
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", WORLDS + variants), drive);
+        assertEquals(List.of("drive", "none"), plan.controllerTypes());
+        assertEquals(
+                List.of("wall-follower", "none"),
+                SamplePlan.read(SamplePlan.text("", "<worlds><rooms count=\"2\"/></worlds>" + variants))
+                        .controllerTypes());
+    }
+
     /** A file for a controller from outside can be run with the controllers of the program. */
     @Test
     void aFactorReplacesAControllerFromOutside() throws ScenarioException {

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.gui.ComponentFinder;
+import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
@@ -19,6 +21,7 @@ import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import javax.swing.AbstractButton;
 import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
@@ -102,10 +105,11 @@ class BatchFormTest {
         assertTrue(labels().contains(remark), labels());
     }
 
-    /** A controller that is chosen for the window has no effect on a batch. */
     @Test
-    void theControllerIsThatOfTheScenario() {
-        assertTrue(labels().contains("|Controller|As in the scenario|"), labels());
+    void theControllerIsThatOfTheScenarioUnlessAnotherOneIsChosen() {
+        assertEquals(ControllerSelection.SCENARIO, callOnEdt(form::controllerSelection));
+        assertTrue(callOnEdt(
+                () -> ComponentFinder.find(form, JComboBox.class, "Diagnosis").isEnabled()));
     }
 
     @Test
@@ -206,5 +210,43 @@ class BatchFormTest {
     @AfterEach
     void restoreLanguage() {
         runOnEdt(() -> Messages.setLanguage(Language.ENGLISH));
+    }
+
+    @Test
+    void theControllerOfTheWindowIsSelectedWhenItIsOffered() {
+        ControllerSelection mine = new ControllerSelection("my-follower", List.of(Path.of("mine.jar")));
+        runOnEdt(() -> form.setChosen(mine, false));
+        assertEquals(
+                "my-follower", BatchController.typeOf(plan().scenario().setup().controller()));
+        assertEquals(mine, callOnEdt(form::controllerSelection));
+        assertFalse(callOnEdt(
+                () -> ComponentFinder.find(form, JComboBox.class, "Diagnosis").isEnabled()));
+        choose(1);
+        assertEquals(scenario, plan().scenario());
+        runOnEdt(() -> form.setChosen(mine, false));
+        assertEquals(scenario, plan().scenario(), "the user has chosen another one");
+        choose(0);
+        runOnEdt(() -> form.setChosen(ControllerSelection.SCENARIO, false));
+        assertEquals(mine, callOnEdt(form::controllerSelection), "as after a run has been opened");
+    }
+
+    private void choose(int index) {
+        runOnEdt(() -> ComponentFinder.find(form, JComboBox.class, "Controller").setSelectedIndex(index));
+    }
+
+    @Test
+    void theFormSaysWhatToKnowAboutAController() throws Exception {
+        assertFalse(labels().contains("cannot drive a batch"));
+        runOnEdt(() -> form.setChosen(new ControllerSelection("python3 robot.py", List.of()), true));
+        assertTrue(labels().contains("|The chosen program cannot drive a batch|"), labels());
+        assertEquals(scenario, plan().scenario());
+        ControllerSelection mine = new ControllerSelection("my-follower", List.of());
+        runOnEdt(() -> form.setChosen(mine, false));
+        assertFalse(labels().contains("measured from"), "the scenario wants 0.25 m, too");
+        ControllerSpec.WallFollowing far = ControllerSpec.WallFollowing.DEFAULT.withDistance(0.4);
+        Scenario other = scenario.withSetup(scenario.setup().withController(far));
+        form = callOnEdt(() -> new BatchForm(other));
+        runOnEdt(() -> form.setChosen(mine, false));
+        assertTrue(labels().contains("|The distance is measured from 0.25 m|"), labels());
     }
 }

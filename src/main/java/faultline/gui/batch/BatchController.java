@@ -1,0 +1,84 @@
+package faultline.gui.batch;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.SimulationSetup;
+import faultline.external.ControllerChoice;
+import faultline.gui.document.ControllerSelection;
+import faultline.gui.text.Messages;
+import faultline.io.MessageText;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A controller that can drive the robots of a batch: one that a scenario file names, as in a campaign. A campaign
+ * starts no programs.
+ *
+ * @param origin where it comes from
+ * @param selection its name, empty for that of the scenario, and the jars with it
+ */
+record BatchController(ControllerOrigin origin, ControllerSelection selection) {
+
+    /** Where a controller comes from. */
+    enum ControllerOrigin {
+        /** The scenario names it. */
+        SCENARIO,
+        /** It has been chosen for the runs of the window. */
+        CHOSEN,
+        /** It is the one that scenarios have by default. */
+        BUILT_IN
+    }
+
+    /**
+     * Returns the choices for a scenario, the preferred one first, given the controller that has been chosen in the
+     * window and whether that starts a program.
+     */
+    static List<BatchController> choices(SimulationSetup setup, ControllerSelection chosen, boolean program) {
+        List<BatchController> choices = new ArrayList<>();
+        if (!chosen.isScenarios() && !program && !isSame(chosen.text(), setup)) {
+            choices.add(new BatchController(ControllerOrigin.CHOSEN, chosen));
+        }
+        // No plan can name a controller that the user has to choose.
+        if (!(setup.controller() instanceof ControllerSpec.Extern)) {
+            choices.add(new BatchController(ControllerOrigin.SCENARIO, ControllerSelection.SCENARIO));
+        }
+        ControllerSelection follower = new ControllerSelection(ControllerChoice.WALL_FOLLOWER, List.of());
+        if (!isSame(follower.text(), setup) && !follower.text().equals(chosen.text())) {
+            choices.add(new BatchController(ControllerOrigin.BUILT_IN, follower));
+        }
+        return choices;
+    }
+
+    /** Returns whether a built-in controller is that of the scenario. One from a jar may be another than there. */
+    private static boolean isSame(String choice, SimulationSetup setup) {
+        return ControllerChoice.isBuiltIn(choice)
+                && ControllerChoice.name(choice, setup).equals(setup);
+    }
+
+    /** Returns a setup whose runs are driven by it. */
+    SimulationSetup applyTo(SimulationSetup setup) {
+        return selection.isScenarios() ? setup : ControllerChoice.name(selection.text(), setup);
+    }
+
+    /** Returns its origin and its name, given the setup that it is applied to. */
+    String text(SimulationSetup setup) {
+        return Messages.get(
+                "batch.controller." + origin, nameOf(typeOf(applyTo(setup).controller())));
+    }
+
+    /** Returns the type of a controller in a scenario file. */
+    static String typeOf(ControllerSpec spec) {
+        return spec.match(new ControllerSpec.ControllerCases<>(
+                builtIn -> builtIn.matchBuiltIn(new ControllerSpec.BuiltInCases<>(
+                        none -> ControllerChoice.NONE, drive -> "drive", follower -> ControllerChoice.WALL_FOLLOWER)),
+                extern -> "extern",
+                ControllerSpec.Provided::name,
+                chosen -> typeOf(chosen.original()),
+                recorded -> "recorded"));
+    }
+
+    /** Returns the name of a type of controller: that of the program in words, another one as it is. */
+    static String nameOf(String type) {
+        String key = "batch.controller.type." + type;
+        return Messages.contains(key) ? Messages.get(key) : MessageText.excerpt(type);
+    }
+}

@@ -1,0 +1,171 @@
+package faultline.gui.batch;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.campaign.plan.PlanFiles;
+import faultline.campaign.run.RunScenario;
+import faultline.control.ControllerProvider;
+import faultline.control.ControllerSpec;
+import faultline.engine.SimulationSetup;
+import faultline.external.ControllerChoice;
+import faultline.external.RightTurner;
+import faultline.gui.document.ControllerSelection;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioRun;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Which controllers can drive a batch, and a batch that one from a jar drives. */
+class BatchControllerTest {
+
+    private static final String NAME = "right-turner";
+
+    @TempDir
+    private Path folder;
+
+    private Scenario yard;
+
+    @BeforeEach
+    void load() throws Exception {
+        yard = Scenario.load(Path.of("scenarios/yard.xml"));
+    }
+
+    @AfterEach
+    void restoreLanguage() {
+        Messages.setLanguage(Language.ENGLISH);
+    }
+
+    private static SimulationSetup with(SimulationSetup setup, ControllerSpec controller) {
+        return setup.withController(controller);
+    }
+
+    private static ControllerSelection selection(String text) {
+        return new ControllerSelection(text, List.of());
+    }
+
+    private static List<String> texts(SimulationSetup setup, ControllerSelection chosen, boolean program) {
+        return BatchController.choices(setup, chosen, program).stream()
+                .map(choice -> choice.text(setup))
+                .toList();
+    }
+
+    @Test
+    void aScenarioIsDrivenByItsOwnController() {
+        List<String> own = List.of("As in the scenario: wall follower");
+        assertEquals(own, texts(yard.setup(), ControllerSelection.SCENARIO, false));
+        assertEquals(own, texts(yard.setup(), selection(ControllerChoice.WALL_FOLLOWER), false), "the same one");
+        assertEquals(own, texts(yard.setup(), selection("python3 robot.py"), true), "no program is started");
+    }
+
+    @Test
+    void theControllerOfTheWindowIsTheFirstChoice() {
+        assertEquals(
+                List.of("Chosen in the window: my-follower", "As in the scenario: wall follower"),
+                texts(yard.setup(), selection("my-follower"), false));
+        assertEquals(
+                List.of("Chosen in the window: none", "As in the scenario: wall follower"),
+                texts(yard.setup(), selection(ControllerChoice.NONE), false));
+    }
+
+    @Test
+    void theBuiltInFollowerDrivesScenariosOfOtherControllers() {
+        SimulationSetup drive = with(yard.setup(), new ControllerSpec.Drive(2, 1));
+        assertEquals(
+                List.of("As in the scenario: constant voltages", "Built in: wall follower"),
+                texts(drive, ControllerSelection.SCENARIO, false));
+        assertEquals(
+                List.of("Chosen in the window: wall follower", "As in the scenario: constant voltages"),
+                texts(drive, selection(ControllerChoice.WALL_FOLLOWER), false));
+        SimulationSetup extern = with(yard.setup(), new ControllerSpec.Extern(0));
+        assertEquals(
+                List.of("Built in: wall follower"),
+                texts(extern, selection("python3 robot.py"), true),
+                "a plan cannot name the program");
+    }
+
+    @Test
+    void theFileOfTheScenarioNamesTheController() {
+        ControllerSpec.Provided own = new ControllerSpec.Provided("mine", 0.05, Map.of("distance", "0.3"));
+        SimulationSetup setup = with(yard.setup(), own);
+        assertEquals(own, ControllerChoice.name("mine", setup).controller(), "with its settings");
+        assertEquals(
+                new ControllerSpec.Provided("other", 0.05, Map.of()),
+                ControllerChoice.name("other", setup).controller());
+        assertEquals(
+                ControllerSpec.WallFollowing.DEFAULT,
+                ControllerChoice.name("wall-follower", setup).controller());
+        assertEquals(
+                new ControllerSpec.None(), ControllerChoice.name("none", setup).controller());
+    }
+
+    @Test
+    void controllersAreNamedInTheLanguageOfTheWindow() {
+        Messages.setLanguage(Language.POLISH);
+        assertEquals(
+                List.of("Wybrany w oknie: my-follower", "Jak w scenariuszu: jazda wzdłuż ściany"),
+                texts(yard.setup(), selection("my-follower"), false));
+    }
+
+    private Path jar() throws IOException {
+        Path jar = folder.resolve("turner.jar");
+        try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar))) {
+            out.putNextEntry(new JarEntry("META-INF/services/" + ControllerProvider.class.getName()));
+            out.write(RightTurner.class.getName().getBytes(StandardCharsets.UTF_8));
+        }
+        return jar;
+    }
+
+    @Test
+    void aControllerFromAJarDrivesABatchAndItsRunsInTheWindow() throws Exception {
+        ControllerSelection chosen = new ControllerSelection(NAME, List.of(jar()));
+        assertFalse(chosen.startsProgram());
+        assertTrue(selection(NAME).startsProgram(), "without the jar, it is a command");
+        BatchController controller =
+                BatchController.choices(yard.setup(), chosen, false).get(0);
+        Scenario driven = yard.withSetup(controller.applyTo(yard.setup()));
+        BatchRun run = new BatchRun(
+                new BatchPlan(
+                        driven,
+                        1,
+                        2,
+                        3,
+                        false,
+                        DiagnosisChoice.SCENARIO,
+                        true,
+                        List.of(new BatchPlan.FaultValues("stuck", "0.3")),
+                        "1",
+                        List.of("front")),
+                2);
+        assertEquals(4, chosen.callWithJars(run::make).made());
+        run.saveResults(folder.resolve("results"));
+        run.delete();
+        assertEquals(List.of(NAME), run.planOrNull().controllerTypes());
+        BatchResults results = new BatchResults(run.planOrNull());
+        for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
+            results.add(row);
+        }
+        assertNotEquals("broken", results.value(0, "outcome"), results.value(0, "failure"));
+        Scenario first = chosen.callWithJars(() -> RunScenario.create(run.planOrNull(), 0, "lost", 3));
+        SimulationSetup inWindow = chosen.applyTo(first.setup(), first.name(), line -> {});
+        ScenarioRun again = first.withSetup(inWindow).run();
+        assertEquals(results.value(0, "trajectory_hash"), again.trajectoryHash());
+        Path plan = folder.resolve("results/plan/plan.xml");
+        assertEquals(
+                4, chosen.callWithJars(() -> PlanFiles.read(plan)).runCount(), "the command campaign reads the plan");
+    }
+}
