@@ -4,23 +4,38 @@ import faultline.io.Message;
 import faultline.io.MessageText;
 
 /** A problem of a plan, besides the problems of any XML file, with its English text. */
-enum PlanProblem implements Message.Template {
+public enum PlanProblem implements Message.Template {
+    /** The file is no plan. */
     ROOT("the root element is <{0}>; expected <campaign xmlns=\"{1}\">"),
+    /** Two columns have the same name. */
     DUPLICATE_COLUMN("two columns of runs.csv would have the name \"{0}\"; expected unique names"
             + " (set another with the attribute name)"),
+    /** Two elements set the same attribute. */
     DUPLICATE_ATTRIBUTE("the attribute \"{0}\" is set twice; expected one element that sets it"),
+    /** The plan has too many runs. */
     TOO_MANY_RUNS("the plan has {0} runs; expected {1} or fewer"),
+    /** An element of faults is empty. */
     NO_FAULT("<faults> contains no fault; expected one or more <fault> or <healthy>"),
+    /** An element of variants is empty. */
     NO_VARIANT("<variants> contains no variant; expected one or more"),
+    /** The plan has no worlds. */
     NO_WORLDS("<campaign> has no worlds; expected <worlds> with <scenario> or <rooms> in it"),
+    /** Two scenarios have the same name. */
     DUPLICATE_SCENARIO(
             "name of <scenario> is \"{0}\", which another scenario already has;" + " expected unique names and files"),
+    /** A room is there twice. */
     DUPLICATE_ROOM("<rooms> contains the world \"{0}\", which is there already; expected each world once"),
+    /** A fault is there twice. */
     DUPLICATE_FAULT("<{0}> is the same as an earlier one; expected each fault once"),
+    /** The end of a fault is given twice. */
     LASTS_AND_UNTIL("<fault> has both lasts and until; expected one of them"),
+    /** A scenario has a problem. */
     SCENARIO("file of <scenario> is \"{0}\": {1}"),
+    /** A path leads to no element. */
     NO_SUCH_ATTRIBUTE("attribute of <set> is \"{0}\", but {1}"),
+    /** The controller would have to be chosen. */
     EXTERN("the controller is from outside, which no plan can name; expected one of the program or of --jar"),
+    /** A problem that a change of the plan causes in a world. */
     IN_WORLD("{0} (in {1})");
 
     private final String english;

@@ -2,7 +2,6 @@ package faultline.campaign.report;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.Column;
-import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.Outcome;
 import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.WorstRuns;
@@ -37,13 +36,8 @@ public final class CampaignReport {
      * @throws ScenarioException if the copy of the plan is not valid
      */
     public CampaignReport(Path folder) throws IOException, ScenarioException {
-        CampaignFolder campaign = new CampaignFolder(folder);
-        campaign.requireReadable();
-        if (!Files.isRegularFile(campaign.runs())) {
-            throw new IOException(folder + ": there is no campaign");
-        }
         this.folder = folder;
-        this.data = RunData.read(campaign.readPlan(), campaign.runs());
+        this.data = RunData.read(folder);
     }
 
     /** {@return the number of runs in the report} */

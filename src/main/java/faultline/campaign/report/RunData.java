@@ -4,10 +4,15 @@ import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.Column;
 import faultline.campaign.plan.FactorKind;
+import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.Csv;
 import faultline.campaign.run.LineReader;
+import faultline.campaign.run.ResultsProblem;
 import faultline.campaign.run.RowCheck;
+import faultline.io.Message;
+import faultline.io.MessageException;
 import faultline.io.MessageText;
+import faultline.scenario.xml.ScenarioException;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -93,6 +98,16 @@ final class RunData {
                 .filter(index -> index >= 0);
     }
 
+    /** Reads the campaign of a folder. Throws an exception if there is none, or a row cannot be used. */
+    static RunData read(Path folder) throws IOException, ScenarioException {
+        CampaignFolder campaign = new CampaignFolder(folder);
+        campaign.requireReadable();
+        if (!Files.isRegularFile(campaign.runs())) {
+            throw new MessageException(folder.toString(), ResultsProblem.NO_CAMPAIGN.with(), null);
+        }
+        return read(campaign.readPlan(), campaign.runs());
+    }
+
     /** Reads a table. Throws an exception if a row cannot be used. */
     static RunData read(CampaignPlan plan, Path table) throws IOException {
         checkLines(table);
@@ -106,7 +121,7 @@ final class RunData {
             data.checkRows(table);
             return data;
         } catch (UncheckedIOException e) {
-            throw new IOException(table + ": the file cannot be read as UTF-8 text", e);
+            throw new MessageException(table.toString(), ResultsProblem.NOT_TEXT.with(), e);
         }
     }
 
@@ -116,8 +131,8 @@ final class RunData {
         plan.factorColumns().forEach(column -> needed.add(column.name()));
         for (String name : needed) {
             if (!indices.isEmpty() && index(name) < 0) {
-                throw new IOException(table + ":1:1: the header has no column " + MessageText.quoted(name)
-                        + "; expected names with commas between them");
+                throw new MessageException(
+                        table + ":1:1", ResultsProblem.NO_COLUMN.with(MessageText.quoted(name)), null);
             }
         }
     }
@@ -127,26 +142,26 @@ final class RunData {
         int line = 1;
         for (RunRow row : rows) {
             line++;
-            Optional<String> problem = RowCheck.findProblem(row::text);
+            Optional<Message> problem = RowCheck.findProblem(row::text);
             if (problem.isPresent()) {
                 throw wrong(table, line, problem.get());
             }
             long run = Long.parseLong(row.text("run"));
             if (run >= plan.runCount()) {
-                throw wrong(table, line, "run " + run + " is not in the plan; expected 0 to " + (plan.runCount() - 1));
+                throw wrong(table, line, ResultsProblem.NOT_IN_PLAN.with(run, plan.runCount() - 1));
             }
             if (runs.get((int) run)) {
-                throw wrong(table, line, "run " + run + " is there twice; expected each run once");
+                throw wrong(table, line, ResultsProblem.TWICE.with(run));
             }
             runs.set((int) run);
         }
         if (rows.isEmpty()) {
-            throw new IOException(table + ":1:1: there is no row of a run; expected at least one below the header");
+            throw new MessageException(table + ":1:1", ResultsProblem.NO_ROW.with(), null);
         }
     }
 
-    private static IOException wrong(Path table, int line, String problem) {
-        return new IOException(table + ":" + line + ": " + problem);
+    private static IOException wrong(Path table, int line, Message problem) {
+        return new MessageException(table + ":" + line, problem, null);
     }
 
     /** Checks the length of the lines, because a long line of a damaged file could fill the memory. */
@@ -155,7 +170,7 @@ final class RunData {
             int number = 1;
             for (String line = in.next(); !line.isEmpty(); line = in.next()) {
                 if (in.isTooLong()) {
-                    throw new IOException(table + ":" + number + ": the row is too long; expected at most 1 MiB");
+                    throw wrong(table, number, ResultsProblem.LONG_ROW.with());
                 }
                 number++;
             }

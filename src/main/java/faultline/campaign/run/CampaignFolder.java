@@ -5,6 +5,7 @@ import faultline.campaign.plan.PlanFiles;
 import faultline.engine.ControllerProviders;
 import faultline.io.AtomicFile;
 import faultline.io.LinkResolver;
+import faultline.io.MessageException;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -116,7 +117,7 @@ public final class CampaignFolder {
     public void requireReadable() throws IOException {
         boolean unknown = !Files.exists(manifest()) && !Files.notExists(manifest());
         if (unknown && !Files.isRegularFile(folder)) {
-            throw new IOException(folder + ": the folder cannot be read");
+            throw new MessageException(folder.toString(), ResultsProblem.UNREADABLE.with(), null);
         }
     }
 

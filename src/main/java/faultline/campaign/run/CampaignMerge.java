@@ -2,6 +2,7 @@ package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.io.AtomicFile;
+import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -171,9 +172,9 @@ public final class CampaignMerge {
         }
 
         private void requireGood(List<String> names, List<String> cells, long row) throws IOException {
-            Optional<String> problem = RowCheck.findProblem(names, cells);
+            Optional<Message> problem = RowCheck.findProblem(names, cells);
             if (problem.isPresent()) {
-                throw wrong(row, problem.get());
+                throw wrong(row, problem.get().toString());
             }
         }
 

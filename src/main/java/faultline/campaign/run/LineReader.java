@@ -1,5 +1,6 @@
 package faultline.campaign.run;
 
+import faultline.io.MessageException;
 import java.io.BufferedInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
@@ -30,7 +31,7 @@ public final class LineReader implements Closeable {
      */
     public LineReader(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new IOException(file + ": this is not a regular file; expected a table");
+            throw new MessageException(file.toString(), ResultsProblem.NOT_REGULAR.with(), null);
         }
         in = new BufferedInputStream(Files.newInputStream(file));
     }

@@ -1,5 +1,6 @@
 package faultline.campaign.run;
 
+import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioLimits;
 import java.util.Arrays;
@@ -17,7 +18,7 @@ public final class RowCheck {
 
     private static final String OUTCOMES = Stream.concat(
                     Arrays.stream(Outcome.values()).map(Outcome::word), Stream.of(Outcome.BROKEN))
-            .collect(Collectors.joining(", ", "one of ", ""));
+            .collect(Collectors.joining(", "));
 
     private RowCheck() {}
 
@@ -26,32 +27,32 @@ public final class RowCheck {
      *
      * @param cell the function that returns the text of a column, empty if there is no such column
      */
-    public static Optional<String> findProblem(UnaryOperator<String> cell) {
+    public static Optional<Message> findProblem(UnaryOperator<String> cell) {
         String outcome = cell.apply("outcome");
         if (!cell.apply("run").matches("\\d{1,18}")) {
-            return problem("run", cell, "a whole number");
+            return problem("run", cell, ResultsProblem.WHOLE_NUMBER.with());
         }
         boolean broken = outcome.equals(Outcome.BROKEN);
         if (!broken && Outcome.ofWord(outcome).isEmpty()) {
-            return problem("outcome", cell, OUTCOMES);
+            return problem("outcome", cell, ResultsProblem.ONE_OF.with(OUTCOMES));
         }
         for (String column : List.of("carried_on", "collided")) {
             // A program that stores them as numbers with gaps writes 1.0.
             if (!FLAGS.contains(cell.apply(column))) {
-                return problem(column, cell, "0, 1 or nothing");
+                return problem(column, cell, ResultsProblem.FLAG.with());
             }
         }
         if (!isNumber(cell.apply("wall_share")) && !cell.apply("wall_share").isEmpty()) {
-            return problem("wall_share", cell, "a number or nothing");
+            return problem("wall_share", cell, ResultsProblem.NUMBER.with());
         }
         if (!isDuration(cell.apply("simulated_s")) && !broken) {
-            return problem("simulated_s", cell, "a number from 0 to " + ScenarioLimits.MAX_DURATION);
+            return problem("simulated_s", cell, ResultsProblem.DURATION.with(ScenarioLimits.MAX_DURATION));
         }
         return Optional.empty();
     }
 
     /** Returns the error in a row with a header; empty if the row is valid. */
-    static Optional<String> findProblem(List<String> header, List<String> cells) {
+    static Optional<Message> findProblem(List<String> header, List<String> cells) {
         if (cells.size() != header.size()) {
             return Optional.of(cellCount(cells.size(), header.size()));
         }
@@ -64,9 +65,8 @@ public final class RowCheck {
      * @param cells the number of its cells
      * @param expected the number of the header's cells
      */
-    public static String cellCount(int cells, int expected) {
-        return "the row has " + cells + (cells == 1 ? " cell" : " cells") + "; expected " + expected
-                + " like the header";
+    public static Message cellCount(int cells, int expected) {
+        return cells == 1 ? ResultsProblem.ONE_CELL.with(expected) : ResultsProblem.CELL_COUNT.with(cells, expected);
     }
 
     private static boolean isNumber(String text) {
@@ -77,7 +77,7 @@ public final class RowCheck {
         return isNumber(text) && !text.startsWith("-") && Double.parseDouble(text) <= ScenarioLimits.MAX_DURATION;
     }
 
-    private static Optional<String> problem(String column, UnaryOperator<String> cell, String expected) {
-        return Optional.of(column + " is " + MessageText.quoted(cell.apply(column)) + "; expected " + expected);
+    private static Optional<Message> problem(String column, UnaryOperator<String> cell, Message expected) {
+        return Optional.of(ResultsProblem.CELL.with(column, MessageText.quoted(cell.apply(column)), expected));
     }
 }

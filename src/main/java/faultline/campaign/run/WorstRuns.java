@@ -1,6 +1,7 @@
 package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
+import faultline.io.Message;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -114,7 +115,7 @@ public final class WorstRuns {
     }
 
     private void requireGood(List<String> header, List<String> cells, long line) throws IOException {
-        Optional<String> problem = RowCheck.findProblem(header, cells);
+        Optional<Message> problem = RowCheck.findProblem(header, cells);
         if (problem.isPresent()) {
             throw new IOException(folder.runs() + ":" + line + ": " + problem.get());
         }

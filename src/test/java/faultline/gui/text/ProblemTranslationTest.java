@@ -3,6 +3,8 @@ package faultline.gui.text;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import faultline.campaign.plan.PlanProblem;
+import faultline.campaign.run.ResultsProblem;
 import faultline.engine.RunProblem;
 import faultline.external.ControllerProblem;
 import faultline.floorplan.FloorPlanProblem;
@@ -37,7 +39,9 @@ class ProblemTranslationTest {
                         WriteProblem.values(),
                         FloorPlanProblem.values(),
                         RunProblem.values(),
-                        ControllerProblem.values())
+                        ControllerProblem.values(),
+                        PlanProblem.values(),
+                        ResultsProblem.values())
                 .flatMap(Stream::of);
     }
 
@@ -63,6 +67,18 @@ class ProblemTranslationTest {
     @ParameterizedTest
     @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "OTHER")
     void everyProblemOfAControllerIsInPolish(ControllerProblem problem) {
+        assertNotEquals(problem.english(), Messages.get(Language.POLISH, problem.key()));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void everyProblemOfAPlanIsInPolish(PlanProblem problem) {
+        assertNotEquals(problem.english(), Messages.get(Language.POLISH, problem.key()));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void everyProblemOfResultsIsInPolish(ResultsProblem problem) {
         assertNotEquals(problem.english(), Messages.get(Language.POLISH, problem.key()));
     }
 
@@ -111,8 +127,19 @@ class ProblemTranslationTest {
                         "nie można zapisać scenariusza: zapisany plik dałby po wczytaniu inny scenariusz"));
     }
 
+    private static Stream<Arguments> translationsOfCampaigns() {
+        return Stream.of(
+                Arguments.of(
+                        PlanProblem.IN_WORLD.with(
+                                ProblemKind.VALUE.with("value", "fault", "1.5", Allowed.FLAG.with()), "Yard"),
+                        "value w <fault> to \"1.5\"; dozwolone: true lub false (świat: Yard)"),
+                Arguments.of(
+                        ResultsProblem.CELL.with("outcome", "\"won\"", ResultsProblem.ONE_OF.with("lost, stopped")),
+                        "outcome to \"won\"; dozwolone: jedno z: lost, stopped"));
+    }
+
     @ParameterizedTest
-    @MethodSource("translations")
+    @MethodSource({"translations", "translationsOfCampaigns"})
     void aProblemIsTranslatedExceptForTheUsersOwnText(Message message, String polish) {
         Messages.setLanguage(Language.POLISH);
         assertEquals(polish, Messages.get(message));

@@ -1,0 +1,59 @@
+package faultline.campaign.run;
+
+import faultline.io.Message;
+import faultline.io.MessageText;
+
+/** The problems of the results of a campaign, with the English text of each. */
+public enum ResultsProblem implements Message.Template {
+    /** There is no table. */
+    NO_CAMPAIGN("there is no campaign"),
+    /** The folder cannot be read. */
+    UNREADABLE("the folder cannot be read"),
+    /** The table is a device or a pipe. */
+    NOT_REGULAR("this is not a regular file; expected a table"),
+    /** The table is not text. */
+    NOT_TEXT("the file cannot be read as UTF-8 text"),
+    /** A line is so long that the file is no table. */
+    LONG_ROW("the row is too long; expected at most 1 MiB"),
+    /** The table has no row. */
+    NO_ROW("there is no row of a run; expected at least one below the header"),
+    /** A column is missing. */
+    NO_COLUMN("the header has no column {0}; expected names with commas between them"),
+    /** A row has another number of cells than the header. */
+    CELL_COUNT("the row has {0} cells; expected {1} like the header"),
+    /** A row has one cell. */
+    ONE_CELL("the row has 1 cell; expected {0} like the header"),
+    /** A cell has a value that its column cannot have. */
+    CELL("{0} is {1}; expected {2}"),
+    /** A run is not in the plan. */
+    NOT_IN_PLAN("run {0} is not in the plan; expected 0 to {1}"),
+    /** A run is in the table twice. */
+    TWICE("run {0} is there twice; expected each run once"),
+
+    /** A count. */
+    WHOLE_NUMBER("a whole number"),
+    /** A word of a list. */
+    ONE_OF("one of {0}"),
+    /** A flag. */
+    FLAG("0, 1 or nothing"),
+    /** A number that need not be there. */
+    NUMBER("a number or nothing"),
+    /** A time. */
+    DURATION("a number from 0 to {0}");
+
+    private final String english;
+
+    ResultsProblem(String english) {
+        this.english = english;
+    }
+
+    @Override
+    public String key() {
+        return "resultsProblem." + MessageText.camelCase(name());
+    }
+
+    @Override
+    public String english() {
+        return english;
+    }
+}
