@@ -31,6 +31,8 @@ public enum PlanProblem implements Message.Template {
     LASTS_AND_UNTIL("<fault> has both lasts and until; expected one of them"),
     /** A scenario has a problem. */
     SCENARIO("file of <scenario> is \"{0}\": {1}"),
+    /** A place in a scenario, and its problem. */
+    IN_FILE("{0}: {1}"),
     /** A path leads to no element. */
     NO_SUCH_ATTRIBUTE("attribute of <set> is \"{0}\", but {1}"),
     /** The controller would have to be chosen. */

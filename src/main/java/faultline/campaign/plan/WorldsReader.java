@@ -1,6 +1,7 @@
 package faultline.campaign.plan;
 
 import faultline.campaign.RoomRules;
+import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.AttributeReader;
@@ -98,7 +99,9 @@ final class WorldsReader {
             return Optional.of(new WorldSource.ScenarioFile(label, file, parse(file, bytes)));
         } catch (ScenarioException e) {
             for (Problem problem : e.problems()) {
-                problems.add(node, PlanProblem.SCENARIO.with(MessageText.excerpt(file), problem));
+                String place = MessageText.oneLine(problem.file() + problem.location());
+                Message inFile = PlanProblem.IN_FILE.with(place, problem.message());
+                problems.add(node, PlanProblem.SCENARIO.with(MessageText.excerpt(file), inFile));
             }
             return Optional.empty();
         }

@@ -121,6 +121,20 @@ public final class CampaignFolder {
         }
     }
 
+    /**
+     * {@return whether this program, with the controllers of the plan as it finds them now, would make the same runs:
+     * the manifest names both with their hashes}
+     *
+     * @param plan the plan of this campaign
+     * @throws IOException if the folder cannot be read
+     */
+    public boolean isOfThisProgram(CampaignPlan plan) throws IOException {
+        Optional<String> manifest = readManifest();
+        return manifest.isPresent()
+                && CampaignManifest.sameRuns(
+                        manifest.get(), CampaignManifest.text(plan, Shard.ALL), plan.controllerTypes());
+    }
+
     /** Returns the text of the manifest, empty if there is none. */
     Optional<String> readManifest() throws IOException {
         requireReadable();

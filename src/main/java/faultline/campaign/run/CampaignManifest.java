@@ -24,6 +24,8 @@ import java.util.regex.Pattern;
 final class CampaignManifest {
 
     private static final String JAVA = "  \"java\": ";
+    private static final String CONTROLLERS = "  \"controllers\": ";
+    private static final String JAR_HASH = "\"jar_sha256\": ";
     private static final String SHARD = "  \"shard\": ";
     private static final Pattern SHARD_LINE = Pattern.compile("\"shard\": \"(\\d+/\\d+)\"");
 
@@ -43,7 +45,7 @@ final class CampaignManifest {
         lines.add("  \"scenarios\": " + scenarios(plan.files().scenarios()));
         List<String> controllers = controllers();
         if (!controllers.isEmpty()) {
-            lines.add("  \"controllers\": " + array(controllers));
+            lines.add(CONTROLLERS + array(controllers));
         }
         lines.add("  \"worlds\": " + plan.worldCount());
         lines.add("  \"seeds\": " + plan.seedCount());
@@ -68,6 +70,23 @@ final class CampaignManifest {
         return comparable(one).equals(comparable(other));
     }
 
+    /**
+     * Returns whether two manifests belong to the same campaign, program and controllers, of which only some are used;
+     * the jars of others may differ.
+     */
+    static boolean sameRuns(String one, String other, List<String> used) {
+        return withControllers(one, used).equals(withControllers(other, used));
+    }
+
+    private static List<String> withControllers(String manifest, List<String> used) {
+        return comparable(manifest).stream()
+                .filter(line -> !line.equals(CONTROLLERS + "[") && !line.equals("  ],"))
+                .filter(line -> !line.contains(JAR_HASH)
+                        || used.stream().anyMatch(name -> line.contains("{\"name\": " + JsonWriter.quoted(name) + ",")))
+                .map(line -> line.replaceFirst(",$", ""))
+                .toList();
+    }
+
     private static List<String> comparable(String manifest) {
         return manifest.lines()
                 .filter(line -> !line.startsWith(JAVA) && !line.startsWith(SHARD))
@@ -84,7 +103,7 @@ final class CampaignManifest {
     private static List<String> controllers() throws IOException {
         List<String> objects = new ArrayList<>();
         for (Map.Entry<String, Path> jar : ControllerProviders.jars().entrySet()) {
-            objects.add("    {\"name\": " + JsonWriter.quoted(jar.getKey()) + ", \"jar_sha256\": "
+            objects.add("    {\"name\": " + JsonWriter.quoted(jar.getKey()) + ", " + JAR_HASH
                     + JsonWriter.quoted(Sha256.hex(Files.readAllBytes(jar.getValue()))) + "}");
         }
         return objects;

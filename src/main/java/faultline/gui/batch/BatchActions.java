@@ -1,5 +1,6 @@
 package faultline.gui.batch;
 
+import faultline.campaign.run.RunScenario;
 import faultline.control.ControllerSpec;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
@@ -8,6 +9,8 @@ import faultline.gui.dialog.ControllerChooser;
 import faultline.gui.dialog.FileController;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ControllerSelection;
+import faultline.gui.document.FileNames;
+import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextWrap;
 import faultline.scenario.Scenario;
@@ -20,14 +23,20 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JOptionPane;
+import javax.swing.Timer;
 
-/** The action that opens the batch of the open scenario, and what its dialog needs of the window. */
+/** The actions that open the batch of the open scenario and earlier results, and what their dialogs need. */
 public final class BatchActions {
+
+    /** The time after which a note says that results are being read. */
+    private static final int MILLIS_BEFORE_NOTE = 1000;
 
     private final Window owner;
     private final FileController files;
     private final ControllerChooser controllers;
     private final Consumer<String> note;
+    /** The dialog that the run in the window was opened from, null for none. */
+    private RunsDialog origin;
 
     /** Creates the actions of a window; {@code note} shows a sentence to the user. */
     public BatchActions(Window owner, FileController files, ControllerChooser controllers, Consumer<String> note) {
@@ -39,6 +48,7 @@ public final class BatchActions {
 
     public void addTo(ActionRegistry actions) {
         actions.add(UiAction.of("batch", this::showDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_B)));
+        actions.add(UiAction.of("openBatchResults", this::openResults));
     }
 
     /** Runs an action that would lose the unsaved results of all batches, after asking whether to save them. */
@@ -58,8 +68,15 @@ public final class BatchActions {
                 .filter(BatchDialog::isDisplayable);
     }
 
-    /** Shows the dialog of the open scenario as it is now; a batch of another scenario keeps its own dialog. */
+    /**
+     * Shows the results again that the run in the window was opened from, or else the dialog of the open scenario as it
+     * is now; a batch of another scenario keeps its own dialog.
+     */
     private void showDialog() {
+        if (origin instanceof ResultsDialog results && results.isDisplayable() && !results.isShowing()) {
+            results.bringToFront();
+            return;
+        }
         Path stem = files.suggestedFile("");
         Consumer<Scenario> reopening = files.reopening();
         ControllerSelection chosen = controllers.chosen();
@@ -84,7 +101,10 @@ public final class BatchActions {
         if (!owner.isDisplayable()) {
             return;
         }
-        dialogs()
+        Stream.concat(Stream.ofNullable(origin), Stream.of(owner.getOwnedWindows()))
+                .filter(BatchDialog.class::isInstance)
+                .map(BatchDialog.class::cast)
+                .filter(BatchDialog::isDisplayable)
                 .filter(dialog -> dialog.isFor(open.scenario()))
                 .findFirst()
                 .ifPresentOrElse(
@@ -95,11 +115,31 @@ public final class BatchActions {
                         () -> new BatchDialog(owner, open, this, chosen, startsProgram).setVisible(true));
     }
 
+    /** Opens the run of a row in the window, given the controller of the results. The dialog is hidden then. */
+    void openRun(RunsDialog dialog, BatchResults results, int row, ControllerSelection controller) {
+        int run = Math.toIntExact(results.run(row));
+        String outcome = results.value(row, "outcome");
+        double seconds = Double.parseDouble(results.value(row, "simulated_s"));
+        BackgroundTasks.run(
+                () -> controller.callWithJars(() -> RunScenario.create(results.plan(), run, outcome, seconds)),
+                opened -> {
+                    origin = dialog;
+                    dialog.runOpened();
+                    openRun(named(opened, run), controller.jars());
+                },
+                failure -> dialog.showProblem(ErrorMessages.describe(failure)));
+    }
+
+    /** Returns the scenario of a run, with its name in the language of the window. */
+    static Scenario named(Scenario run, int index) {
+        return run.withName(Messages.get("batch.run", Integer.toString(index)));
+    }
+
     /**
      * Opens a run in the window, with the controller that it was made with: that of its scenario, which some jars may
      * contain.
      */
-    void openRun(Scenario run, List<Path> jars) {
+    private void openRun(Scenario run, List<Path> jars) {
         String name = !jars.isEmpty() && run.setup().controller() instanceof ControllerSpec.Provided provided
                 ? provided.name()
                 : "";
@@ -110,6 +150,46 @@ public final class BatchActions {
             files.openGeneratedWithoutAsking(
                     run, () -> note.accept(Keystrokes.withMenuModifier(Messages.get("batch.opened"))));
         });
+    }
+
+    private void openResults() {
+        files.chooseResults("openBatchResults").ifPresent(this::openResults);
+    }
+
+    /** Reads results in the background, given their folder or one of its files, and shows them. */
+    void openResults(Path chosen) {
+        ControllerSelection jars = new ControllerSelection("", controllers.jars());
+        String name = FileNames.lastOf(OpenedResults.folderOf(chosen));
+        Timer reading = new Timer(MILLIS_BEFORE_NOTE, event -> note.accept(Messages.get("batch.opened.reading", name)));
+        reading.setRepeats(false);
+        reading.start();
+        BackgroundTasks.run(
+                () -> {
+                    Path folder = OpenedResults.folderOf(chosen);
+                    return jars.callWithJars(() -> OpenedResults.read(folder));
+                },
+                opened -> {
+                    reading.stop();
+                    showResults(opened, jars.jars());
+                },
+                failure -> {
+                    reading.stop();
+                    if (owner.isDisplayable()) {
+                        showProblem(owner, OpenedResults.failureText(OpenedResults.folderOf(chosen), failure));
+                    }
+                });
+    }
+
+    /** Shows results; they replace those that were read earlier from the same folder. */
+    private void showResults(OpenedResults opened, List<Path> jars) {
+        if (!owner.isDisplayable()) {
+            return;
+        }
+        Stream.of(owner.getOwnedWindows())
+                .filter(window ->
+                        window instanceof ResultsDialog known && known.folder().equals(opened.folder()))
+                .forEach(Window::dispose);
+        new ResultsDialog(owner, opened, jars, this).setVisible(true);
     }
 
     /** Asks for the file of a plan; empty if cancelled. */

@@ -34,6 +34,11 @@ final class BatchProgressPanel extends JPanel {
         add(texts, BorderLayout.SOUTH);
     }
 
+    /** Hides the bar, where there is nothing to make. */
+    void hideBar() {
+        bar.setVisible(false);
+    }
+
     /** Shows which controllers drove the robots, given their types in scenario files; none without results. */
     void showControllers(List<String> newTypes) {
         types = newTypes;
@@ -79,6 +84,20 @@ final class BatchProgressPanel extends JPanel {
                 Long.toString(counts.runs()),
                 Long.toString(counts.broken()),
                 DurationText.text(seconds));
+        return withRepeats(text, repeats);
+    }
+
+    /** Returns how many runs of a campaign have been read, and how many of them repeat another one. */
+    static String openedText(long opened, long runs, long broken, long repeats) {
+        String text = Messages.get(
+                opened == runs ? "batch.opened.all" : "batch.opened.part",
+                Long.toString(opened),
+                Long.toString(runs),
+                Long.toString(broken));
+        return withRepeats(text, repeats);
+    }
+
+    private static String withRepeats(String text, long repeats) {
         return repeats == 0 ? text : Messages.get("batch.repeats", text, Long.toString(repeats));
     }
 

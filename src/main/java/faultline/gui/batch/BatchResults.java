@@ -8,10 +8,16 @@ import faultline.campaign.run.ResultColumns;
 import faultline.io.DecimalText;
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /** The results of a batch as far as they have come, in the forms that its views show. Event dispatch thread only. */
@@ -29,19 +35,22 @@ final class BatchResults {
             "failure");
 
     private final CampaignPlan plan;
-    private final List<String> columns;
+    private final Map<String, Integer> columns = new HashMap<>();
     private final List<List<String>> rows = new ArrayList<>();
+    /** The rows by the numbers of their runs. */
+    private final Map<Long, Integer> rowsByRun = new LinkedHashMap<>();
+
     private final List<String> shownColumns;
     private final List<String> labelColumns;
-    /** The numbers of the columns that have been requested, NaN for none. */
+    /** The numbers of the columns that have been requested by row, NaN for none. */
     private final Map<String, List<Double>> numbers = new HashMap<>();
 
     BatchResults(CampaignPlan plan) {
         this.plan = plan;
         labelColumns = CampaignCell.labelColumns(plan);
-        columns = ResultColumns.of(plan).stream().map(Column::name).toList();
+        ResultColumns.of(plan).forEach(column -> columns.put(column.name(), columns.size()));
         shownColumns = Stream.of(
-                        Stream.of("run", "seed"),
+                        plan.worldCount() > 1 ? Stream.of("run", "world", "seed") : Stream.of("run", "seed"),
                         plan.factorColumns().stream().map(Column::name).filter(name -> !name.endsWith("end_s")),
                         RUN_COLUMNS.stream())
                 .flatMap(names -> names)
@@ -54,16 +63,27 @@ final class BatchResults {
 
     /** Adds a row of {@code runs.csv}. */
     void add(List<String> cells) {
+        rowsByRun.put(Long.parseLong(cells.get(0)), rows.size());
         rows.add(cells);
+    }
+
+    /** Returns the number of the run of a row. The runs of a part of a campaign do not begin at 0. */
+    long run(int row) {
+        return Long.parseLong(rows.get(row).get(0));
+    }
+
+    /** Returns the numbers of all runs. */
+    Collection<Long> runs() {
+        return Collections.unmodifiableSet(rowsByRun.keySet());
     }
 
     int size() {
         return rows.size();
     }
 
-    /** Returns a value of a run, as in {@code runs.csv}. */
-    String value(int run, String column) {
-        return rows.get(run).get(columns.indexOf(column));
+    /** Returns a value of a row, as in {@code runs.csv}. */
+    String value(int row, String column) {
+        return rows.get(row).get(columns.get(column));
     }
 
     /** Returns the columns of the table of runs. */
@@ -72,10 +92,34 @@ final class BatchResults {
     }
 
     /** Returns a row of the table of runs. */
-    List<ResultCell> runRow(int run) {
+    List<ResultCell> runRow(int row) {
         return shownColumns.stream()
-                .map(column -> ResultCell.of(column, value(run, column)))
+                .map(column -> ResultCell.of(column, value(row, column)))
                 .toList();
+    }
+
+    /**
+     * Returns the cells of a table in the order in which they are shown, given the cells of its header and rows. Sums
+     * come last, after the first block of runs, so that no cell changes its place while runs are added; one over the
+     * same runs as another cell is omitted. Safe on any thread.
+     */
+    static List<CampaignCell> cellsOf(CampaignPlan plan, List<List<String>> lines) {
+        List<CampaignCell> all = CampaignCell.allOf(plan, lines);
+        List<CampaignCell> ordered = new ArrayList<>(
+                all.stream().filter(Predicate.not(BatchResults::isSum)).toList());
+        if (lines.size() > plan.cellCount()) {
+            Set<List<Long>> known = new HashSet<>();
+            ordered.forEach(cell -> known.add(cell.runs()));
+            all.stream()
+                    .filter(BatchResults::isSum)
+                    .filter(cell -> known.add(cell.runs()))
+                    .forEach(ordered::add);
+        }
+        return ordered;
+    }
+
+    private static boolean isSum(CampaignCell cell) {
+        return cell.labels().contains(CampaignCell.ALL);
     }
 
     /** Returns the columns of the table of cells. */
@@ -114,7 +158,7 @@ final class BatchResults {
     }
 
     /** Returns the numbers of a column, of those runs that have one. */
-    double[] numbers(String column, List<Long> runs) {
+    double[] numbers(String column, Collection<Long> runs) {
         List<Double> known = numbers.computeIfAbsent(column, first -> new ArrayList<>());
         while (known.size() < size()) {
             known.add(DecimalText.parse(value(known.size(), column))
@@ -122,8 +166,8 @@ final class BatchResults {
                     .orElse(Double.NaN));
         }
         return runs.stream()
-                .filter(run -> run < size())
-                .mapToDouble(run -> known.get(run.intValue()))
+                .filter(rowsByRun::containsKey)
+                .mapToDouble(run -> known.get(rowsByRun.get(run)))
                 .filter(number -> !Double.isNaN(number))
                 .toArray();
     }

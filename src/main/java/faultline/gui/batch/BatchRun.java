@@ -107,34 +107,9 @@ final class BatchRun {
         plan = read;
         CampaignRunner runner = new CampaignRunner(read, new CampaignFolder(results()), Shard.ALL, jobs);
         CampaignRunner.RunCounts result = runner.run(false, new RowCollector(), () -> !progress.isActive());
-        cells = computeCells();
+        cells = BatchResults.cellsOf(plan, lines);
         repeatCount = CampaignCell.repeatCount(read, lines);
         return result;
-    }
-
-    /** Computes the cells: sums come last, after the first block of runs, so that no cell changes its place. */
-    private List<CampaignCell> computeCells() {
-        List<CampaignCell> all = CampaignCell.allOf(plan, lines);
-        List<CampaignCell> ordered =
-                new ArrayList<>(all.stream().filter(cell -> !isSum(cell)).toList());
-        if (lines.size() > plan.cellCount()) {
-            all.stream().filter(this::isSum).filter(this::isSumOfSeveral).forEach(ordered::add);
-        }
-        return ordered;
-    }
-
-    private boolean isSum(CampaignCell cell) {
-        return cell.labels().contains(CampaignCell.ALL);
-    }
-
-    /** Returns whether a sum differs from the cells that it is made of. The last labels are those of the fault. */
-    private boolean isSumOfSeveral(CampaignCell cell) {
-        int sensor = cell.labels().size() - 1;
-        boolean onlySensor =
-                batch.sensors().size() == 1 && cell.labels().get(sensor).equals(CampaignCell.ALL);
-        boolean onlyKind =
-                batch.faults().size() == 1 && cell.labels().get(sensor - 1).equals(CampaignCell.ALL);
-        return !onlySensor && !onlyKind;
     }
 
     private Path results() {
@@ -156,7 +131,7 @@ final class BatchRun {
             long now = System.nanoTime();
             completion = new Completion(made, runs, (now - start) / 1e9);
             if (now - nextCells >= 0) {
-                cells = computeCells();
+                cells = BatchResults.cellsOf(plan, lines);
                 long end = System.nanoTime();
                 nextCells = end + Math.max(CELL_INTERVAL, CELL_COST_FACTOR * (end - now));
             }

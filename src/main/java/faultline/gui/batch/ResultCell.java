@@ -53,7 +53,8 @@ record ResultCell(String text, double number) implements Comparable<ResultCell> 
                 .orElse(value);
     }
 
-    private boolean isNumber() {
+    /** Returns whether this is a number. */
+    boolean isNumber() {
         return !Double.isNaN(number);
     }
 

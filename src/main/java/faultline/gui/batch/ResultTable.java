@@ -46,9 +46,9 @@ final class ResultTable extends RowTable {
     /** The columns of what does not happen in every batch. They take no room before. */
     private static final Set<String> OCCASIONAL = Set.of("collision_time_s", "detection_delay_s", "failure");
 
-    /** The columns of texts; all others have numbers. */
+    /** The columns of texts before there are any; all others with texts and no numbers are columns of texts, too. */
     private static final Set<String> TEXTS =
-            Set.of("fault_kind", "fault_sensor", "controller_diagnosis", "outcome", HASH, "failure");
+            Set.of("world", "fault_kind", "fault_sensor", "controller_diagnosis", "outcome", HASH, "failure");
 
     private final Model model;
     private final transient TableRowSorter<Model> sorter;
@@ -63,6 +63,10 @@ final class ResultTable extends RowTable {
         private final List<List<ResultCell>> rows = new ArrayList<>();
         /** The columns that have a value. */
         private final BitSet filled = new BitSet();
+        /** The columns that have a number. */
+        private final BitSet numeric = new BitSet();
+        /** The columns that have a text other than the sign for no value. */
+        private final BitSet textual = new BitSet();
 
         Model(List<String> columns) {
             this.columns = List.copyOf(columns);
@@ -70,7 +74,13 @@ final class ResultTable extends RowTable {
 
         void examine(List<ResultCell> row) {
             for (int column = 0; column < row.size(); column++) {
-                if (!row.get(column).text().isEmpty()) {
+                ResultCell cell = row.get(column);
+                if (cell.isNumber()) {
+                    numeric.set(column);
+                } else if (!cell.text().isEmpty() && !cell.text().equals(ResultCell.NONE)) {
+                    textual.set(column);
+                }
+                if (!cell.text().isEmpty()) {
                     filled.set(column);
                 }
             }
@@ -156,7 +166,8 @@ final class ResultTable extends RowTable {
     }
 
     private boolean isTextual(int column) {
-        return TEXTS.contains(model.columns.get(convertColumnIndexToModel(column)));
+        int index = convertColumnIndexToModel(column);
+        return TEXTS.contains(model.columns.get(index)) || model.textual.get(index) && !model.numeric.get(index);
     }
 
     private int alignment(int column) {

@@ -4,12 +4,12 @@ import faultline.campaign.report.CampaignCell;
 import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
-import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
@@ -31,7 +31,7 @@ final class ResultTabs {
     private Set<Long> shownRuns;
 
     /**
-     * Adds the tabs of a batch behind those that are there; {@code onOpen} receives the number of a run that the user
+     * Adds the tabs of a batch behind those that are there; {@code onOpen} receives the row of a run that the user
      * opens.
      */
     ResultTabs(JTabbedPane tabs, BatchResults results, IntConsumer onOpen) {
@@ -99,10 +99,10 @@ final class ResultTabs {
         }
     }
 
-    private List<Long> selectedRuns() {
+    private Collection<Long> selectedRuns() {
         return cellTable.selectedIndex().isPresent()
                 ? cells.get(cellTable.selectedIndex().getAsInt()).runs()
-                : LongStream.range(0, results.size()).boxed().toList();
+                : results.runs();
     }
 
     private void filterRuns() {
@@ -111,7 +111,7 @@ final class ResultTabs {
             return;
         }
         shownRuns = runs;
-        runTable.showRows(runs == null ? row -> true : row -> runs.contains((long) row));
+        runTable.showRows(runs == null ? row -> true : row -> runs.contains(results.run(row)));
     }
 
     private void showRuns(int cell) {

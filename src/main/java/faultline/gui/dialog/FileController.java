@@ -292,6 +292,11 @@ public final class FileController {
         return fileDialogs.chooseNewFolder(action, suggestion);
     }
 
+    /** Asks for a folder of results or one of its tables; empty if cancelled. */
+    public Optional<Path> chooseResults(String action) {
+        return fileDialogs.chooseFolderOrFile(action, "csv", "json");
+    }
+
     /** Returns the open file with its folder, also if the command line names it without one; empty if there is none. */
     private Optional<Path> openFile() {
         return workspace.file().map(Path::toAbsolutePath);

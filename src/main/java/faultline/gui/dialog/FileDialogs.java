@@ -103,6 +103,13 @@ class FileDialogs {
         return Optional.empty();
     }
 
+    /** Asks for a folder, or for a file in it that stands for it; empty if cancelled. */
+    Optional<Path> chooseFolderOrFile(String action, String... extensions) {
+        JFileChooser chooser = createChooser(action, action, extensions);
+        chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
+        return selectedFile(chooser, chooser.showOpenDialog(parent));
+    }
+
     /** Creates a chooser that shows a folder and that Escape closes. */
     static JFileChooser createChooser(File folder) {
         return new EscapableFileChooser(folder);

@@ -65,7 +65,7 @@ final class Menus {
     private JMenu createSimulationMenu() {
         JMenu simulation = createMenu(
                 "simulation",
-                "run step stepBack goToTime restart chooseController scenarioController batch"
+                "run step stepBack goToTime restart chooseController scenarioController batch openBatchResults"
                         + " - keepGhost openGhost compareController removeGhost - record - slower faster realTime -");
         simulation.add(createSensorMenu());
         simulation.add(createPresetMenu());

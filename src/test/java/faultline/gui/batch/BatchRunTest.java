@@ -297,7 +297,7 @@ class BatchRunTest {
                 Expectation.NONE);
         try {
             Messages.setLanguage(Language.POLISH);
-            assertEquals("Przebieg 2", BatchDialog.named(scenario, 2).name());
+            assertEquals("Przebieg 2", BatchActions.named(scenario, 2).name());
         } finally {
             Messages.setLanguage(Language.ENGLISH);
         }

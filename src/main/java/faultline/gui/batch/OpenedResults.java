@@ -1,0 +1,117 @@
+package faultline.gui.batch;
+
+import faultline.campaign.report.CampaignCell;
+import faultline.campaign.report.CampaignTable;
+import faultline.campaign.run.Outcome;
+import faultline.gui.document.FileNames;
+import faultline.gui.text.ErrorMessages;
+import faultline.gui.text.Messages;
+import faultline.io.Message;
+import faultline.io.MessageException;
+import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.Problem;
+import faultline.scenario.xml.ScenarioException;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * The results of a batch or campaign, read from its folder, and what is shown of them. Reading is slow and safe on any
+ * thread.
+ *
+ * @param folder the folder
+ * @param table the plan and the runs
+ * @param cells the cells, in the order in which they are shown
+ * @param repeats how many runs repeat another one with another seed
+ */
+record OpenedResults(Path folder, CampaignTable table, List<CampaignCell> cells, long repeats) {
+
+    /** The files of a campaign that stand for its folder. */
+    private static final Set<String> FILES = Set.of("runs.csv", "campaign.json", "timing.csv");
+
+    OpenedResults {
+        cells = List.copyOf(cells);
+    }
+
+    /** Returns the folder that a chosen path means: itself, or that of a file of results. */
+    static Path folderOf(Path chosen) {
+        Path file = chosen.toAbsolutePath();
+        boolean isFile = FILES.contains(String.valueOf(file.getFileName())) && Files.isRegularFile(file);
+        return isFile && file.getParent() != null ? file.getParent() : file;
+    }
+
+    /**
+     * Reads the results of a folder.
+     *
+     * @throws IOException if it has none, or they are damaged
+     * @throws ScenarioException if the plan beside them is missing or wrong
+     */
+    static OpenedResults read(Path folder) throws IOException, ScenarioException {
+        CampaignTable table = CampaignTable.read(folder);
+        return new OpenedResults(
+                folder,
+                table,
+                BatchResults.cellsOf(table.plan(), table.lines()),
+                CampaignCell.repeatCount(table.plan(), table.lines()));
+    }
+
+    /** Returns the results for the views. Event dispatch thread only. */
+    BatchResults toResults() {
+        BatchResults results = new BatchResults(table.plan());
+        table.lines().stream().skip(1).forEach(results::add);
+        return results;
+    }
+
+    /** Returns the name of the campaign, or that of the folder if it has none. */
+    String name() {
+        String name = table.plan().header().name();
+        return name.isEmpty() ? FileNames.lastOf(folder) : name;
+    }
+
+    /** Returns how many runs there are, and what else there is to know. */
+    String status() {
+        List<List<String>> lines = table.lines();
+        int outcome = lines.get(0).indexOf("outcome");
+        long broken = lines.stream()
+                .filter(line -> line.get(outcome).equals(Outcome.BROKEN))
+                .count();
+        String text =
+                BatchProgressPanel.openedText(lines.size() - 1, table.plan().runCount(), broken, repeats);
+        return table.ofThisProgram() ? text : Messages.get("batch.opened.other", text);
+    }
+
+    /** Returns the sentence that says why a folder cannot be opened. */
+    static String failureText(Path folder, Throwable failure) {
+        String name = FileNames.lastOf(folder);
+        if (!Files.exists(folder.resolve("runs.csv"))) {
+            return Messages.get("batch.opened.none", name);
+        }
+        return Messages.get("batch.opened.failed", name, reason(failure));
+    }
+
+    private static String reason(Throwable failure) {
+        if (failure instanceof ScenarioException bad) {
+            Problem first = bad.problems().get(0);
+            String reason = lastPart(first.file()) + first.location() + ": " + ErrorMessages.describe(bad);
+            return mentions(first.message(), Allowed.CONTROLLERS) ? Messages.get("batch.opened.jar", reason) : reason;
+        }
+        if (failure instanceof MessageException file && !file.subject().isEmpty()) {
+            return lastPart(file.subject()) + ": " + Messages.get(file.reason());
+        }
+        return ErrorMessages.describe(failure);
+    }
+
+    /** Returns the last name of a path, which line and column may follow. */
+    private static String lastPart(String path) {
+        return path.substring(Math.max(path.lastIndexOf('/'), path.lastIndexOf(File.separatorChar)) + 1);
+    }
+
+    private static boolean mentions(Message message, Message.Template template) {
+        return message.template() == template
+                || message.arguments().stream()
+                        .anyMatch(argument -> argument instanceof Message inner && mentions(inner, template));
+    }
+}

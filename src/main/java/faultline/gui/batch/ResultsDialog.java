@@ -1,0 +1,49 @@
+package faultline.gui.batch;
+
+import faultline.gui.document.ControllerSelection;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JButton;
+
+/** Shows the results of an earlier batch or of a campaign. */
+final class ResultsDialog extends RunsDialog {
+
+    private final transient OpenedResults opened;
+
+    /** Creates a dialog that is not yet visible, given the jars with the controllers of the runs. */
+    ResultsDialog(Window owner, OpenedResults opened, List<Path> jars, BatchActions actions) {
+        super(owner, actions);
+        this.opened = opened;
+        RefreshSteps.add(getRootPane(), root -> setTitle(Messages.get("batch.opened.title", opened.name())));
+        BatchResults results = opened.toResults();
+        showResults(results, new ControllerSelection("", jars));
+        // The table has its rows already.
+        resultTabsOrNull().update(results.size(), opened.cells());
+        progress().hideBar();
+        progress().showStatus(opened::status);
+        JButton close = button("dialog.close", this::close);
+        getRootPane().setDefaultButton(close);
+        layOut(List.of(close));
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                resultTabsOrNull().focusTable();
+            }
+        });
+    }
+
+    /** Returns the folder of the results. */
+    Path folder() {
+        return opened.folder();
+    }
+
+    @Override
+    void close() {
+        dispose();
+    }
+}
