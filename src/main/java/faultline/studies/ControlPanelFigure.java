@@ -20,6 +20,7 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
+import java.util.Optional;
 
 /**
  * Fig. 1: the control panel during a run, painted without a display. It uses a large font instead of scaling the
@@ -77,7 +78,7 @@ final class ControlPanelFigure implements Figure {
         ControlPanel panel = new ControlPanel(
                 editor,
                 new ScenarioEditor(new RunController(new Workspace()), editor),
-                new ControlPanel.SensorButtons(() -> {}, id -> {}),
+                new ControlPanel.SensorEdits(() -> {}, id -> {}, (id, newId) -> Optional.empty()),
                 new ControlPanel.PanelActions(
                         UiAction.toggle("path", true, on -> {}),
                         UiAction.of("chooseController", () -> {}),

@@ -12,9 +12,10 @@ import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
-/** The actions that switch sensors, one by its key or several at once, and that add, copy and remove them. */
+/** The actions that switch sensors, one by its key or several at once, and that add, copy, rename and remove them. */
 public final class SensorActions {
 
     private static final int SENSOR_KEYS = 8;
@@ -84,6 +85,11 @@ public final class SensorActions {
     /** Removes a sensor. */
     public void remove(String id) {
         sensorEditor.remove(id);
+    }
+
+    /** Gives a sensor another id; returns why it is refused, empty if it is not. */
+    public Optional<String> rename(String id, String newId) {
+        return sensorEditor.rename(id, newId);
     }
 
     private void applyPreset(int count) {

@@ -115,6 +115,18 @@ public final class RunController implements WorkspaceListener {
     }
 
     /**
+     * Changes the id of a sensor in the edited scenario and in the commands that the run was sent. The run is simulated
+     * again up to the present tick as by {@link #change}. A command that has the earlier id gets the new one.
+     */
+    public void rename(SensorRename rename) {
+        workspace.openDocument().ifPresent(now -> {
+            now.document().rename(rename);
+            workspace.fire(WorkspaceListener::titleChanged);
+            navigator.resimulate();
+        });
+    }
+
+    /**
      * Sends commands, which are executed in order at the start of the same tick. {@code onExecuted} receives their
      * results on the event dispatch thread, none if the run has died; it is not called without a run.
      */
@@ -127,10 +139,15 @@ public final class RunController implements WorkspaceListener {
             open.document().commandsSent();
             open.session()
                     .send(
-                            commands,
+                            commands.stream()
+                                    .map(open.document()::withPresentId)
+                                    .toList(),
                             results -> EventQueue.invokeLater(() -> {
-                                commandsExecuted(open, results);
-                                onExecuted.accept(results);
+                                List<CommandResult> named = results.stream()
+                                        .map(open.document()::withPresentId)
+                                        .toList();
+                                commandsExecuted(open, named);
+                                onExecuted.accept(named);
                             }));
         });
     }

@@ -4,8 +4,10 @@ import faultline.control.ControllerState;
 import faultline.engine.ControllerFactory;
 import faultline.engine.Journal;
 import faultline.scenario.Scenario;
+import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -23,6 +25,8 @@ final class ScenarioDocument {
     private Scenario edited;
     /** The number of times that commands were sent whose results are not known yet. */
     private int unanswered;
+    /** The changes of ids so far, with their reverses, in order. */
+    private final List<SensorRename> renames = new ArrayList<>();
 
     /** The file of a scenario. The document after a restart has that of the one before, so a save may end after it. */
     private static final class FileState {
@@ -84,6 +88,36 @@ final class ScenarioDocument {
         editor = editor.rebased(changed.setup());
         initial = withRecord(changed.withSetup(changed.setup().withTimeline(editor.initialTimeline())));
         edited = null;
+    }
+
+    /** Changes the id of a sensor in the edited scenario and in the commands of the run. */
+    void rename(SensorRename rename) {
+        renames.add(rename);
+        editor = editor.withRenamedEntries(rename);
+        change(rename::rename);
+    }
+
+    /** Returns the rest of a sensor's changes of ids, for a command that may have the id from before some of them. */
+    private List<SensorRename> laterRenames(Command command) {
+        return SensorReference.isOn(edited().setup().robot(), command) ? List.of() : renames;
+    }
+
+    /** Returns a command with the present id of its sensor, if it was meant for an earlier one. */
+    Command withPresentId(Command command) {
+        Command result = command;
+        for (SensorRename rename : laterRenames(command)) {
+            result = rename.rename(result);
+        }
+        return result;
+    }
+
+    /** Returns the result of a command with the present id of its sensor, if the command had an earlier one. */
+    CommandResult withPresentId(CommandResult executed) {
+        CommandResult result = executed;
+        for (SensorRename rename : laterRenames(executed.command())) {
+            result = rename.rename(result);
+        }
+        return result;
     }
 
     /** Returns a scenario as the record of a run again, if the file holds one with this setup. */
@@ -173,6 +207,7 @@ final class ScenarioDocument {
             edited = null;
         }
         editor = other.editor.restarted(initial.setup());
+        renames.addAll(other.renames);
     }
 
     /** Returns the file, or the name of the scenario if it has none. */

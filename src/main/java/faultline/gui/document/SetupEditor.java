@@ -225,6 +225,14 @@ final class SetupEditor {
         return taken;
     }
 
+    /** Returns an editor of the same setup whose executed commands have the new id of a sensor. */
+    SetupEditor withRenamedEntries(SensorRename rename) {
+        SetupEditor result = new SetupEditor(this);
+        entries.stream().map(rename::rename).forEach(result.entries::add);
+        result.position = position;
+        return result;
+    }
+
     private boolean hasSubjectOf(CommandResult entry) {
         boolean places = entry.command() instanceof Command.PlaceObstacle;
         return SensorReference.isOn(robot, entry.command())

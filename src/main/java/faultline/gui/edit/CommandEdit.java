@@ -1,6 +1,7 @@
 package faultline.gui.edit;
 
 import faultline.engine.Journal;
+import faultline.gui.document.SensorRename;
 import faultline.gui.document.TimelineEvents;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -41,6 +42,13 @@ final class CommandEdit implements Edit {
             newer.results.values().forEach(this::add);
         }
         return sameGesture;
+    }
+
+    /** Changes the id of a sensor in the commands and in what undoes them. */
+    void rename(SensorRename rename) {
+        List<CommandResult> before = List.copyOf(results.values());
+        results.clear();
+        before.stream().map(rename::rename).forEach(this::add);
     }
 
     /** Returns whether the edit restores what it changed, such as a cancelled drag. */

@@ -1,17 +1,23 @@
 package faultline.gui.edit;
 
 import faultline.engine.Journal;
+import faultline.gui.document.SensorRename;
 import faultline.world.Command;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * The edits, and a cursor between those that are done and those that are undone. A new edit drops the undone ones, but
  * keeps those that are undone only because the run stands at an earlier tick: they can still be redone. The history
  * records the ticks at which edits were done and undone, so that it follows the run when it is moved to another tick.
+ * Commands have the ids that sensors had when they were executed, so those of an edit that changes its place among
+ * edits that rename sensors are renamed, too.
  */
 final class EditHistory {
 
@@ -44,6 +50,9 @@ final class EditHistory {
         }
         edits.subList(0, Math.max(0, edits.size() - MAX_EDITS)).clear();
         cursor = edits.size();
+        if (edit instanceof SetupEdit setup) {
+            ahead.forEach(later -> setup.renames().forEach(later::rename));
+        }
         edits.addAll(ahead);
         return edits.contains(edit);
     }
@@ -94,8 +103,22 @@ final class EditHistory {
             cursor += done ? 1 : 0;
             if (edit instanceof CommandEdit command) {
                 command.setAhead(ahead);
+                rename(command, index);
             }
         }
+    }
+
+    /** Gives the commands of an edit that is at the cursor the ids of its place, given the index that it had before. */
+    private void rename(CommandEdit edit, int before) {
+        int now = edits.indexOf(edit);
+        List<SensorRename> passed = edits.subList(Math.min(now + 1, before), Math.max(now, before + 1)).stream()
+                .flatMap(other -> other instanceof SetupEdit setup ? setup.renames().stream() : Stream.of())
+                .collect(Collectors.toCollection(ArrayList::new));
+        if (now < before) {
+            Collections.reverse(passed);
+            passed.replaceAll(SensorRename::inverse);
+        }
+        passed.forEach(edit::rename);
     }
 
     /** Records that a new edit was done at a tick, after all other changes. */

@@ -3,6 +3,7 @@ package faultline.gui.edit;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.gui.document.RunController;
+import faultline.gui.document.SensorRename;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import java.util.function.Supplier;
@@ -34,6 +35,12 @@ public final class ScenarioEditor {
     void edit(Supplier<String> name, Object target, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
         undo.addSetupEdit(name, target, () -> run.change(inverse), () -> run.change(change));
         run.change(change);
+    }
+
+    /** Changes the id of a sensor. */
+    void rename(SensorRename rename) {
+        undo.addRename(rename, run::rename);
+        run.rename(rename);
     }
 
     /** Moves the robot's start, which restarts the run, given the setup of the run. */

@@ -1,17 +1,20 @@
 package faultline.gui.edit;
 
+import faultline.gui.document.SensorRename;
 import faultline.gui.document.Workspace;
 import faultline.gui.text.Messages;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ScenarioLimits;
 import faultline.sensor.SensorSpec;
+import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 
 /**
- * Adds, copies and removes sensors of the scenario's robot, with undo. The run is simulated again with the changed
- * robot. Event dispatch thread only.
+ * Adds, copies, renames and removes sensors of the scenario's robot, with undo. The run is simulated again with the
+ * changed robot. Event dispatch thread only.
  */
 public final class SensorEditor {
 
@@ -68,6 +71,28 @@ public final class SensorEditor {
         PlacedSensor placed = new PlacedSensor(added, robot.sensors().size(), new TreeMap<>());
         editor.edit(() -> Messages.get("edit.add", added.id()), added, placed::addedTo, placed::removedFrom);
         return added.id();
+    }
+
+    /**
+     * Gives a sensor another id, in the robot and in all commands about it. Returns why the id is refused, a sentence
+     * in the current language; empty if it is not.
+     */
+    public Optional<String> rename(String id, String newId) {
+        List<String> ids = workspace
+                .scenario()
+                .map(scenario -> scenario.setup().robot().sensorIds())
+                .orElse(List.of());
+        if (newId.equals(id) || !ids.contains(id)) {
+            return Optional.empty();
+        }
+        if (!AttributeReader.isId(newId)) {
+            return Optional.of(Messages.get("sensor.id.invalid"));
+        }
+        if (ids.contains(newId)) {
+            return Optional.of(Messages.get("sensor.id.taken", newId));
+        }
+        editor.rename(new SensorRename(id, newId));
+        return Optional.empty();
     }
 
     /** Removes a sensor and the commands of the timeline about it, whose number is reported. */

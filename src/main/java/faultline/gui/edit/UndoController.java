@@ -3,7 +3,9 @@ package faultline.gui.edit;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.document.SensorRename;
 import faultline.gui.document.TimelineEvents;
+import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -160,8 +162,23 @@ public final class UndoController {
     public void addSetupEdit(Supplier<String> name, Object target, Runnable undoAction, Runnable redoAction) {
         assert EventQueue.isDispatchThread();
         int id = gestureIdOf(List.of(new EditTarget(SETUP, target, true)));
-        history.add(new SetupEdit(name, id, undoAction, redoAction));
+        addSetupEdit(new SetupEdit(name, id, undoAction, redoAction));
+    }
+
+    private void addSetupEdit(SetupEdit edit) {
+        history.add(edit);
         onStateChange.run();
+    }
+
+    /** Records that a sensor has got another id, given what changes ids. */
+    void addRename(SensorRename rename, Consumer<SensorRename> action) {
+        int id = gestureIdOf(List.of(new EditTarget(SETUP, rename, false)));
+        addSetupEdit(new SetupEdit(
+                () -> Messages.get("edit.renameSensor", rename.before(), rename.after()),
+                id,
+                () -> action.accept(rename.inverse()),
+                () -> action.accept(rename),
+                List.of(rename)));
     }
 
     /** Undoes the last edit, if there is one. */

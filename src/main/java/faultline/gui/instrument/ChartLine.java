@@ -8,6 +8,7 @@ import java.awt.Color;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 
 /**
  * A line of a strip chart, with a colour by theme and a dash pattern that distinguishes it without colour.
@@ -23,6 +24,11 @@ record ChartLine(String name, String sensor, int channel, Function<Theme, Color>
     /** Returns this line with another name. */
     ChartLine withName(String newName) {
         return new ChartLine(newName, sensor, channel, colour, dash);
+    }
+
+    /** Returns this line for a sensor that is called otherwise, given what returns its id for the one before. */
+    ChartLine withSensor(UnaryOperator<String> presentId) {
+        return sensor.isEmpty() ? this : new ChartLine(name, presentId.apply(sensor), channel, colour, dash);
     }
 
     /** Returns whether another line shows the same values. */

@@ -5,6 +5,7 @@ import faultline.gui.text.Messages;
 import faultline.paint.surface.DashPattern;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /**
  * A choice of a strip chart: lines that are shown together, from back to front, and their unit.
@@ -18,6 +19,8 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
 
     /** A choice without lines. */
     static final SignalGroup NONE = new SignalGroup("", "", "", List.of());
+
+    private static final String SENSOR_ID = "sensor ";
 
     SignalGroup {
         lines = List.copyOf(lines);
@@ -54,6 +57,21 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
         List<ChartLine> all = new ArrayList<>(additions);
         all.addAll(lines);
         return new SignalGroup(id, name, unit, all);
+    }
+
+    /** Returns this group for sensors that are called otherwise, given what returns their ids for those before. */
+    SignalGroup withSensor(UnaryOperator<String> presentId) {
+        String newId = lines.stream()
+                .map(ChartLine::sensor)
+                .filter(sensor -> id.equals(SENSOR_ID + sensor))
+                .map(sensor -> SENSOR_ID + presentId.apply(sensor))
+                .findFirst()
+                .orElse(id);
+        return new SignalGroup(
+                newId,
+                name,
+                unit,
+                lines.stream().map(line -> line.withSensor(presentId)).toList());
     }
 
     /** Returns the distance that the controller uses, which is a reading or that of its local map, and its target. */
@@ -107,7 +125,7 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
                 TraceChannels.reportedReading(0),
                 theme -> theme.palette().sensorColours(index).outline(),
                 DashPattern.SOLID);
-        return new SignalGroup("sensor " + id, Messages.get("signal.sensor", id), "m", List.of(reported, truth));
+        return new SignalGroup(SENSOR_ID + id, Messages.get("signal.sensor", id), "m", List.of(reported, truth));
     }
 
     @Override

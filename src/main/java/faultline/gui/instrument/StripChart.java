@@ -4,6 +4,7 @@ import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.action.ContextMenu;
 import faultline.gui.action.ScrolledMenuLayout;
+import faultline.gui.document.SensorRename;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.RefreshSteps;
@@ -18,6 +19,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
@@ -71,7 +73,7 @@ public final class StripChart extends JPanel {
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
         bar.setBorder(BorderFactory.createEmptyBorder(3, 8, 2, 4));
         RefreshSteps.add(choice, box -> {
-            setGroups();
+            setGroups(UnaryOperator.identity());
             fitChoice();
         });
         // As narrow as the buttons beside it, which stay pressed.
@@ -90,7 +92,7 @@ public final class StripChart extends JPanel {
         bar.add(legend);
         add(bar, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);
-        setGroups();
+        setGroups(UnaryOperator.identity());
     }
 
     private static void name(JComponent control, String key) {
@@ -222,19 +224,22 @@ public final class StripChart extends JPanel {
         assert EventQueue.isDispatchThread();
         List<String> present = frame.snapshot().robot().sensorIds();
         if (!present.equals(sensors)) {
+            List<String> before = sensors;
             sensors = present;
-            setGroups();
+            setGroups(id -> SensorRename.follow(id, before, present).orElse(id));
         }
         view.setFrame(frame);
     }
 
     /**
      * Shows the groups of the robot in the current language, with the group, the lines and the scale that the user has
-     * chosen; the first group if the robot lacks the sensor of the chosen one.
+     * chosen; the first group if the robot lacks the sensor of the chosen one. {@code presentId} returns what a sensor
+     * is called now.
      */
-    private void setGroups() {
-        Optional<SignalGroup> before = chosen();
-        List<ChartLine> added = List.copyOf(additions);
+    private void setGroups(UnaryOperator<String> presentId) {
+        Optional<SignalGroup> before = chosen().map(old -> old.withSensor(presentId));
+        List<ChartLine> added =
+                additions.stream().map(line -> line.withSensor(presentId)).toList();
         ValueRange range = view.range();
         groups = SignalGroup.allOf(sensors);
         SignalGroup kept = before.flatMap(old -> groups.stream()

@@ -24,6 +24,8 @@ import java.awt.Rectangle;
 import java.beans.PropertyChangeEvent;
 import java.beans.PropertyChangeListener;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
@@ -71,20 +73,24 @@ public final class ControlPanel extends JPanel {
     /** Actions of menus that are also here: those of the path, and of the choice of a controller. */
     public record PanelActions(Action path, Action chooseController, Action scenarioController) {}
 
-    /** What adds a sensor, and what removes the one with an id. */
-    public record SensorButtons(Runnable add, Consumer<String> remove) {}
+    /**
+     * What adds a sensor, what removes the one with an id, and what gives the one with an id another and returns why it
+     * is refused, empty if it is not.
+     */
+    public record SensorEdits(
+            Runnable add, Consumer<String> remove, BiFunction<String, String, Optional<String>> rename) {}
 
     /**
      * Creates a panel that shows the default robot, disabled, so that the fields do not move when a robot like it
      * comes. The second editor receives changes that need a new simulation.
      */
     public ControlPanel(
-            UndoController editor, ScenarioEditor scenarioEditor, SensorButtons sensorButtons, PanelActions actions) {
+            UndoController editor, ScenarioEditor scenarioEditor, SensorEdits sensorEdits, PanelActions actions) {
         super(new BorderLayout());
         this.editor = editor;
         robot = new RobotPanel(editor, actions.path());
         sensors = new SensorsPanel(editor);
-        sensorDetails = new SensorDetailsPanel(editor, sensorButtons);
+        sensorDetails = new SensorDetailsPanel(editor, sensorEdits);
         controller = new ControllerPanel(editor, scenarioEditor, actions);
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);

@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
 import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.text.CachedDegrees;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;

@@ -1,19 +1,25 @@
 package faultline.gui.panel;
 
+import faultline.gui.document.SensorRename;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Glyph;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
+import faultline.io.XmlText;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
@@ -21,16 +27,20 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 
-/** The settings of the selected sensor: its mounting and faults. Below them, all active faults. */
+/** The settings of the selected sensor: its id, mounting and faults. Below them, all active faults. */
 public final class SensorDetailsPanel extends JPanel {
 
     private static final int SECTION_GAP = 8;
     private static final int BUTTON_GAP = 2;
+    private static final int FIELD_GAP = 12;
+    private static final int ID_COLUMNS = 8;
+    private static final int MIN_CHOICE_WIDTH = 44;
     private static final int FAULT_ROW = 3;
 
     private final transient UndoController editor;
     private final transient SensorMountFields mountFields;
     private final transient List<Consumer<String>> listeners = new ArrayList<>();
+    private final SensorIdField idField;
     private final JComboBox<String> sensorChoice = new JComboBox<>();
     private final transient FaultFields<FaultKind, Fault> fault = FaultFields.forSensors();
     private final JButton inject = UiText.button("faults.inject");
@@ -39,33 +49,82 @@ public final class SensorDetailsPanel extends JPanel {
     private final FaultList faultList;
     private List<String> ids = List.of();
 
+    /** The id of the selected sensor, which can be changed. */
+    private static final class SensorIdField extends EnteredTextField {
+
+        private final transient BiFunction<String, String, Optional<String>> rename;
+        /** Empty if there is no sensor. */
+        private String id = "";
+
+        SensorIdField(BiFunction<String, String, Optional<String>> rename) {
+            super("faults.id", ID_COLUMNS);
+            this.rename = rename;
+            setEnabled(false);
+        }
+
+        @Override
+        protected String valueText() {
+            return id;
+        }
+
+        @Override
+        protected Optional<String> apply(String text) {
+            String entered = XmlText.oneLine(text);
+            Optional<String> refusal = rename.apply(id, entered);
+            if (refusal.isEmpty()) {
+                id = entered;
+            }
+            return refusal;
+        }
+
+        /** Selects another sensor, empty for none, after what is typed has been applied to the one before. */
+        void setSensor(String newId) {
+            if (!newId.equals(id)) {
+                commitPendingEdit();
+                id = newId;
+                showValue();
+                setEnabled(!newId.isEmpty());
+            }
+        }
+    }
+
     /** Creates a panel without sensors. */
-    SensorDetailsPanel(UndoController editor, ControlPanel.SensorButtons buttons) {
+    SensorDetailsPanel(UndoController editor, ControlPanel.SensorEdits edits) {
         super(new BorderLayout(0, SECTION_GAP));
         this.editor = editor;
+        this.idField = new SensorIdField(edits.rename());
         this.mountFields = new SensorMountFields(editor);
         this.faultList = new FaultList(editor);
         configureControls();
-        configureButtons(buttons);
+        configureButtons(edits);
         add(createForm(), BorderLayout.NORTH);
         add(faultList, BorderLayout.CENTER);
     }
 
     private void configureControls() {
         sensorChoice.addActionListener(event -> {
-            mountFields.setSensor(selectedSensor().orElse(null));
+            showSensor();
             selectedSensor().ifPresent(id -> listeners.forEach(listener -> listener.accept(id)));
         });
         UiText.tip(inject, "faults.inject.tip");
         inject.addActionListener(event -> inject());
         UiText.nameAndTip(sensorChoice, "faults.sensor");
+        RefreshSteps.add(
+                sensorChoice,
+                box -> box.setMinimumSize(
+                        new Dimension(TextSize.scaled(MIN_CHOICE_WIDTH), box.getPreferredSize().height)));
     }
 
-    private void configureButtons(ControlPanel.SensorButtons buttons) {
+    private void showSensor() {
+        idField.setSensor(selectedSensor().orElse(""));
+        mountFields.setSensor(selectedSensor().orElse(null));
+    }
+
+    private void configureButtons(ControlPanel.SensorEdits edits) {
         UiText.nameAndTip(addSensor, "faults.addSensor");
-        addSensor.addActionListener(event -> buttons.add().run());
+        addSensor.addActionListener(event -> edits.add().run());
         UiText.nameAndTip(removeSensor, "faults.removeSensor");
-        removeSensor.addActionListener(event -> selectedSensor().ifPresent(buttons.remove()));
+        removeSensor.addActionListener(event -> selectedSensor().ifPresent(edits.remove()));
     }
 
     private JComponent createForm() {
@@ -83,13 +142,25 @@ public final class SensorDetailsPanel extends JPanel {
         return form;
     }
 
-    /** Returns the choice of a sensor with the buttons that add one and remove the chosen one. */
+    /** Returns the choice of a sensor with its id and the buttons that add one and remove the chosen one. */
     private JComponent createChoiceRow() {
         JPanel buttons = new JPanel(new GridLayout(1, 2, BUTTON_GAP, 0));
         buttons.add(addSensor);
         buttons.add(removeSensor);
+        JPanel id = new JPanel(new BorderLayout(FormConstraints.GAP, 0));
+        id.add(FormConstraints.label("faults.id", idField), BorderLayout.LINE_START);
+        id.add(idField, BorderLayout.CENTER);
+        JPanel fields = new JPanel(new GridLayout(1, 2, FIELD_GAP, 0)) {
+            /** Returns the least width, because the row fills that of the panel. */
+            @Override
+            public Dimension getPreferredSize() {
+                return new Dimension(getMinimumSize().width, super.getPreferredSize().height);
+            }
+        };
+        fields.add(sensorChoice);
+        fields.add(id);
         JPanel row = new JPanel(new BorderLayout(FormConstraints.GAP, 0));
-        row.add(sensorChoice, BorderLayout.CENTER);
+        row.add(fields, BorderLayout.CENTER);
         row.add(buttons, BorderLayout.LINE_END);
         return row;
     }
@@ -121,13 +192,13 @@ public final class SensorDetailsPanel extends JPanel {
         setIds(List.of());
     }
 
-    /** Sets the ids of the sensors. The selected one remains selected if it still exists. */
+    /** Sets the ids of the sensors. The selected one remains selected if it still exists, also with another id. */
     private void setIds(List<String> newIds) {
-        ids = newIds;
         DefaultComboBoxModel<String> model = new DefaultComboBoxModel<>(newIds.toArray(String[]::new));
-        selectedSensor().filter(newIds::contains).ifPresent(model::setSelectedItem);
+        selectedSensor().flatMap(id -> SensorRename.follow(id, ids, newIds)).ifPresent(model::setSelectedItem);
+        ids = newIds;
         sensorChoice.setModel(model);
-        mountFields.setSensor(selectedSensor().orElse(null));
+        showSensor();
     }
 
     /** Shows the sensors and their faults, in the robot's order. */

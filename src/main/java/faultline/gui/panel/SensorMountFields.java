@@ -4,6 +4,7 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.EditLimits;
 import faultline.gui.edit.UndoController;
+import faultline.gui.text.CachedDegrees;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;

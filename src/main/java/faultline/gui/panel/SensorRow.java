@@ -3,6 +3,7 @@ package faultline.gui.panel;
 import faultline.geometry.Degrees;
 import faultline.gui.edit.EditLimits;
 import faultline.gui.edit.UndoController;
+import faultline.gui.text.CachedDegrees;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;

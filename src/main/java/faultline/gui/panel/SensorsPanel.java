@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.gui.document.SensorRename;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
@@ -40,6 +41,9 @@ public final class SensorsPanel extends JPanel {
         assert EventQueue.isDispatchThread();
         List<String> now = sensors.stream().map(sensor -> sensor.spec().id()).toList();
         if (!now.equals(ids)) {
+            selected = Optional.ofNullable(selected)
+                    .flatMap(id -> SensorRename.follow(id, ids, now))
+                    .orElse(selected);
             ids = now;
             rebuild(sensors);
         }

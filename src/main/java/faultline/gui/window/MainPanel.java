@@ -91,7 +91,8 @@ final class MainPanel extends JPanel {
         controlPanel = new ControlPanel(
                 editors.run(),
                 editors.scenario(),
-                new ControlPanel.SensorButtons(editors.sensors()::add, editors.sensors()::remove),
+                new ControlPanel.SensorEdits(
+                        editors.sensors()::add, editors.sensors()::remove, editors.sensors()::rename),
                 new ControlPanel.PanelActions(
                         actions.get("path"), actions.get("chooseController"), actions.get("scenarioController")));
         obstacles = new ObstaclePanel(editors.run(), canvas.tools());

@@ -197,7 +197,7 @@ public final class AttributeReader {
      */
     public String id(String name) {
         Optional<String> given = required(name, Allowed.ID::with);
-        if (given.isEmpty() || isValidId(given.get())) {
+        if (given.isEmpty() || isId(given.get())) {
             return given.orElse(INVALID_ID);
         }
         report(name, given.get(), Allowed.ID.with());
@@ -214,7 +214,12 @@ public final class AttributeReader {
         return id.equals(node.attributes().get(name));
     }
 
-    private static boolean isValidId(String text) {
+    /**
+     * {@return whether a text is allowed as an id}
+     *
+     * @param text the text
+     */
+    public static boolean isId(String text) {
         if (text.isEmpty() || text.length() > ScenarioLimits.MAX_ID_LENGTH) {
             return false;
         }

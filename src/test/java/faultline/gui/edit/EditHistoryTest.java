@@ -7,11 +7,16 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import faultline.engine.Journal;
 import faultline.geometry.Pose;
+import faultline.gui.document.SensorReference;
+import faultline.gui.document.SensorRename;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class EditHistoryTest {
@@ -253,6 +258,44 @@ class EditHistoryTest {
         assertDoneAndUndone(moved, null);
         history.mark(moved, false);
         assertDoneAndUndone(setup, moved);
+    }
+
+    private CommandEdit setRange(long tick, String sensor) {
+        SensorSpec front = RobotSpec.DEFAULT.sensors().get(0).withId(sensor);
+        return execute(tick, new Command.ConfigureSensor(front.withRange(1.5)), new Command.ConfigureSensor(front));
+    }
+
+    private static List<String> sensors(CommandEdit edit) {
+        return Stream.concat(edit.redoCommands().stream(), edit.undoCommands().stream())
+                .flatMap(command -> SensorReference.in(command).stream())
+                .distinct()
+                .toList();
+    }
+
+    /** The commands of an edit have the ids of its place, so that undoing edits in their order finds their sensors. */
+    @Test
+    void anEditThatPassesARenamingHasTheNewIdAfterIt() {
+        CommandEdit ranged = setRange(10, "left");
+        SetupEdit renamed = new SetupEdit(
+                () -> "rename",
+                nextGesture++,
+                () -> {},
+                () -> {},
+                List.of(new SensorRename("left", "port"), new SensorRename("port", "larboard")));
+        history.add(renamed);
+        assertEquals(List.of("left"), sensors(ranged), "before it");
+        moveTo(5);
+        assertDoneAndUndone(renamed, ranged);
+        assertEquals(List.of("larboard"), sensors(ranged));
+        history.mark(renamed, false);
+        history.advanceTo(10);
+        assertDoneAndUndone(ranged, renamed);
+        assertEquals(List.of("left"), sensors(ranged));
+        moveTo(5);
+        assertEquals(List.of("left"), sensors(ranged), "a renaming that is undone was not passed");
+        history.add(renamed);
+        assertDoneAndUndone(renamed, ranged);
+        assertEquals(List.of("larboard"), sensors(ranged), "a new renaming comes before what is ahead");
     }
 
     @Test

@@ -244,6 +244,170 @@ class SensorEditorTest {
         assertEquals(before, setup());
     }
 
+    private Optional<String> rename(String id, String newId) {
+        Optional<String> refusal = callOnEdt(() -> sensors.rename(id, newId));
+        waitForRun();
+        return refusal;
+    }
+
+    /** Returns a timeline with one command of each kind about a sensor, and one about another. */
+    private List<TimedCommand> timelineAbout(String id) {
+        SensorSpec nearer =
+                original.robot().sensor("left").orElseThrow().withId(id).withRange(0.7);
+        return List.of(
+                new TimedCommand(0.1, new Command.SwitchSensor("right", false)),
+                new TimedCommand(0.2, new Command.InjectFault(id, new Fault.Stuck(0.13))),
+                new TimedCommand(0.25, new Command.ClearFault(id, new Fault.Stuck(0.13))),
+                new TimedCommand(0.3, new Command.ClearFaults(id)),
+                new TimedCommand(0.3, new Command.SwitchSensor(id, true)),
+                new TimedCommand(0.35, new Command.ConfigureSensor(nearer)));
+    }
+
+    @Test
+    void aRenamedSensorKeepsItsPlaceAndAllThatNamesIt() {
+        runOnEdt(() -> run.change(old -> old.withSetup(old.setup().withTimeline(timelineAbout("left")))));
+        waitForRun();
+        SimulationSetup before = setup();
+        long hash = SessionFrames.trajectoryHash(workspace);
+        assertEquals(Optional.empty(), rename("left", "port side"));
+        List<SensorSpec> sensors = new ArrayList<>(original.robot().sensors());
+        sensors.set(2, sensors.get(2).withId("port side"));
+        assertEquals(sensors, setup().robot().sensors());
+        assertEquals(timelineAbout("port side"), setup().timeline());
+        assertRunIsThatOf(setup());
+        assertEquals(hash, SessionFrames.trajectoryHash(workspace), "the name has no influence on the run");
+        assertEquals(Optional.of("Rename left to port side"), callOnEdt(edits::undoName));
+        undo();
+        assertEquals(before, setup());
+        assertRunIsThatOf(before);
+        runOnEdt(edits::redo);
+        waitForRun();
+        assertEquals("port side", idsInTheRun().get(2));
+    }
+
+    @Test
+    void aFileWithARenamedSensorIsValidAndRunsAsBefore() throws ScenarioException {
+        String hash = Scenario.load(Path.of("scenarios/office.xml")).run().trajectoryHash();
+        send(FAULT);
+        undo();
+        rename("front", "a & <b> 'ä'");
+        rename("rear", "front");
+        Path file = folder.resolve("renamed.xml");
+        runOnEdt(() -> documentStore.save(file, () -> {}));
+        Await.until("the save", () -> !workspace.isChanged());
+        Scenario saved = Scenario.load(file);
+        assertEquals(setup(), saved.setup());
+        assertEquals(
+                hash,
+                saved.withSetup(saved.setup().withTimeline(original.timeline()))
+                        .run()
+                        .trajectoryHash());
+    }
+
+    @Test
+    void anIdThatIsTakenOrThatAFileCannotHaveIsRefused() {
+        String invalid = "An id has 1 to 100 characters, none of them a comma, a double quote or a control character";
+        assertEquals(Optional.of("The robot already has a sensor with the id rear"), rename("left", "rear"));
+        for (String wrong : List.of("", "a,b", "a\"b", "a\tb", "x".repeat(101))) {
+            assertEquals(Optional.of(invalid), rename("left", wrong), wrong);
+        }
+        assertEquals(Optional.empty(), rename("left", "left"));
+        assertEquals(Optional.empty(), rename("none", "other"));
+        assertEquals(original, setup());
+        assertEquals(Optional.empty(), callOnEdt(edits::undoName));
+        assertEquals(Optional.empty(), rename("left", "x".repeat(100)));
+        assertEquals("x".repeat(100), setup().robot().sensorIds().get(2));
+    }
+
+    /** What was done during the run stays there: nothing holds from the start, and all of it can be undone. */
+    @Test
+    void theCommandsOfTheRunKeepTheirTicksWhenTheirSensorIsRenamed() {
+        SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
+        send(new Command.ConfigureSensor(farther));
+        send(FAULT);
+        step(20);
+        long hash = SessionFrames.trajectoryHash(workspace);
+        rename("left", "port");
+        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
+        assertEquals(
+                new Command.InjectFault("port", new Fault.Stuck(0.13)),
+                setup().timeline().get(setup().timeline().size() - 1).command());
+        seek(10);
+        assertEquals(0.8, sensorInTheRun("port").range(), "not yet changed");
+        step(60);
+        assertEquals(1.5, sensorInTheRun("port").range());
+        undoAllEdits();
+        assertEquals(original, setup());
+    }
+
+    /** An edit that is redone as the run reaches its tick has the id that the sensor has by then. */
+    @Test
+    void anEditThatTheRunReachesAgainAfterARenamingCanBeUndone() {
+        SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
+        send(new Command.ConfigureSensor(farther));
+        seek(10);
+        rename("left", "port");
+        step(60);
+        assertEquals(1.5, sensorInTheRun("port").range());
+        assertEquals(Optional.of("Range of port"), callOnEdt(edits::undoName));
+        runOnEdt(edits::undo);
+        Await.until("the undo", () -> edits.undoName().equals(Optional.of("Rename left to port")));
+        step(1);
+        assertEquals(0.8, sensorInTheRun("port").range());
+        seek(5);
+        undo();
+        assertEquals(original, setup());
+        step(60);
+        assertEquals(1.5, sensorInTheRun("left").range(), "again as when the edit was made");
+        undoAllEdits();
+        assertEquals(original, setup());
+    }
+
+    @Test
+    void aCommandThatIsOnItsWayWhenItsSensorIsRenamedIsNotLost() {
+        SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
+        runOnEdt(() -> {
+            edits.send(new Command.ConfigureSensor(farther));
+            sensors.rename("left", "port");
+            edits.send(FAULT);
+        });
+        waitForRun();
+        Await.until("both commands", () -> edits.undoName().equals(Optional.of("Fault in port")));
+        assertEquals(1.5, setup().robot().sensor("port").orElseThrow().range());
+        assertEquals(
+                new Command.InjectFault("port", new Fault.Stuck(0.13)),
+                setup().timeline().get(setup().timeline().size() - 1).command());
+        undoAllEdits();
+        assertEquals(original.robot(), setup().robot());
+    }
+
+    private SensorSpec sensorInTheRun(String id) {
+        return callOnEdt(() ->
+                SessionFrames.frame(workspace).snapshot().robot().sensor(id).orElseThrow());
+    }
+
+    private void step(int ticks) {
+        long end = SessionFrames.tick(workspace) + ticks;
+        for (int i = 0; i < ticks; i++) {
+            runOnEdt(run::step);
+        }
+        SessionFrames.awaitTick(workspace, end);
+        runOnEdt(() -> edits.runAdvanced(end));
+    }
+
+    private void seek(long tick) {
+        runOnEdt(() -> run.navigator().seek(tick));
+        waitForRun();
+    }
+
+    private void undoAllEdits() {
+        for (int i = 0; i < 10; i++) {
+            undo();
+            Await.until("the undo", () -> !workspace.awaitsCommands());
+        }
+        assertEquals(Optional.empty(), callOnEdt(edits::undoName));
+    }
+
     @Test
     void theJournalOfAChangedRunRepeatsIt() throws ScenarioException {
         send(FAULT);

@@ -134,6 +134,40 @@ class StripChartTest {
         assertEquals(List.of("Sensor rear, reported", "reported", "true"), shownLines());
     }
 
+    /** Returns a frame of a robot one of whose sensors has another id. */
+    private static SessionFrame frameWithId(String before, String after) {
+        RobotSpec robot = SampleRuns.ROOM_SETUP.robot();
+        return SampleRuns.frame(
+                SampleRuns.ROOM_SETUP.withRobot(robot.withSensors(robot.sensors().stream()
+                        .map(spec -> spec.id().equals(before) ? spec.withId(after) : spec)
+                        .toList())),
+                50);
+    }
+
+    @Test
+    void theChosenSensorAndTheAddedLinesStayWhenTheirSensorIsRenamed() {
+        choose(3 + 6);
+        runOnEdt(() -> {
+            JMenuItem added = (JMenuItem) Stream.of(chart.createAdditionsMenu().getSubElements())
+                    .map(MenuElement::getComponent)
+                    .filter(item -> ((JMenuItem) item).getText().contains("rear, reported"))
+                    .findFirst()
+                    .orElseThrow();
+            added.doClick(0);
+            chart.setFrame(frameWithId("right", "starboard"));
+        });
+        JComboBox<?> choice = ComponentFinder.find(chart, JComboBox.class, "Signals");
+        assertEquals(
+                "Sensor starboard", callOnEdt(() -> choice.getSelectedItem().toString()));
+        assertEquals(List.of("Sensor rear, reported", "reported", "true"), shownLines());
+        runOnEdt(() -> {
+            chart.setFrame(FRAME);
+            chart.setFrame(frameWithId("rear", "stern"));
+        });
+        assertEquals("Sensor right", callOnEdt(() -> choice.getSelectedItem().toString()));
+        assertEquals(List.of("Sensor stern, reported", "reported", "true"), shownLines());
+    }
+
     @Test
     void theDistanceIsShownWhenTheChosenSensorIsRemoved() {
         choose(3 + 1);

@@ -27,6 +27,7 @@ import faultline.sensor.FaultKind;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
+import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import faultline.world.WorldSpec;
 import java.awt.Container;
@@ -36,6 +37,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -74,8 +76,8 @@ class ControlPanelTest {
     private ControlPanel panel;
 
     private final List<String> sensorRequests = new ArrayList<>();
-    private final ControlPanel.SensorButtons sensorButtons =
-            new ControlPanel.SensorButtons(() -> sensorRequests.add("added"), sensorRequests::add);
+    private final ControlPanel.SensorEdits sensorEdits =
+            new ControlPanel.SensorEdits(() -> sensorRequests.add("added"), sensorRequests::add, this::rename);
 
     @BeforeEach
     void show() {
@@ -97,6 +99,72 @@ class ControlPanelTest {
         assertEquals(List.of("added", "rear"), sensorRequests);
     }
 
+    /** Records a request for another id, and refuses one that is taken. */
+    private Optional<String> rename(String id, String newId) {
+        sensorRequests.add(id + " > " + newId);
+        return newId.equals("rear") ? Optional.of("taken") : Optional.empty();
+    }
+
+    private JTextField idField() {
+        return ComponentFinder.find(panel, JTextField.class, "Id");
+    }
+
+    private void enterId(String text) {
+        runOnEdt(() -> {
+            idField().setText(text);
+            idField().postActionEvent();
+        });
+    }
+
+    @Test
+    void theIdOfTheChosenSensorCanBeChanged() {
+        runOnEdt(() -> panel.selectSensor("left"));
+        assertEquals("left", callOnEdt(idField()::getText));
+        enterId("rear");
+        assertEquals("rear", callOnEdt(idField()::getText), "stays until it is corrected");
+        enterId("  port \uFFFE side ");
+        assertEquals("port side", callOnEdt(idField()::getText));
+        enterId("port side");
+        assertEquals(List.of("left > rear", "left > port side"), sensorRequests, "an unchanged id is no request");
+    }
+
+    @Test
+    void whatIsTypedIsForTheSensorThatWasChosenBefore() {
+        runOnEdt(() -> {
+            panel.selectSensor("left");
+            idField().setText("port");
+            panel.selectSensor("right");
+        });
+        assertEquals(List.of("left > port"), sensorRequests);
+        assertEquals("right", callOnEdt(idField()::getText));
+    }
+
+    @Test
+    void aRenamedSensorStaysChosen() {
+        runOnEdt(() -> {
+            panel.selectSensor("left");
+            panel.setSnapshot(withId("left", "port"));
+        });
+        assertEquals("port", callOnEdt(idField()::getText));
+        assertEquals("port", callOnEdt(() -> ComponentFinder.find(panel, JComboBox.class, "Sensor")
+                .getSelectedItem()));
+        assertEquals(List.of(), sensorRequests);
+        runOnEdt(() -> panel.setSnapshot(world));
+        assertEquals("left", callOnEdt(idField()::getText), "after undo");
+    }
+
+    /** Returns the world with another id of a sensor. */
+    private Snapshot withId(String before, String after) {
+        List<SensorSnapshot> sensors = world.sensors().stream()
+                .map(SensorSnapshot::spec)
+                .map(sensor -> sensor.id().equals(before) ? sensor.withId(after) : sensor)
+                .map(sensor -> SampleFrames.sensor(sensor, world.pose(), SampleFrames.NOTHING))
+                .toList();
+        return SampleFrames.frameOf(
+                        world.pose(), SampleFrames.pathThrough(world.pose().position()), sensors)
+                .snapshot();
+    }
+
     @Test
     void everyNumberThatAFieldAllowsCanBeSaved() {
         SimulationSetup setup = SimulationSetup.of(new WorldSpec(6, 4, true, 3, List.of()), new Pose(3, 2, 0))
@@ -109,7 +177,7 @@ class ControlPanelTest {
     }
 
     private ControlPanel createPanel() {
-        return new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorButtons, actions);
+        return new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorEdits, actions);
     }
 
     /** Records commands, and how to refuse them. */
@@ -188,7 +256,7 @@ class ControlPanelTest {
     @Test
     void aRobotWithoutSensorsKeepsNoneOfTheScenarioBefore() {
         SensorDetailsPanel details =
-                callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {}), sensorButtons));
+                callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {}), sensorEdits));
         runOnEdt(() -> {
             details.setSensors(world.sensors());
             details.startScenario();
@@ -223,7 +291,7 @@ class ControlPanelTest {
     void withoutAScenarioNoFieldShowsItsLowerLimit() {
         runOnEdt(() -> {
             ControlPanel empty =
-                    new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorButtons, actions);
+                    new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorEdits, actions);
             assertEquals(
                     "0",
                     ComponentFinder.findAll(empty, JTextField.class)
@@ -239,7 +307,7 @@ class ControlPanelTest {
     void theFieldsOfTheDefaultRobotStandDisabledWhereTheyWillBe() {
         runOnEdt(() -> {
             ControlPanel early =
-                    new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorButtons, actions);
+                    new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorEdits, actions);
             early.setSize(early.defaultWidth(), 640);
             layOut(early);
             List<NumberSpinner> fields = NumberSpinner.findIn(early).toList();

@@ -265,6 +265,8 @@ class RandomEditsTest {
         List<String> ids = frame.snapshot().robot().sensorIds();
         if (ids.isEmpty() || random.nextBoolean()) {
             sensors.add();
+        } else if (random.nextBoolean()) {
+            sensors.rename(ids.get(random.nextInt(ids.size())), "sensor " + random.nextInt(20));
         } else {
             sensors.remove(ids.get(random.nextInt(ids.size())));
         }

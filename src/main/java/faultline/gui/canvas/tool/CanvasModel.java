@@ -1,6 +1,7 @@
 package faultline.gui.canvas.tool;
 
 import faultline.engine.Frame;
+import faultline.gui.document.SensorRename;
 import faultline.gui.edit.IdGenerator;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.ReferenceOverlay;
@@ -33,6 +34,7 @@ public final class CanvasModel {
 
     /** Sets the frame; selected objects that it lacks are deselected, and awaited ones selected. */
     public void setFrame(Frame newest) {
+        List<SensorSnapshot> before = sensors();
         frame = newest;
         if (hasAny(pendingSelection)) {
             select(pendingSelection);
@@ -43,8 +45,12 @@ public final class CanvasModel {
             sensor.set(Optional.of(pendingSensor));
             pendingSensor = "";
         } else if (selectedSensor().isEmpty()) {
-            sensor.set(Optional.empty());
+            sensor.set(sensor.get().flatMap(id -> SensorRename.follow(id, idsOf(before), idsOf(sensors()))));
         }
+    }
+
+    private static List<String> idsOf(List<SensorSnapshot> sensors) {
+        return sensors.stream().map(sensor -> sensor.spec().id()).toList();
     }
 
     public Optional<Frame> frame() {

@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.SensorSnapshot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -58,6 +60,26 @@ class CanvasModelTest {
         model.sensor().set(Optional.of("right"));
         model.setFrame(SampleFrames.fullFrame());
         assertEquals(Optional.of("right"), model.sensor().get(), "only once");
+    }
+
+    private static Frame withSensors(String... ids) {
+        Pose robot = new Pose(1, 1, 0);
+        List<SensorSnapshot> sensors = Stream.of(ids)
+                .map(id -> RobotSpec.DEFAULT.sensors().get(0).withId(id))
+                .map(spec -> SampleFrames.sensor(spec, robot, SampleFrames.NOTHING))
+                .toList();
+        return SampleFrames.frameOf(robot, SampleFrames.pathThrough(robot.position()), sensors);
+    }
+
+    @Test
+    void aSensorStaysSelectedWhenItGetsAnotherId() {
+        model.setFrame(withSensors("front", "left"));
+        model.sensor().set(Optional.of("left"));
+        model.setFrame(withSensors("front", "port"));
+        assertEquals(Optional.of("port"), model.sensor().get());
+        model.setFrame(withSensors("front", "port", "rear"));
+        model.setFrame(withSensors("front", "rear"));
+        assertEquals(Optional.empty(), model.sensor().get(), "removed");
     }
 
     @Test

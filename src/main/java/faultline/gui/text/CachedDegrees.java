@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.text;
 
 import faultline.geometry.Degrees;
 

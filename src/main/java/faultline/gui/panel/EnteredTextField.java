@@ -1,0 +1,82 @@
+package faultline.gui.panel;
+
+import faultline.gui.theme.KeyBindings;
+import faultline.gui.theme.UiText;
+import java.awt.Dimension;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.Optional;
+import javax.swing.JTextField;
+
+/**
+ * A field whose text is applied by Enter, or when the focus leaves the field. If the text is not allowed, a note below
+ * the field says why; the text stays until Escape is pressed or the focus leaves the field, which shows the present
+ * value again.
+ */
+public abstract class EnteredTextField extends JTextField implements ControlPanel.PendingField {
+
+    private final transient RefusalNote note = new RefusalNote(this);
+
+    /** Creates an empty field with the accessible name of a key and the tool tip of {@code KEY.tip}. */
+    protected EnteredTextField(String key, int columns) {
+        super(columns);
+        UiText.name(this, key);
+        UiText.tip(this, key + ".tip");
+        addActionListener(event -> commitPendingEdit());
+        KeyBindings.bind(this, "ESCAPE", this::revert);
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                commit();
+                showValue();
+            }
+        });
+    }
+
+    /** Returns the text of the present value. */
+    protected abstract String valueText();
+
+    /** Applies a text that the user has entered; returns why it is not allowed, a sentence, empty if it is. */
+    protected abstract Optional<String> apply(String text);
+
+    /** Returns half of the usual width, because the text scrolls in the field. */
+    @Override
+    public Dimension getMinimumSize() {
+        Dimension size = super.getMinimumSize();
+        return new Dimension(size.width / 2, size.height);
+    }
+
+    /** Returns whether the text is not that of the present value. */
+    protected boolean isEdited() {
+        return !getText().equals(valueText());
+    }
+
+    /** Shows the present value in place of what has been typed, from its beginning unless the field has the focus. */
+    protected void showValue() {
+        setText(valueText());
+        if (!isFocusOwner()) {
+            setCaretPosition(0);
+        }
+    }
+
+    private void revert() {
+        showValue();
+        note.hide();
+    }
+
+    @Override
+    public boolean commitPendingEdit() {
+        String before = valueText();
+        if (commit()) {
+            showValue();
+        }
+        return !valueText().equals(before);
+    }
+
+    /** Applies the text; returns false if it is not allowed. */
+    private boolean commit() {
+        Optional<String> refusal = isEdited() ? apply(getText()) : Optional.empty();
+        refusal.ifPresentOrElse(note::showBriefly, note::hide);
+        return refusal.isEmpty();
+    }
+}
