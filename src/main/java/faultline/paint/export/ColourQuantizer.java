@@ -20,6 +20,9 @@ import java.util.stream.Stream;
 final class ColourQuantizer {
 
     private static final int MAX_COLOURS = 256;
+    /** The sensors whose colours are always there; those of more sensors are among the frequent ones. */
+    private static final int USUAL_SENSORS = 10;
+
     private static final int CELL_COUNT = 1 << 15;
     private static final int[] CUBE_STEPS = {0, 85, 170, 255};
 
@@ -39,7 +42,7 @@ final class ColourQuantizer {
     /** Returns a quantizer for pictures that resemble a sample. */
     static ColourQuantizer of(Palette palette, BufferedImage sample) {
         Set<Integer> chosen = new LinkedHashSet<>();
-        palette.colours().forEach(colour -> chosen.add(colour.getRGB() & 0xFFFFFF));
+        palette.colours(USUAL_SENSORS).forEach(colour -> chosen.add(colour.getRGB() & 0xFFFFFF));
         cubeColours().forEach(chosen::add);
         frequentColours(sample).takeWhile(colour -> chosen.size() < MAX_COLOURS).forEach(chosen::add);
         return new ColourQuantizer(chosen.stream().mapToInt(Integer::intValue).toArray());

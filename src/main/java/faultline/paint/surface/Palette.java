@@ -27,8 +27,8 @@ import java.util.stream.Stream;
  * @param contact the colour of marks of faults and edges, on a path or in a chart
  * @param collision contacts and the first collision, and what cannot be done
  * @param reference a reference run
- * @param sensors the colours of the sensors in the robot's order, the first eight after Okabe and Ito; reused for
- *     further sensors
+ * @param sensors the colours of the first 64 sensors in the robot's order, the first eight after Okabe and Ito; reused
+ *     for further sensors
  */
 public record Palette(
         boolean dark,
@@ -69,7 +69,7 @@ public record Palette(
             new Color(0x7C2D12),
             new Color(0xC8102E),
             new Color(0x9B2F8F),
-            List.of(
+            FurtherSensorColours.LIGHT.after(
                     SensorColours.of(0xE69F00, 0xAF7900),
                     SensorColours.of(0x56B4E9, 0x438CB6),
                     SensorColours.of(0x009E73, 0x00956C),
@@ -100,7 +100,7 @@ public record Palette(
             new Color(0xFF9A52),
             new Color(0xFF5468),
             new Color(0xE39BDB),
-            List.of(
+            FurtherSensorColours.DARK.after(
                     SensorColours.of(0xE69F00, 0xE69F00),
                     SensorColours.of(0x56B4E9, 0x56B4E9),
                     SensorColours.of(0x009E73, 0x009E73),
@@ -123,6 +123,11 @@ public record Palette(
 
     /** Returns all colours: those of the scene, then those of the sensors. */
     public List<Color> colours() {
+        return colours(sensors.size());
+    }
+
+    /** Returns the colours of the scene, then those of the first sensors. */
+    public List<Color> colours(int sensorCount) {
         Stream<Color> scene = Stream.of(
                 canvas,
                 grid,
@@ -140,7 +145,11 @@ public record Palette(
                 contact,
                 collision,
                 reference);
-        return Stream.concat(scene, sensors.stream().flatMap(sensor -> Stream.of(sensor.fill(), sensor.outline())))
+        return Stream.concat(
+                        scene,
+                        sensors.stream()
+                                .limit(sensorCount)
+                                .flatMap(sensor -> Stream.of(sensor.fill(), sensor.outline())))
                 .toList();
     }
 

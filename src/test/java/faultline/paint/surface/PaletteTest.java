@@ -109,17 +109,77 @@ class PaletteTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void tenSensorsHaveTenColours(boolean dark) {
-        assertEquals(10, new HashSet<>(palette(dark).sensors()).size());
-        assertEquals(palette(dark).sensorColours(1), palette(dark).sensorColours(11));
+    void sixtyFourSensorsHaveSixtyFourColours(boolean dark) {
+        assertEquals(64, new HashSet<>(palette(dark).sensors()).size());
+        assertEquals(palette(dark).sensorColours(1), palette(dark).sensorColours(65));
+    }
+
+    /** Two colours beside each other differ visibly from a distance of 0.02 on. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void theColoursOfAnyTwoSensorsCanBeToldApart(boolean dark) {
+        Palette p = palette(dark);
+        for (int i = 0; i < p.sensors().size(); i++) {
+            for (int j = 0; j < i; j++) {
+                double distance = oklabDistance(
+                        p.sensorColours(i).outline(), p.sensorColours(j).outline());
+                assertTrue(distance > 0.045, (j + 1) + " and " + (i + 1) + ": " + distance);
+            }
+        }
+    }
+
+    /** A theme, or a drawing that has both, shows the same sensor in the same hue. */
+    @Test
+    void aFurtherSensorHasTheSameHueInBothThemes() {
+        for (int i = 10; i < 64; i++) {
+            double[] light = oklab(Palette.LIGHT.sensorColours(i).outline());
+            double[] dark = oklab(Palette.DARK.sensorColours(i).outline());
+            double turned = Math.abs(
+                    Math.atan2(light[1] * dark[2] - light[2] * dark[1], light[1] * dark[1] + light[2] * dark[2]));
+            assertTrue(turned < Math.toRadians(10), (i + 1) + ": " + Math.toDegrees(turned));
+        }
+    }
+
+    private static double oklabDistance(Color a, Color b) {
+        double[] one = oklab(a);
+        double[] other = oklab(b);
+        return Math.hypot(one[0] - other[0], Math.hypot(one[1] - other[1], one[2] - other[2]));
+    }
+
+    /** Returns lightness, a and b of a colour by Ottosson, A perceptual color space for image processing, 2020. */
+    private static double[] oklab(Color colour) {
+        double r = linear(colour.getRed());
+        double g = linear(colour.getGreen());
+        double b = linear(colour.getBlue());
+        double l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+        double m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+        double s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+        return new double[] {
+            0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+            1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+            0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s
+        };
+    }
+
+    private static double linear(int component) {
+        double share = component / 255.0;
+        return share <= 0.04045 ? share / 12.92 : Math.pow((share + 0.055) / 1.055, 2.4);
+    }
+
+    @Test
+    void oklabIsMeasuredAsDefined() {
+        assertEquals(1, oklabDistance(Color.BLACK, Color.WHITE), 1e-4);
+        assertEquals(0.628, oklab(Color.RED)[0], 1e-3);
+        assertEquals(0.225, oklab(Color.RED)[1], 1e-3);
+        assertEquals(0.126, oklab(Color.RED)[2], 1e-3);
     }
 
     /** The first eight are those of Okabe and Ito. */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void furtherSensorsDifferFromAllOthersAlsoWithoutRedOrGreenCones(boolean dark) {
+    void theNinthAndTheTenthSensorDifferFromTheOthersAlsoWithoutRedOrGreenCones(boolean dark) {
         Palette p = palette(dark);
-        for (int i = 8; i < p.sensors().size(); i++) {
+        for (int i = 8; i < 10; i++) {
             Color added = p.sensorColours(i).outline();
             for (int j = 0; j < i; j++) {
                 Color other = p.sensorColours(j).outline();
