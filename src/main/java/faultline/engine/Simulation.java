@@ -7,6 +7,7 @@ import faultline.control.DecisionLog;
 import faultline.control.Telemetry;
 import faultline.geometry.Pose;
 import faultline.robot.MotorFaults;
+import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
@@ -274,6 +275,16 @@ public final class Simulation implements AutoCloseable {
     /** {@return the robot's wheel speeds} */
     public WheelSpeeds wheelSpeeds() {
         return world.wheelSpeeds();
+    }
+
+    /**
+     * {@return the velocity at which the robot would settle with the present voltages, as the controller believes its
+     * motors and track to be}
+     */
+    public Velocity commandedVelocity() {
+        MotorSpec motor = world.robot().motor();
+        return new WheelSpeeds(motor.speedFor(leftVolts()), motor.speedFor(rightVolts()))
+                .toVelocity(world.robot().track());
     }
 
     /** {@return the robot's velocity} */

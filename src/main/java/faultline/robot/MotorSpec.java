@@ -65,6 +65,15 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
     }
 
     /**
+     * {@return the wheel speed, metres per second, at which the motor settles with a voltage}
+     *
+     * @param volts the voltage, limited to the supply
+     */
+    public double speedFor(double volts) {
+        return speedConstant * limit(volts);
+    }
+
+    /**
      * {@return the fraction in [0, 1) of a speed error that remains after a tick of dt seconds: exp(-dt / tau)}
      *
      * @param dt the length of a tick, in seconds, positive
@@ -82,7 +91,7 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
      * @param decay from {@link #decay}
      */
     public double step(double speed, double volts, double decay) {
-        double target = speedConstant * limit(volts);
+        double target = speedFor(volts);
         return target + (speed - target) * decay;
     }
 

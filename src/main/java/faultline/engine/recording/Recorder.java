@@ -8,6 +8,7 @@ import faultline.engine.ControllerFactory;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import faultline.robot.Velocity;
 import faultline.world.CommandResult;
 
 /**
@@ -121,6 +122,12 @@ public final class Recorder implements TickObserver, CommandListener {
         values[TraceChannels.RIGHT_VOLTS] = (float) simulation.rightVolts();
         lastHeading = simulation.pose().heading();
         values[TraceChannels.HEADING] = (float) lastHeading;
+        Velocity commanded = simulation.commandedVelocity();
+        values[TraceChannels.COMMANDED_VELOCITY] = (float) commanded.linear();
+        values[TraceChannels.COMMANDED_TURN_RATE] = (float) commanded.angular();
+        Velocity velocity = simulation.velocity();
+        values[TraceChannels.VELOCITY] = (float) velocity.linear();
+        values[TraceChannels.TURN_RATE] = (float) velocity.angular();
     }
 
     private void recordSensors(Simulation simulation) {

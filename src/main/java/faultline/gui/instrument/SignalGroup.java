@@ -32,6 +32,8 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
         signals.add(distance());
         signals.add(pair("terms", "rad/s", TraceChannels.PROPORTIONAL, TraceChannels.DERIVATIVE));
         signals.add(pair("volts", "V", TraceChannels.LEFT_VOLTS, TraceChannels.RIGHT_VOLTS));
+        signals.add(motion("velocity", "m/s", TraceChannels.VELOCITY, TraceChannels.COMMANDED_VELOCITY));
+        signals.add(motion("turnRate", "rad/s", TraceChannels.TURN_RATE, TraceChannels.COMMANDED_TURN_RATE));
         for (int i = 0; i < sensors.size(); i++) {
             signals.add(sensor(sensors.get(i), i));
         }
@@ -110,6 +112,23 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
                                 first,
                                 theme -> theme.palette().robot(),
                                 DashPattern.SOLID)));
+    }
+
+    /** Returns the actual and the commanded value of a velocity, in other styles than the terms of the same unit. */
+    private static SignalGroup motion(String key, String unit, int actual, int commanded) {
+        ChartLine front = new ChartLine(
+                Messages.get("signal.motion.actual"),
+                "",
+                actual,
+                theme -> theme.palette().accent(),
+                DashPattern.SOLID);
+        ChartLine back = new ChartLine(
+                Messages.get("signal.motion.commanded"),
+                "",
+                commanded,
+                theme -> theme.palette().muted(),
+                DashPattern.DASH_DOT);
+        return new SignalGroup(key, Messages.get("signal." + key), unit, List.of(back, front));
     }
 
     private static SignalGroup sensor(String id, int index) {

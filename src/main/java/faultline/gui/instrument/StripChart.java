@@ -111,6 +111,8 @@ public final class StripChart extends JPanel {
                 Messages.get("signal.distance"),
                 Messages.get("signal.terms"),
                 Messages.get("signal.volts"),
+                Messages.get("signal.velocity"),
+                Messages.get("signal.turnRate"),
                 Messages.get("signal.sensor", "front-right"));
         String longest = names.max(Comparator.comparingInt(getFontMetrics(choice.getFont())::stringWidth))
                 .orElseThrow();

@@ -23,6 +23,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -67,6 +68,8 @@ class RecorderTest {
             int transitions,
             double measuredDistance,
             double leftVolts,
+            double rightVolts,
+            Velocity velocity,
             double trueReading,
             double reportedReading,
             long hash) {}
@@ -82,6 +85,8 @@ class RecorderTest {
                         s.telemetry().transitions(),
                         s.telemetry().wall().measuredDistance(),
                         s.leftVolts(),
+                        s.rightVolts(),
+                        s.velocity(),
                         s.trueReading(2),
                         s.reportedReading(2),
                         s.trajectoryHash()))));
@@ -171,6 +176,13 @@ class RecorderTest {
                 assertEquals(
                         (float) moment.measuredDistance(), level.min(TraceChannels.MEASURED_DISTANCE, moment.tick()));
                 assertEquals((float) moment.leftVolts(), level.min(TraceChannels.LEFT_VOLTS, moment.tick()));
+                assertEquals((float) moment.velocity().linear(), level.min(TraceChannels.VELOCITY, moment.tick()));
+                assertEquals((float) moment.velocity().angular(), level.max(TraceChannels.TURN_RATE, moment.tick()));
+                // 0.1 m/s for each volt, at most 6 V, and 0.18 m between the wheels.
+                double left = 0.1 * Math.max(-6, Math.min(6, moment.leftVolts()));
+                double right = 0.1 * Math.max(-6, Math.min(6, moment.rightVolts()));
+                assertEquals((left + right) / 2, level.min(TraceChannels.COMMANDED_VELOCITY, moment.tick()), 1e-6);
+                assertEquals((right - left) / 0.18, level.min(TraceChannels.COMMANDED_TURN_RATE, moment.tick()), 1e-5);
                 assertEquals((float) moment.trueReading(), level.min(TraceChannels.trueReading(2), moment.tick()));
                 assertEquals(
                         (float) moment.reportedReading(), level.min(TraceChannels.reportedReading(2), moment.tick()));

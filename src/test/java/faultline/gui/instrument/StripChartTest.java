@@ -97,8 +97,8 @@ class StripChartTest {
     @Test
     void itOffersTheControllersNumbersAndEverySensor() {
         JComboBox<?> choice = ComponentFinder.find(chart, JComboBox.class, "Signals");
-        assertEquals(3 + 8, callOnEdt(choice::getItemCount));
-        assertEquals("Sensor left", callOnEdt(() -> choice.getItemAt(5).toString()));
+        assertEquals(5 + 8, callOnEdt(choice::getItemCount));
+        assertEquals("Sensor left", callOnEdt(() -> choice.getItemAt(7).toString()));
     }
 
     /** Returns a frame of a robot without one of the sensors. */
@@ -119,7 +119,7 @@ class StripChartTest {
 
     @Test
     void theChosenSensorAndTheAddedLinesStayWhenAnotherSensorIsRemoved() {
-        choose(3 + 6);
+        choose(5 + 6);
         runOnEdt(() -> {
             JMenuItem added = (JMenuItem) Stream.of(chart.createAdditionsMenu().getSubElements())
                     .map(MenuElement::getComponent)
@@ -146,7 +146,7 @@ class StripChartTest {
 
     @Test
     void theChosenSensorAndTheAddedLinesStayWhenTheirSensorIsRenamed() {
-        choose(3 + 6);
+        choose(5 + 6);
         runOnEdt(() -> {
             JMenuItem added = (JMenuItem) Stream.of(chart.createAdditionsMenu().getSubElements())
                     .map(MenuElement::getComponent)
@@ -170,7 +170,7 @@ class StripChartTest {
 
     @Test
     void theDistanceIsShownWhenTheChosenSensorIsRemoved() {
-        choose(3 + 1);
+        choose(5 + 1);
         runOnEdt(() -> chart.setFrame(frameWithout("front-left")));
         assertEquals(List.of("target", "distance used"), shownLines());
     }
@@ -366,13 +366,13 @@ class StripChartTest {
 
     @Test
     void aSensorThatIsOffReadsOutAsADash() {
-        choose(3 + 4);
+        choose(5 + 4);
         assertEquals("reported –", readOut(15).get(2));
     }
 
     @Test
     void aFaultyReadingAndTheTrueOneStandSideBySide() {
-        choose(3 + 5);
+        choose(5 + 5);
         assertEquals(
                 List.of("reported 0.400 m"),
                 readOut(15).stream().filter(line -> line.startsWith("reported")).toList());
@@ -537,7 +537,7 @@ class StripChartTest {
     @Test
     void noLineCanBeAddedIfNoneHasTheSameUnit() {
         JButton add = callOnEdt(() -> ComponentFinder.find(chart, JButton.class, "Add signals"));
-        for (int signal = 0; signal < 4; signal++) {
+        for (int signal = 0; signal < 6; signal++) {
             choose(signal);
             boolean some = callOnEdt(() -> chart.createAdditionsMenu().getComponentCount() > 0);
             assertEquals(some, callOnEdt(add::isEnabled), "signal " + signal);

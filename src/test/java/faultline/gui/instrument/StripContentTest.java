@@ -183,7 +183,7 @@ class StripContentTest {
         Palette palette = Theme.LIGHT.palette();
         assertEquals(
                 palette.sensorColours(2).outline(),
-                GROUPS.get(5).lines().get(0).colour().apply(Theme.LIGHT));
+                GROUPS.get(5 + 2).lines().get(0).colour().apply(Theme.LIGHT));
     }
 
     @Test
@@ -231,10 +231,39 @@ class StripContentTest {
                 .vertical());
     }
 
+    /**
+     * The robot follows the wall by the end: it drives at its speed, and the commanded values are about the actual
+     * ones.
+     */
+    @Test
+    void theTableOfTheVelocitiesHasTheirUnitsAndTheActualAndTheCommandedValue() {
+        List<List<String>> velocity = table(3);
+        assertEquals(List.of("t (s)", "\"commanded (m/s)\"", "\"actual (m/s)\""), velocity.get(0));
+        List<String> last = velocity.get(velocity.size() - 1);
+        assertEquals(FRAME.snapshot().wheelSpeeds().linear(), Double.parseDouble(last.get(2)), 1e-6);
+        assertEquals(Double.parseDouble(last.get(1)), Double.parseDouble(last.get(2)), 0.02);
+        List<List<String>> turnRate = table(4);
+        assertEquals(List.of("t (s)", "\"commanded (rad/s)\"", "\"actual (rad/s)\""), turnRate.get(0));
+        double actual = FRAME.snapshot()
+                .wheelSpeeds()
+                .toVelocity(FRAME.snapshot().robot().track())
+                .angular();
+        assertEquals(
+                actual, Double.parseDouble(turnRate.get(turnRate.size() - 1).get(2)), 1e-6);
+    }
+
+    private static List<List<String>> table(int group) {
+        return callOnEdt(() ->
+                        new StripContent(FRAME, GROUPS.get(group), SPAN, ValueRange.FITTED, List.of(), null).toCsv())
+                .lines()
+                .map(row -> List.of(row.split(",")))
+                .toList();
+    }
+
     @Test
     void theTableHasARowForEveryTickAndAnEmptyCellForNothing() {
         List<String> rows = callOnEdt(() ->
-                        new StripContent(FRAME, GROUPS.get(3 + 5), SPAN, ValueRange.FITTED, List.of(), null).toCsv())
+                        new StripContent(FRAME, GROUPS.get(5 + 5), SPAN, ValueRange.FITTED, List.of(), null).toCsv())
                 .lines()
                 .toList();
         assertEquals("t (s),\"reported (m)\",\"true (m)\"", rows.get(0));
@@ -262,7 +291,7 @@ class StripContentTest {
         Journal journal = new Journal(SampleRuns.ROOM_SETUP.withRobot(robot.withSensors(reversed)), List.of(), 0);
         ReferenceRun other = ReferenceRun.replay(journal, tick -> true);
         TimeSpan start = new TimeSpan(0, 1);
-        for (SignalGroup group : GROUPS.subList(3, GROUPS.size())) {
+        for (SignalGroup group : GROUPS.subList(5, GROUPS.size())) {
             StripContent content = new StripContent(FRAME, group, start, ValueRange.FITTED, List.of(), other);
             List<String> rows = content.toCsv().lines().toList();
             assertEquals(
@@ -335,7 +364,7 @@ class StripContentTest {
                         FRAME.frame().path(),
                         FRAME.frame().trajectoryHash()),
                 FRAME.recording());
-        ChartLine line = GROUPS.get(3).lines().get(0).withName("Sensor left_front, reported");
+        ChartLine line = GROUPS.get(5).lines().get(0).withName("Sensor left_front, reported");
         String svg = new StripContent(
                         frame, GROUPS.get(0).with(List.of(line)), SPAN, ValueRange.FROM_ZERO, List.of(), null)
                 .toSvg(Theme.LIGHT);
