@@ -47,7 +47,7 @@ class ColourQuantizerTest {
     @Test
     void theColoursOfThePaletteAndTheMostFrequentOneStayAsTheyAre() {
         ColourQuantizer quantizer = ColourQuantizer.of(Palette.LIGHT, manyColours());
-        int[] kept = Palette.LIGHT.colours().stream()
+        int[] kept = Palette.LIGHT.colours(10).stream()
                 .mapToInt(colour -> colour.getRGB() & 0xFFFFFF)
                 .toArray();
         int[] all = IntStream.concat(IntStream.of(kept), IntStream.of(COMMON)).toArray();
