@@ -28,11 +28,16 @@ final class ShortcutRows {
             table.addItems(menu.getText(), menu);
         }
         actions.allActions().forEach(action -> table.add("", action));
-        for (String gesture : Messages.get("shortcuts.canvas").split(";")) {
-            String[] parts = gesture.split(":");
-            table.rows.add(List.of(Messages.get("shortcuts.onCanvas"), parts[0], parts[1]));
-        }
+        table.addGestures(Messages.get("shortcuts.onCanvas"), "shortcuts.canvas");
+        table.addGestures(Messages.get("timeline"), "shortcuts.lanes");
         return table.rows;
+    }
+
+    private void addGestures(String place, String key) {
+        for (String gesture : Messages.get(key).split(";")) {
+            String[] parts = gesture.split(":");
+            rows.add(List.of(place, parts[0], parts[1]));
+        }
     }
 
     private void addItems(String place, JMenu menu) {

@@ -47,6 +47,7 @@ public final class RunNavigator implements WorkspaceListener {
      */
     public void seek(long tick) {
         endResimulation();
+        workspace.fire(listener -> listener.seekStarted(tick));
         workspace
                 .openDocument()
                 .ifPresent(now ->
@@ -177,12 +178,22 @@ public final class RunNavigator implements WorkspaceListener {
 
     /** Moves the run back by one tick, asynchronously, and pauses it there; does nothing while a task is active. */
     public void stepBack() {
-        if (workspace.task().isEmpty() && currentTick() > 0) {
-            seek(currentTick() - 1);
+        if (currentTick() > 0) {
+            seekIfIdle(currentTick() - 1);
         }
     }
 
-    private long currentTick() {
+    /** Moves the run to a tick as {@link #seek} does, and returns true; does nothing while a task is active. */
+    public boolean seekIfIdle(long tick) {
+        boolean idle = workspace.task().isEmpty();
+        if (idle) {
+            seek(tick);
+        }
+        return idle;
+    }
+
+    /** Returns the tick of the run, 0 if there is none. */
+    public long currentTick() {
         return workspace
                 .openDocument()
                 .map(now -> now.session().frame().snapshot().tick())

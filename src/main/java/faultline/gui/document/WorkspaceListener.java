@@ -20,6 +20,9 @@ public interface WorkspaceListener {
      */
     default void runRepositioned(long tick, SimulationSetup setup) {}
 
+    /** The user moves the run to a tick; {@link #runRepositioned} follows when it is there. */
+    default void seekStarted(long tick) {}
+
     /**
      * The run has been moved to another tick, and its controller, which is not part of the program, has decided
      * differently than before: the run differs from a time on, seconds. Follows {@link #sessionStarted}.

@@ -47,6 +47,8 @@ public record Preference<T>(String key, Function<String, T> reader, Function<T, 
     public static final Preference<Optional<Integer>> PANEL_WIDTH = ofPixels("divider");
     /** The height of the instruments, pixels, empty if it is not known. */
     public static final Preference<Optional<Integer>> DOCK_HEIGHT = ofPixels("dock");
+    /** The height of the lanes of the time line, pixels, empty if the user has not chosen it. */
+    public static final Preference<Optional<Integer>> LANES_HEIGHT = ofPixels("lanes");
     /** The width of the strip chart, pixels, empty if it is not known. */
     public static final Preference<Optional<Integer>> CHART_WIDTH = ofPixels("chart");
 

@@ -39,8 +39,10 @@ public final class FlatScrollBarUI extends BasicScrollBarUI {
 
     @Override
     protected void paintTrack(Graphics graphics, JComponent component, Rectangle track) {
-        graphics.setColor(Theme.currentColours().background());
-        graphics.fillRect(track.x, track.y, track.width, track.height);
+        if (component.isOpaque()) {
+            graphics.setColor(Theme.currentColours().background());
+            graphics.fillRect(track.x, track.y, track.width, track.height);
+        }
     }
 
     @Override

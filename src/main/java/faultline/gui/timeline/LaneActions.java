@@ -162,6 +162,7 @@ final class LaneActions {
             TimelineItem moved = withEnds(item, start, end);
             editor.replace(view.selection(), moved);
             view.select(moved);
+            view.zoom().showTime(startSteps == 0 ? moved.end() : moved.start());
         });
     }
 

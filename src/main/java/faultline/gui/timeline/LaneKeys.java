@@ -78,6 +78,7 @@ final class LaneKeys {
     private void showMenu() {
         LaneLayout lanes = view.lanes();
         double x = lanes.axis().x(view.selectedItem().map(TimelineItem::start).orElse(view.now()));
-        actions.showMenu(view, (int) x, lanes.laneTop(view.lane()), view.now());
+        double shown = Math.max(lanes.axis().left(), Math.min(lanes.axis().right(), x));
+        actions.showMenu(view, (int) shown, lanes.laneTop(view.lane()), view.now());
     }
 }

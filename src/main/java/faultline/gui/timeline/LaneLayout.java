@@ -217,7 +217,7 @@ final class LaneLayout {
      * lengths are in pixels; {@code right} is the right edge of the lanes.
      */
     LabelRoom labelRoom(int index, double textWidth, double padding, double right) {
-        Rectangle2D bar = bounds(index);
+        Rectangle2D bar = visibleBounds(index, 0);
         double end = nextInRow[index] == NONE
                 ? right
                 : Math.min(right, bounds(nextInRow[index]).getMinX());
@@ -234,8 +234,30 @@ final class LaneLayout {
         }
     }
 
+    /**
+     * Returns the bounds of an item without what is further than a margin, pixels, from the axis of a part of the run.
+     */
+    Rectangle2D visibleBounds(int index, double margin) {
+        Rectangle2D bounds = bounds(index);
+        if (axis.isWhole()) {
+            return bounds;
+        }
+        double minX = Math.max(bounds.getMinX(), axis.left() - margin);
+        double maxX = Math.min(bounds.getMaxX(), axis.right() + margin);
+        return new Rectangle2D.Double(minX, bounds.getY(), Math.max(0, maxX - minX), bounds.getHeight());
+    }
+
+    /** Returns whether some of an item is visible. */
+    boolean isVisible(int index) {
+        TimelineItem item = items.get(index);
+        return axis.x(item.end()) >= axis.left() && axis.x(item.start()) <= axis.right();
+    }
+
     /** Returns the item at a point; null if there is none. */
     ItemHit hit(double x, double y) {
+        if (!axis.isWhole() && (x < axis.left() - EDGE || x > axis.right() + EDGE)) {
+            return null;
+        }
         for (int i = items.size() - 1; i >= 0; i--) {
             Rectangle2D bounds = bounds(i);
             if (y >= bounds.getMinY()

@@ -3,22 +3,32 @@ package faultline.gui.timeline;
 import java.awt.Cursor;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
 import javax.swing.SwingUtilities;
 
 /**
  * The mouse on the lanes: a drag in a lane draws a fault, a drag of a bar or a mark moves it, a drag of a bar's end
- * moves the end. A double click edits, or adds a fault or a change of the controller.
+ * moves the end. A double click edits, or adds a fault or a change of the controller. The wheel zooms in time with Ctrl
+ * and moves in time with Shift, as the middle button does; otherwise it scrolls the lanes.
  */
 final class LaneMouse extends MouseAdapter {
 
     private static final int DRAG_DISTANCE = 4;
+    /** One notch of the wheel moves in time by this distance, pixels. */
+    private static final double WHEEL_PIXELS = 60;
+    /** A horizontal wheel presses this button or the next one on X11; elsewhere it turns the wheel with Shift. */
+    private static final int HORIZONTAL_WHEEL_LEFT = 4;
 
     private final LaneView view;
     private final TimelineEditor editor;
     private final LaneActions actions;
     /** The press of the left button; null while it is up, and after Escape. */
     private MouseEvent pressed;
+    /** The time at that press, which may have been scrolled out of view since, seconds. */
+    private double pressedTime;
+    /** The last x coordinate of the mouse while the middle button moves the lanes in time. */
+    private int panX;
 
     /** The item at the last press of a button; null if there was none. */
     private LaneLayout.ItemHit hit;
@@ -32,10 +42,33 @@ final class LaneMouse extends MouseAdapter {
     void install() {
         view.addMouseListener(this);
         view.addMouseMotionListener(this);
+        view.addMouseWheelListener(this);
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent event) {
+        if (!view.isEnabled()) {
+            return;
+        }
+        if (event.isControlDown()) {
+            view.zoom().zoom(-event.getPreciseWheelRotation(), event.getX());
+        } else if (event.isShiftDown()) {
+            view.zoom().move(event.getPreciseWheelRotation() * WHEEL_PIXELS);
+        } else {
+            view.getParent().dispatchEvent(SwingUtilities.convertMouseEvent(view, event, view.getParent()));
+        }
     }
 
     @Override
     public void mousePressed(MouseEvent event) {
+        if (event.getButton() > MouseEvent.BUTTON3) {
+            view.zoom().move(event.getButton() == HORIZONTAL_WHEEL_LEFT ? -WHEEL_PIXELS : WHEEL_PIXELS);
+            return;
+        }
+        if (SwingUtilities.isMiddleMouseButton(event)) {
+            panX = event.getX();
+            return;
+        }
         // Another button must not change what is being dragged.
         if (!view.isEnabled() || isDragging() || !view.isBelowRuler(event.getY())) {
             return;
@@ -50,6 +83,7 @@ final class LaneMouse extends MouseAdapter {
         if (lane != LaneLayout.NONE) {
             view.select(lane, hit == null ? LaneLayout.NONE : hit.index());
             pressed = SwingUtilities.isLeftMouseButton(event) && !event.isPopupTrigger() ? event : null;
+            pressedTime = view.axis().timeAt(event.getX());
         }
         showMenuIfWanted(event);
     }
@@ -62,22 +96,34 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mouseDragged(MouseEvent event) {
+        if (SwingUtilities.isMiddleMouseButton(event)) {
+            view.zoom().move(panX - event.getX());
+            panX = event.getX();
+            return;
+        }
         view.updateModel();
         boolean dragging =
                 pressed != null && (isDragging() || Math.abs(event.getX() - pressed.getX()) >= DRAG_DISTANCE);
         if (dragging) {
+            scrollTo(event.getX());
             dragged(event).ifPresent(view::setPreview);
         }
     }
 
+    /** Moves the lanes in time by the distance of the mouse from the visible part, so that a drag can go on. */
+    private void scrollTo(int x) {
+        TimeAxis axis = view.axis();
+        view.zoom().move(Math.min(0, x - axis.left()) + Math.max(0, x - axis.right()));
+    }
+
     private Optional<TimelineItem> dragged(MouseEvent event) {
-        double from = snapped(pressed.getX());
+        double from = snap(pressedTime);
         double to = snapped(event.getX());
         if (hit == null) {
             return actions.newFault(Math.min(from, to), Math.max(from, to))
                     .map(item -> actions.withEnds(item, item.start(), item.end()));
         }
-        double by = view.axis().timeAt(event.getX()) - view.axis().timeAt(pressed.getX());
+        double by = view.axis().timeAt(event.getX()) - pressedTime;
         return view.selectedItem().map(item -> switch (hit.part()) {
             case START -> actions.withEnds(item, snap(item.start() + by), item.end());
             case END -> actions.withEnds(item, item.start(), to);

@@ -20,6 +20,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** Paints the lanes of the time line. */
 final class LanePainter {
@@ -56,9 +57,7 @@ final class LanePainter {
             return;
         }
         paintTicks();
-        for (int i = 0; i < lanes.items().size(); i++) {
-            paintItem(i);
-        }
+        paintItems();
         if (lanes.items().isEmpty() && lanes.lanes().size() > 1) {
             paintHint();
         }
@@ -157,9 +156,24 @@ final class LanePainter {
                 .toList();
     }
 
+    /** Paints the visible items; what lies beyond the visible part of the run is cut off at the ends of the axis. */
+    private void paintItems() {
+        Shape clip = g.getClip();
+        TimeAxis axis = lanes.axis();
+        if (!axis.isWhole()) {
+            // A mark at an end of the run is painted on both sides of it.
+            double before = axis.start() == 0 ? lanes.rowHeight() : 0;
+            double after = axis.end() == axis.runEnd() ? lanes.rowHeight() : 0;
+            double left = axis.left() - before;
+            g.clip(new Rectangle2D.Double(left, 0, axis.right() + after - left, view.getHeight()));
+        }
+        IntStream.range(0, lanes.items().size()).filter(lanes::isVisible).forEach(this::paintItem);
+        g.setClip(clip);
+    }
+
     private void paintItem(int index) {
         TimelineItem item = lanes.items().get(index);
-        Rectangle2D bounds = lanes.bounds(index);
+        Rectangle2D bounds = lanes.visibleBounds(index, 2.0 * lanes.rowHeight());
         boolean selected = view.preview().map(item::equals).orElse(index == view.selection());
         if (item.isInterval()) {
             paintBar(item, bounds, selected);
@@ -240,6 +254,9 @@ final class LanePainter {
 
     private void paintNow() {
         double x = lanes.axis().x(view.now());
+        if (!lanes.axis().shows(view.now())) {
+            return;
+        }
         g.setColor(theme.colours().accent());
         g.setStroke(new BasicStroke(1.5f));
         g.draw(new Line2D.Double(x, lanes.top(), x, view.getHeight()));
@@ -247,8 +264,9 @@ final class LanePainter {
 
     /** Paints the times of the item that is being dragged in the ruler. */
     private void paintTimes(TimelineItem item) {
-        double from = lanes.axis().x(item.start());
-        double to = lanes.axis().x(item.end());
+        TimeAxis axis = lanes.axis();
+        double from = Math.max(axis.left(), Math.min(axis.right(), axis.x(item.start())));
+        double to = Math.max(axis.left(), Math.min(axis.right(), axis.x(item.end())));
         g.setColor(Palette.withAlpha(theme.colours().accent(), BAND_ALPHA));
         g.fill(new Rectangle2D.Double(from, lanes.top(), Math.max(1, to - from), view.getHeight()));
         g.setFont(font.deriveFont(Font.BOLD));

@@ -23,13 +23,18 @@ import javax.swing.Scrollable;
 /** The lanes of the time line: one for each sensor, and one for everything else. */
 public final class LaneView extends AccessibleComponent implements Scrollable {
 
-    private static final int MIN_ROW_HEIGHT = 12;
+    /** The bound property of the number of rows. */
+    static final String ROWS_PROPERTY = "rows";
+
+    private static final int MIN_ROW_HEIGHT = 13;
+    private static final int USUAL_ROW_HEIGHT = 15;
     private static final int MAX_ROW_HEIGHT = 17;
     private static final int RULER_HEIGHT = 14;
 
     private final transient TimelineEditor editor;
     private final transient LaneActions actions;
     private final transient LaneMouse mouse;
+    private final transient LaneZoom zoom;
     /** The sensor for which a fault is asked when the lanes are updated, empty for none. */
     private String faultSensor = "";
 
@@ -41,9 +46,11 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     /** The layout that was used last, null before the first. */
     private transient LaneLayout layout;
 
-    private transient TimeAxis axis = new TimeAxis(0, 1, 1);
     private transient TimelineModel model = TimelineModel.EMPTY;
     private double now;
+    /** The present time at the last update without a drag, seconds. */
+    private double followedNow;
+
     private int lane;
     /** The index of the selected item, or {@link LaneLayout#NONE}. */
     private int selection = LaneLayout.NONE;
@@ -70,6 +77,8 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
                 repaint();
             }
         });
+        zoom = new LaneZoom(editor::tickLength);
+        zoom.addListener(this::repaint);
         actions = new LaneActions(this, editor);
         mouse = new LaneMouse(this, editor, actions);
         mouse.install();
@@ -88,25 +97,29 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     /** Shows lanes without items before there is a scenario. */
     void setEmptyLanes(List<Lane> newLanes, TimeAxis newAxis) {
         allLanes = List.copyOf(newLanes);
-        axis = newAxis;
+        zoom.alignWith(newAxis);
         countRows();
     }
 
-    /** Shows the lanes along another axis. */
-    void setAxis(TimeAxis newAxis) {
-        if (!newAxis.equals(axis)) {
-            axis = newAxis;
-            repaint();
-        }
+    /** Aligns the lanes with the axis of the whole run; the part of it that is visible stays so. */
+    void setAxis(TimeAxis whole) {
+        zoom.alignWith(whole);
     }
 
-    /** Shows the scenario's timeline in lanes. */
+    /**
+     * Shows the scenario's timeline in lanes, given the axis of the whole run. If the present time leaves the visible
+     * part, the lanes follow it, unless the mouse drags something in them.
+     */
     void update(List<Lane> newLanes, TimeAxis newAxis, double newNow) {
         assert EventQueue.isDispatchThread();
         setEnabled(true);
         updateModel();
         setAxis(newAxis);
         boolean otherLanes = !newLanes.equals(allLanes);
+        if (!mouse.isDragging()) {
+            zoom.follow(followedNow, newNow);
+            followedNow = newNow;
+        }
         if (otherLanes || newNow != now) {
             allLanes = List.copyOf(newLanes);
             now = newNow;
@@ -165,11 +178,12 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     }
 
     /**
-     * Prepares for the lanes of another scenario, whose first lane with an item will be shown: uppermost if it is too
-     * low.
+     * Prepares for the lanes of another scenario, of which all of the run will be shown, and the first lane with an
+     * item: uppermost if it is too low.
      */
     void startScenario() {
         mouse.cancelDrag();
+        zoom.showAll();
         lane = 0;
         selection = LaneLayout.NONE;
         newScenario = true;
@@ -194,6 +208,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         if (count != rowCount) {
             rowCount = count;
             revalidate();
+            firePropertyChange(ROWS_PROPERTY, null, count);
         }
     }
 
@@ -212,8 +227,8 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         List<TimelineItem> items = shownItems();
         int top = TextSize.scaled(RULER_HEIGHT);
         int height = rowHeight();
-        if (layout == null || !layout.isOf(allLanes, items, axis, top, height)) {
-            layout = new LaneLayout(allLanes, items, axis, top, height);
+        if (layout == null || !layout.isOf(allLanes, items, axis(), top, height)) {
+            layout = new LaneLayout(allLanes, items, axis(), top, height);
         }
         return layout;
     }
@@ -237,12 +252,36 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     }
 
     private int rowHeight() {
-        int available = (getHeight() - TextSize.scaled(RULER_HEIGHT)) / rowCount;
-        return Math.max(minRowHeight(), Math.min(TextSize.scaled(MAX_ROW_HEIGHT), available));
+        return rowFit(getParent() instanceof JViewport viewport ? viewport.getHeight() : getHeight())
+                .rowHeight();
+    }
+
+    private RowFit rowFit(int height) {
+        return RowFit.of(
+                height - TextSize.scaled(RULER_HEIGHT),
+                rowCount,
+                new RowFit.RowHeights(
+                        minRowHeight(), TextSize.scaled(USUAL_ROW_HEIGHT), TextSize.scaled(MAX_ROW_HEIGHT)));
+    }
+
+    /** Returns the greatest height that is at most a given one and shows whole rows, at least one, pixels. */
+    int wholeRowsHeight(int room) {
+        return TextSize.scaled(RULER_HEIGHT) + rowFit(room).height();
+    }
+
+    /** Returns the y coordinate nearest to a given one to which the lanes can scroll without cutting off a row. */
+    int scrollPosition(int y) {
+        int row = rowHeight();
+        return (y + row / 2) / row * row;
+    }
+
+    /** Returns which part of the run is visible. */
+    LaneZoom zoom() {
+        return zoom;
     }
 
     TimeAxis axis() {
-        return axis;
+        return zoom.axis();
     }
 
     double now() {
@@ -282,10 +321,11 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         repaint();
     }
 
-    /** Selects a lane and one of its items, or {@link LaneLayout#NONE}. */
+    /** Selects a lane and one of its items, or {@link LaneLayout#NONE}, and makes it visible. */
     void select(int newLane, int item) {
         lane = newLane;
         selection = item;
+        selectedItem().ifPresent(zoom::showItem);
         describe();
     }
 
@@ -304,7 +344,10 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     }
 
     private void selectLaneOfItem() {
-        selectedItem().ifPresent(item -> lane = lanes().laneOf(item));
+        selectedItem().ifPresent(item -> {
+            lane = lanes().laneOf(item);
+            zoom.showItem(item);
+        });
         describe();
     }
 
@@ -342,25 +385,22 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     @Override
     public Dimension getPreferredSize() {
-        Dimension size = height(TextSize.scaled(MAX_ROW_HEIGHT));
-        boolean scrolled = getParent() instanceof JViewport viewport
-                && viewport.getHeight() > 0
-                && viewport.getHeight() < size.height;
-        return scrolled ? getMinimumSize() : size;
+        boolean scrolled = getParent() instanceof JViewport viewport && viewport.getHeight() > 0;
+        return height(rowCount, scrolled ? rowHeight() : TextSize.scaled(MAX_ROW_HEIGHT));
     }
 
     @Override
     public Dimension getMinimumSize() {
-        return height(minRowHeight());
+        return height(1, TextSize.scaled(USUAL_ROW_HEIGHT));
     }
 
-    private Dimension height(int rowHeight) {
-        return new Dimension(0, TextSize.scaled(RULER_HEIGHT) + Math.max(3, rowCount) * rowHeight);
+    private static Dimension height(int rows, int rowHeight) {
+        return new Dimension(0, TextSize.scaled(RULER_HEIGHT) + rows * rowHeight);
     }
 
     @Override
     public Dimension getPreferredScrollableViewportSize() {
-        return height(TextSize.scaled(MAX_ROW_HEIGHT));
+        return height(rowCount, TextSize.scaled(MAX_ROW_HEIGHT));
     }
 
     @Override
@@ -370,7 +410,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     @Override
     public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-        return visible.height;
+        return Math.max(1, (visible.height - TextSize.scaled(RULER_HEIGHT)) / rowHeight()) * rowHeight();
     }
 
     @Override
@@ -380,6 +420,6 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     @Override
     public boolean getScrollableTracksViewportHeight() {
-        return getParent().getHeight() >= getMinimumSize().height;
+        return getParent().getHeight() >= getPreferredSize().height;
     }
 }

@@ -13,10 +13,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
 
 /**
  * The marks on the time slider: collisions, corners, changed settings, the starts of faults, and the end of the
- * scenario.
+ * scenario. Together with the items of the lanes, these are the events to which the run can be moved.
  */
 final class RunMarks {
 
@@ -35,16 +37,7 @@ final class RunMarks {
     /** Returns the marks of the newest frame, later ones over earlier ones, up to the last tick of the scenario. */
     static List<SliderMark> of(SessionFrame frame, List<TimelineItem> items, long end, double dt) {
         RunMarks result = new RunMarks(frame, dt);
-        EventLog log = frame.recording().events();
-        Set<Execution> planned = result.plannedChanges(items);
-        for (long i = log.firstIndex(); i < log.endIndex(); i++) {
-            if (log.get(i) instanceof RunEvent.StateChanged change && change.to() == FollowerState.TURN
-                    || log.get(i) instanceof RunEvent.CommandExecuted done
-                            && CommandRole.isSettingChange(done.command())
-                            && !planned.contains(new Execution(done.command(), done.tick()))) {
-                result.addEvent(log.get(i));
-            }
-        }
+        result.changes(items).forEach(result::addEvent);
         items.stream()
                 .filter(item -> item.isInterval() || CommandRole.isSettingChange(item.command()))
                 .forEach(result::addItem);
@@ -55,16 +48,48 @@ final class RunMarks {
                     theme -> theme.palette().text(),
                     Messages.get("time.end")));
         }
-        for (long i = log.firstIndex(); i < log.endIndex(); i++) {
-            if (log.get(i) instanceof RunEvent.Collided collided) {
-                result.marks.add(new SliderMark(
+        result.collisions()
+                .forEach(collided -> result.marks.add(new SliderMark(
                         TimeBar.toSliderValue(collided.tick()),
                         MarkShape.DISC,
                         theme -> theme.palette().collision(),
-                        EventText.sentence(collided)));
+                        EventText.sentence(collided))));
+        return List.copyOf(result.marks);
+    }
+
+    /** Returns the marked events of the newest frame, and the starts and ends of all items. */
+    static List<EventStops.Stop> stops(SessionFrame frame, List<TimelineItem> items, double dt) {
+        RunMarks run = new RunMarks(frame, dt);
+        List<EventStops.Stop> stops = new ArrayList<>();
+        Stream.concat(run.changes(items), run.collisions())
+                .map(event -> new EventStops.Stop(event.tick(), () -> EventText.sentence(event)))
+                .forEach(stops::add);
+        for (TimelineItem item : items) {
+            stops.add(new EventStops.Stop(SimulationSetup.tickAt(item.start(), dt), () -> TimelineText.start(item)));
+            if (item.isInterval() && !item.isOpen()) {
+                stops.add(new EventStops.Stop(SimulationSetup.tickAt(item.end(), dt), () -> TimelineText.end(item)));
             }
         }
-        return List.copyOf(result.marks);
+        return stops;
+    }
+
+    /** Returns the corners, and the changes of settings that are not items. */
+    private Stream<RunEvent> changes(List<TimelineItem> items) {
+        Set<Execution> planned = plannedChanges(items);
+        return events().filter(
+                        event -> event instanceof RunEvent.StateChanged change && change.to() == FollowerState.TURN
+                                || event instanceof RunEvent.CommandExecuted done
+                                        && CommandRole.isSettingChange(done.command())
+                                        && !planned.contains(new Execution(done.command(), done.tick())));
+    }
+
+    private Stream<RunEvent> collisions() {
+        return events().filter(RunEvent.Collided.class::isInstance);
+    }
+
+    private Stream<RunEvent> events() {
+        EventLog log = frame.recording().events();
+        return LongStream.range(log.firstIndex(), log.endIndex()).mapToObj(log::get);
     }
 
     /** Returns the changes of settings that are marked as items. */

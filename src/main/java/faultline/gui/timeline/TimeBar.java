@@ -135,6 +135,21 @@ public final class TimeBar extends JPanel {
         slider.repaint();
     }
 
+    /** Returns the moment that is marked as the first difference; null for none. */
+    RunEvent.Diverged divergence() {
+        return shownDivergence;
+    }
+
+    /** Returns the time of a tick, seconds. */
+    double timeOf(long tick) {
+        return tick * dt;
+    }
+
+    /** Returns the tick at the end of the slider. */
+    long end() {
+        return slider.getMaximum();
+    }
+
     private void updateToolTip() {
         String mark = shownDivergence == null
                 ? ""

@@ -5,15 +5,14 @@ import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.theme.RefreshSteps;
-import faultline.gui.theme.SeparatorBorder;
 import faultline.gui.theme.TextSize;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.SensorSnapshot;
-import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Insets;
+import java.awt.Point;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -36,20 +35,28 @@ public final class TimelinePanel extends JPanel {
     private static final int LOWEST_LANES = 28;
 
     private static final int LANE_NAME_WIDTH = 80;
+    /** The height of the scroll bar between the slider and the lanes, which shows while they are zoomed. */
+    private static final int TIME_SCROLL_HEIGHT = 9;
+    /** By how much it covers the slider, below its thumb, pixels. */
+    private static final int TIME_SCROLL_OVERLAP = 4;
 
     private final TimeBar bar;
     private final LaneView lanes;
     private final JScrollPane scroll;
+    private final TimeScrollBar timeScroll;
     private final transient TimelineEditor editor;
+    private final transient List<Runnable> lanesListeners = new ArrayList<>();
     /** The data from which the marks on the slider were made. */
     private transient List<Object> markedState = List.of();
+
+    private transient EventStops stops = EventStops.NONE;
 
     /**
      * Creates a time line without a run. {@code jump} receives the tick to go to, and {@code preview} keyframes while
      * the thumb is dragged.
      */
     public TimelinePanel(LongConsumer jump, Consumer<Frame> preview, TimelineEditor editor) {
-        super(new BorderLayout(0, 1));
+        super(null);
         this.editor = editor;
         bar = new TimeBar(jump, preview);
         RefreshSteps.add(bar, self -> {
@@ -58,16 +65,30 @@ public final class TimelinePanel extends JPanel {
             markedState = List.of();
         });
         lanes = new LaneView(editor);
-        scroll = new JScrollPane(
-                lanes,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        lanes.addPropertyChangeListener(LaneView.ROWS_PROPERTY, event -> lanesChanged());
+        scroll = createScrollPane();
+        timeScroll = new TimeScrollBar(lanes.zoom());
+        setBorder(BorderFactory.createEmptyBorder(0, 14, 1, 14));
+        add(timeScroll);
+        add(bar);
+        add(scroll);
+    }
+
+    /** Creates the scroll pane of the lanes, which scrolls by whole rows below the ruler. */
+    private JScrollPane createScrollPane() {
+        JScrollPane pane = new JScrollPane(
+                null, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        pane.setViewport(new JViewport() {
+            @Override
+            public void setViewPosition(Point position) {
+                super.setViewPosition(new Point(position.x, lanes.scrollPosition(position.y)));
+            }
+        });
+        pane.setViewportView(lanes);
         // The ruler stays while the lanes scroll below it.
-        scroll.getViewport().setScrollMode(JViewport.SIMPLE_SCROLL_MODE);
-        scroll.setBorder(BorderFactory.createEmptyBorder());
-        setBorder(SeparatorBorder.above(3, 14, 3));
-        add(bar, BorderLayout.NORTH);
-        add(scroll, BorderLayout.CENTER);
+        pane.getViewport().setScrollMode(JViewport.SIMPLE_SCROLL_MODE);
+        pane.setBorder(BorderFactory.createEmptyBorder());
+        return pane;
     }
 
     /** Returns the slider. */
@@ -84,10 +105,43 @@ public final class TimelinePanel extends JPanel {
         return lanes;
     }
 
+    LaneZoom zoom() {
+        return lanes.zoom();
+    }
+
+    /** Adds a listener for changes of the number of rows of the lanes, and of whether they are shown. */
+    public void addLanesListener(Runnable listener) {
+        lanesListeners.add(listener);
+    }
+
+    private void lanesChanged() {
+        lanesListeners.forEach(Runnable::run);
+    }
+
     /** Shows or hides the lanes. */
     public void setLanesShown(boolean shown) {
         scroll.setVisible(shown);
+        timeScroll.setShown(shown);
         revalidate();
+        lanesChanged();
+    }
+
+    public boolean areLanesShown() {
+        return scroll.isVisible();
+    }
+
+    /** Shows the part of the run with a tick, unless it is visible. */
+    public void showTick(long tick) {
+        lanes.zoom().showTime(timeOf(tick));
+    }
+
+    double timeOf(long tick) {
+        return bar.timeOf(tick);
+    }
+
+    /** Returns the ticks with a mark. */
+    EventStops stops() {
+        return stops;
     }
 
     /**
@@ -97,6 +151,9 @@ public final class TimelinePanel extends JPanel {
     public void setFrame(SessionFrame frame, long end, long scenarioEnd, double dt) {
         bar.setFrame(frame, end, dt);
         updateMarks(frame, scenarioEnd, dt);
+        if (bar.isAdjusting()) {
+            lanes.zoom().showTime(bar.shownTime());
+        }
         if (scroll.isVisible()) {
             lanes.update(
                     lanesOf(frame.snapshot().sensors().stream().map(SensorSnapshot::spec)),
@@ -120,10 +177,18 @@ public final class TimelinePanel extends JPanel {
     private void updateMarks(SessionFrame frame, long scenarioEnd, double dt) {
         EventLog log = frame.recording().events();
         RunEvent first = log.endIndex() > log.firstIndex() ? log.get(log.firstIndex()) : null;
-        List<Object> state = Arrays.asList(editor.model(), log.endIndex(), first, scenarioEnd);
+        List<Object> state =
+                Arrays.asList(editor.model(), log.endIndex(), first, scenarioEnd, bar.end(), bar.divergence());
         if (!state.equals(markedState)) {
             markedState = state;
             bar.setMarks(RunMarks.of(frame, editor.model().items(), scenarioEnd, dt));
+            List<EventStops.Stop> marked =
+                    new ArrayList<>(RunMarks.stops(frame, editor.model().items(), dt));
+            if (bar.divergence() != null) {
+                RunEvent.Diverged divergence = bar.divergence();
+                marked.add(new EventStops.Stop(divergence.tick(), () -> EventText.sentence(divergence)));
+            }
+            stops = new EventStops(marked, bar.end());
         }
     }
 
@@ -144,38 +209,80 @@ public final class TimelinePanel extends JPanel {
 
     /** Returns the height of the time line in a window where there is little room, pixels. */
     public int minHeight(int windowHeight) {
-        return sliderHeight() + (scroll.isVisible() ? (int) (MIN_WINDOW_SHARE * windowHeight) : 0);
+        return heightWith(leastLanesHeight(windowHeight));
     }
 
-    /** Limits the height of the lanes: the canvas above them keeps at least half of the window. */
-    @Override
-    public Dimension getPreferredSize() {
-        Dimension size = super.getPreferredSize();
-        int excess = getParent() == null ? 0 : lanesExcess(maxLanesHeight());
-        return new Dimension(size.width, size.height - excess);
+    /** Returns the height of the lanes, pixels; 0 if they are hidden. */
+    public int lanesHeight() {
+        return scroll.isVisible() ? Math.max(0, getHeight() - aboveLanes()) : 0;
     }
 
-    /** Returns by how much the preferred height of the lanes exceeds a height, pixels. */
-    private int lanesExcess(int height) {
-        return scroll.isVisible() ? Math.max(0, lanes.getPreferredScrollableViewportSize().height - height) : 0;
+    /**
+     * Returns the height below a canvas that keeps at least half of the window, given the height of both, and that of
+     * the window, pixels: with all rows of the lanes, or as many as there is room for.
+     */
+    public int heightIn(int stage, int window) {
+        int most = Math.min(lanes.getPreferredScrollableViewportSize().height, maxLanesHeight(stage, window));
+        return aboveLanes() + (scroll.isVisible() && most > 0 ? lanes.wholeRowsHeight(most) : 0);
     }
 
-    private int maxLanesHeight() {
-        int stage = getParent().getHeight();
-        int window = getRootPane() == null ? stage : getRootPane().getHeight();
-        int least = (int) (MIN_WINDOW_SHARE * window);
-        int room = stage - sliderHeight() - (window + 1) / 2;
-        if (room >= least || stage == 0) {
-            return Math.max(room, least);
+    /** Returns the height with a height of the lanes, pixels, if they are shown. */
+    public int heightWith(int lanesHeight) {
+        return aboveLanes() + (scroll.isVisible() ? lanesHeight : 0);
+    }
+
+    private int leastLanesHeight(int windowHeight) {
+        return lanes.wholeRowsHeight((int) (MIN_WINDOW_SHARE * windowHeight));
+    }
+
+    private int maxLanesHeight(int stage, int window) {
+        int least = leastLanesHeight(window);
+        int room = stage - aboveLanes() - (window + 1) / 2;
+        if (room >= least) {
+            return room;
         }
         // Beside large instruments the canvas has less than half of the window anyway; then the lanes grow with their
         // text, as long as the canvas has half of what is left.
-        int shared = Math.min(TextSize.scaled(least), stage / 2 - sliderHeight());
+        int shared = Math.min(TextSize.scaled(least), stage / 2 - aboveLanes());
         return shared >= TextSize.scaled(LOWEST_LANES) ? shared : 0;
     }
 
-    private int sliderHeight() {
+    /** Returns the height of the slider and of what is around the lanes, pixels. */
+    private int aboveLanes() {
         Insets insets = getInsets();
-        return bar.getPreferredSize().height + insets.top + insets.bottom + 1;
+        return bar.getPreferredSize().height
+                + (scroll.isVisible() ? TIME_SCROLL_HEIGHT - TIME_SCROLL_OVERLAP : 0)
+                + insets.top
+                + insets.bottom;
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(
+                bar.getPreferredSize().width, heightWith(lanes.getPreferredScrollableViewportSize().height));
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(0, heightWith(lanes.getMinimumSize().height));
+    }
+
+    /**
+     * Places the slider above the lanes, which end with a whole row, and below its track the scroll bar of the time.
+     */
+    @Override
+    public void doLayout() {
+        Insets insets = getInsets();
+        int width = getWidth() - insets.left - insets.right;
+        int sliderHeight = Math.min(bar.getPreferredSize().height, getHeight());
+        bar.setBounds(insets.left, insets.top, width, sliderHeight);
+        bar.validate();
+        int top = insets.top + sliderHeight - TIME_SCROLL_OVERLAP;
+        int trackLeft = insets.left + (int) bar.axis().left();
+        timeScroll.setBounds(
+                trackLeft, top, (int) (bar.axis().right() - bar.axis().left()) + 1, TIME_SCROLL_HEIGHT);
+        int lanesTop = top + TIME_SCROLL_HEIGHT;
+        int room = Math.max(0, getHeight() - insets.bottom - lanesTop);
+        scroll.setBounds(insets.left, lanesTop, width, Math.min(room, lanes.wholeRowsHeight(room)));
     }
 }

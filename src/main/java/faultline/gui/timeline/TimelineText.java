@@ -46,6 +46,16 @@ final class TimelineText {
         return name(item) + ", " + times(item);
     }
 
+    /** Returns what happens at the start of an item. */
+    static String start(TimelineItem item) {
+        return item.isInterval() ? Messages.get("timeline.begins", name(item)) : title(item);
+    }
+
+    /** Returns what happens at the end of an interval. */
+    static String end(TimelineItem item) {
+        return Messages.get("timeline.ends", name(item));
+    }
+
     /** Returns the times, for example "20.00 – 40.00 s". */
     static String times(TimelineItem item) {
         if (!item.isInterval()) {

@@ -27,6 +27,7 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JFrame;
@@ -48,6 +49,10 @@ final class MainPanel extends JPanel {
     private static final int MIN_DOCK_WIDTH = 272;
     /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
+    /** The height of lanes with as many rows as there is room for. */
+    private static final int BY_ROOM = 0;
+    /** Minimum height of the canvas above lanes that the user makes higher, pixels. */
+    private static final int MIN_CANVAS_HEIGHT = 100;
     /** Minimum height of a chart in which the lines can be distinguished, pixels. */
     private static final int MIN_CHART_HEIGHT = 86;
     /** Height of the tabs and controls above a chart at the normal text size, pixels. */
@@ -61,9 +66,13 @@ final class MainPanel extends JPanel {
     private final ObstaclePanel obstacles;
     private final VerdictBanner banner;
     private final transient CanvasOverlays overlays;
+    private final PositionedSplitPane stage;
     private final PositionedSplitPane dockSplit;
     private final PositionedSplitPane panelSplit;
     private final transient FocusAreas focusAreas;
+    /** The height of the lanes that the user has chosen, pixels, or {@link #BY_ROOM}. */
+    private int lanesHeight = BY_ROOM;
+
     private int dockHeight;
     private int panelWidth;
     /** The text size that the dividers are placed for. */
@@ -103,9 +112,10 @@ final class MainPanel extends JPanel {
         focusAreas = new FocusAreas(List.of(canvas, timeline.bar(), timeline.lanes(), instruments, controlPanel));
         banner = new VerdictBanner(jump);
         overlays = new CanvasOverlays(canvas, banner);
-        JPanel stage = new JPanel(new BorderLayout());
-        stage.add(canvas, BorderLayout.CENTER);
-        stage.add(timeline, BorderLayout.SOUTH);
+        canvas.setMinimumSize(new Dimension(0, MIN_CANVAS_HEIGHT));
+        stage = new PositionedSplitPane("divider.lanes", JSplitPane.VERTICAL_SPLIT, canvas, timeline, 1);
+        placeLanes();
+        timeline.addLanesListener(this::keepLanesHeight);
         stage.setMinimumSize(new Dimension(0, MIN_STAGE_HEIGHT));
         dockSplit = new PositionedSplitPane("divider.instruments", JSplitPane.VERTICAL_SPLIT, stage, instruments, 1);
         setDockHeight(dockHeight);
@@ -143,6 +153,7 @@ final class MainPanel extends JPanel {
         double growth = TextSize.current().percent() / (double) textPercent;
         textPercent = TextSize.current().percent();
         if (growth != 1) {
+            setLanesHeight((int) Math.round(growth * currentLanesHeight()));
             setPanelWidth((int) Math.round(growth * panelWidth()));
             setDockHeight((int) Math.round(growth * dockHeight()));
         }
@@ -261,6 +272,42 @@ final class MainPanel extends JPanel {
         dockSplit.place(size -> size - Math.min(height, Math.max(minDockHeight(), size - minStageHeight())));
     }
 
+    /** Returns the height of the lanes that the user has chosen, pixels; empty if they have not. */
+    Optional<Integer> lanesHeight() {
+        return Optional.of(currentLanesHeight()).filter(height -> height != BY_ROOM);
+    }
+
+    private int currentLanesHeight() {
+        return timeline.areLanesShown() && stage.isMoved() ? timeline.lanesHeight() : lanesHeight;
+    }
+
+    /** Sets the height of the lanes, pixels. */
+    void setLanesHeight(int height) {
+        lanesHeight = height;
+        placeLanes();
+    }
+
+    /** Shows or hides the lanes. */
+    void setLanesShown(boolean shown) {
+        lanesHeight = currentLanesHeight();
+        timeline.setLanesShown(shown);
+    }
+
+    /** Places the lanes again after a change of the number of their rows, or after they were hidden or shown. */
+    private void keepLanesHeight() {
+        setLanesHeight(currentLanesHeight());
+    }
+
+    private void placeLanes() {
+        stage.setEnabled(timeline.areLanesShown());
+        stage.place(size -> {
+            int window = getRootPane() == null ? getHeight() : getRootPane().getHeight();
+            return lanesHeight == BY_ROOM
+                    ? size - timeline.heightIn(size, window)
+                    : Math.max(MIN_CANVAS_HEIGHT, size - timeline.heightWith(lanesHeight));
+        });
+    }
+
     private static int minDockHeight() {
         return MIN_CHART_HEIGHT + TextSize.scaled(CHART_BARS_HEIGHT);
     }
@@ -268,7 +315,7 @@ final class MainPanel extends JPanel {
     /** Returns the height of the canvas as half of the window, and the time line below it, pixels. */
     private int minStageHeight() {
         int window = getRootPane() == null ? getHeight() : getRootPane().getHeight();
-        return (window + 1) / 2 + timeline.minHeight(window);
+        return (window + 1) / 2 + stage.getDividerSize() + timeline.minHeight(window);
     }
 
     /** Shows or hides the instruments. */

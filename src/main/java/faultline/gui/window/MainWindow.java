@@ -44,6 +44,7 @@ import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.timeline.TimelineActions;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
 import faultline.scenario.ShippedScenarios;
@@ -97,6 +98,7 @@ public final class MainWindow extends JFrame {
     private final transient WindowBounds windowBounds;
     private final TourCard tour;
     private final transient ComparisonActions comparisonActions;
+    private final transient TimelineActions timelineActions;
     private final transient FileWatch fileWatch;
     private final transient RunPoller runPoller;
 
@@ -120,6 +122,7 @@ public final class MainWindow extends JFrame {
         mainPanel = new MainPanel(canvas, createEditors(), actionRegistry, speed, runController.navigator()::seek);
         comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun);
         connectExport();
+        timelineActions = addTimelineActions();
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
         setJMenuBar(Menus.createMenuBar(actionRegistry));
         getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), fileController::open), 2);
@@ -148,6 +151,7 @@ public final class MainWindow extends JFrame {
             undoController.runAdvanced(frame.snapshot().tick());
             comparisonActions.update(frame);
             runActions.update(status, frame.snapshot().tick());
+            timelineActions.update(frame.snapshot().tick());
             obstacleActions.update();
             sensorActions.update();
         });
@@ -167,6 +171,12 @@ public final class MainWindow extends JFrame {
         fileController.setLeaveQuestion(exportController::runIfRecordingHandled);
         exportController.setChart(() ->
                 workspace.session().flatMap(session -> mainPanel.instruments().chartContent(session.frame())));
+    }
+
+    private TimelineActions addTimelineActions() {
+        TimelineActions added = new TimelineActions(mainPanel.timeline(), runController.navigator(), this::showNote);
+        added.addTo(actionRegistry);
+        return added;
     }
 
     private void installEditNotifier() {
@@ -379,11 +389,17 @@ public final class MainWindow extends JFrame {
         @Override
         public void scenarioRestarted(SimulationSetup before) {
             undoController.runRestarted(before, runController::change);
+            mainPanel.timeline().showTick(0);
         }
 
         @Override
         public void runRepositioned(long tick, SimulationSetup setup) {
             undoController.runRepositioned(tick, setup, runController::change);
+        }
+
+        @Override
+        public void seekStarted(long tick) {
+            mainPanel.timeline().showTick(tick);
         }
 
         @Override

@@ -57,6 +57,7 @@ final class Menus {
                 "fit zoomIn zoomOut follow measure - path pathStates pathFaults"
                         + " cones hits routes labels grid scaleBar"
                         + " - timeline instruments controlPanel nextArea previousArea dark");
+        view.add(createMenu("lanes", "lanesZoomIn lanesZoomOut lanesWhole"));
         view.add(createMenu("language", "languageEnglish languagePolish"));
         view.add(createMenu("textSize", "textSizeNormal textSizeLarge textSizeLargest"));
         return view;
@@ -65,7 +66,8 @@ final class Menus {
     private JMenu createSimulationMenu() {
         JMenu simulation = createMenu(
                 "simulation",
-                "run step stepBack goToTime restart chooseController scenarioController batch openBatchResults"
+                "run step stepBack previousEvent nextEvent goToTime restart"
+                        + " - chooseController scenarioController batch openBatchResults"
                         + " - keepGhost openGhost compareController removeGhost - record - slower faster realTime -");
         simulation.add(createSensorMenu());
         simulation.add(createPresetMenu());

@@ -65,6 +65,7 @@ final class WindowBounds {
         });
         restoreDivider();
         preferences.get(Preference.DOCK_HEIGHT).ifPresent(mainPanel::setDockHeight);
+        preferences.get(Preference.LANES_HEIGHT).ifPresent(mainPanel::setLanesHeight);
         preferences.get(Preference.CHART_WIDTH).ifPresent(mainPanel.instruments()::setChartWidth);
     }
 
@@ -161,6 +162,7 @@ final class WindowBounds {
                 Preference.MAXIMISED, (window.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH);
         preferences.set(Preference.PANEL_WIDTH, Optional.of(mainPanel.panelWidth()));
         preferences.set(Preference.DOCK_HEIGHT, Optional.of(mainPanel.dockHeight()));
+        preferences.set(Preference.LANES_HEIGHT, mainPanel.lanesHeight());
         mainPanel
                 .instruments()
                 .chosenChartWidth()

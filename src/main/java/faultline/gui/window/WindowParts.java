@@ -49,7 +49,7 @@ final class WindowParts {
     void install(JFrame window, MainPanel contents) {
         mainPanel = contents;
         mainPanel.setPanelShown(preferences.get(Preference.PANEL_SHOWN));
-        mainPanel.timeline().setLanesShown(preferences.get(Preference.TIMELINE_SHOWN));
+        mainPanel.setLanesShown(preferences.get(Preference.TIMELINE_SHOWN));
         RefreshSteps.add(window.getRootPane(), root -> showDockByDefault(window));
         window.addComponentListener(new ComponentAdapter() {
             @Override
@@ -101,7 +101,7 @@ final class WindowParts {
     }
 
     private void setTimelineShown(boolean shown) {
-        mainPanel.timeline().setLanesShown(shown);
+        mainPanel.setLanesShown(shown);
         preferences.set(Preference.TIMELINE_SHOWN, shown);
     }
 }

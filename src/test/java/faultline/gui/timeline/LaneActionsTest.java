@@ -267,14 +267,14 @@ class LaneActionsTest {
             pane.setBorder(null);
             view.startScenario();
             view.update(lanes, view.axis(), 0);
-            pane.setSize(400, view.getMinimumSize().height - 7);
+            pane.setSize(400, 14 + 5 * 15);
             for (int pass = 0; pass < 2; pass++) {
                 pane.doLayout();
                 pane.getViewport().doLayout();
             }
         });
         runOnEdt(() -> {
-            assertEquals(7, view.getHeight() - view.getVisibleRect().height, "they scroll");
+            assertEquals(15, view.getHeight() - view.getVisibleRect().height, "one of six rows of 15 pixels is hidden");
             assertEquals(0, view.rulerTop());
         });
     }

@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -21,6 +22,7 @@ import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -132,6 +134,132 @@ class LaneViewTest {
             mouse(MouseEvent.MOUSE_RELEASED, 18, MouseEvent.BUTTON1);
             assertEquals(List.of(13.0, 23.0), lanes.times());
         });
+    }
+
+    /** The lanes are 740 pixels long. */
+    @Test
+    void zoomedLanesAreDraggedMorePrecisely() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            updateView();
+            int x = (int) Math.round(view.axis().x(15));
+            wheel(x, -6, InputEvent.CTRL_DOWN_MASK);
+            assertEquals(x, view.axis().x(15), 0.5);
+            double step = view.axis().step(0.01);
+            assertTrue(step < new TimeAxis(60, 800, 60).step(0.01), "step " + step);
+            mouse(MouseEvent.MOUSE_PRESSED, new Point(x, rowY()), MouseEvent.BUTTON1, 1);
+            mouse(MouseEvent.MOUSE_DRAGGED, new Point(x + 40, rowY()), MouseEvent.BUTTON1, 1);
+            mouse(MouseEvent.MOUSE_RELEASED, new Point(x + 40, rowY()), MouseEvent.BUTTON1, 1);
+            double by = 40 * view.axis().length() / 740;
+            assertEquals(10 + by, lanes.times().get(0), step);
+            assertEquals(20 + by, lanes.times().get(1), step);
+            assertEquals(10, lanes.times().get(1) - lanes.times().get(0), 1e-6);
+        });
+    }
+
+    @Test
+    void aDragGoesOnWhileTheLanesAreMovedInTime() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            updateView();
+            int x = (int) Math.round(view.axis().x(15));
+            wheel(x, -6, InputEvent.CTRL_DOWN_MASK);
+            mouse(MouseEvent.MOUSE_PRESSED, new Point(x, rowY()), MouseEvent.BUTTON1, 1);
+            mouse(MouseEvent.MOUSE_DRAGGED, new Point(x + 10, rowY()), MouseEvent.BUTTON1, 1);
+            wheel(x, 1, InputEvent.SHIFT_DOWN_MASK);
+            mouse(MouseEvent.MOUSE_DRAGGED, new Point(x, rowY()), MouseEvent.BUTTON1, 1);
+            mouse(MouseEvent.MOUSE_RELEASED, new Point(x, rowY()), MouseEvent.BUTTON1, 1);
+            assertEquals(10 + 60 * view.axis().length() / 740, lanes.times().get(0), 0.2);
+        });
+    }
+
+    @Test
+    void theLanesCatchUpWithTheRunAfterADrag() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            updateView();
+            wheel(60, -8, InputEvent.CTRL_DOWN_MASK);
+            mouse(MouseEvent.MOUSE_PRESSED, new Point(300, rowY() + 20), MouseEvent.BUTTON1, 1);
+            mouse(MouseEvent.MOUSE_DRAGGED, new Point(400, rowY() + 20), MouseEvent.BUTTON1, 1);
+            assertTrue(view.preview().isPresent());
+            TimeAxis before = view.axis();
+            view.update(view.allLanes(), before, 30);
+            assertEquals(before, view.axis(), "nothing moves below the mouse");
+            press(KeyEvent.VK_ESCAPE, 0);
+            view.update(view.allLanes(), view.axis(), 31);
+            assertTrue(view.axis().shows(31), view.axis().toString());
+        });
+    }
+
+    @Test
+    void theMiddleButtonAndShiftWithTheWheelMoveZoomedLanesAndNothingElse() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            updateView();
+            mouse(MouseEvent.MOUSE_PRESSED, new Point(400, rowY()), MouseEvent.BUTTON2, 1);
+            mouse(MouseEvent.MOUSE_DRAGGED, new Point(300, rowY()), MouseEvent.BUTTON2, 1);
+            assertTrue(view.axis().isWhole());
+            wheel(400, -6, InputEvent.CTRL_DOWN_MASK);
+            double start = view.axis().start();
+            mouse(MouseEvent.MOUSE_PRESSED, new Point(400, rowY()), MouseEvent.BUTTON2, 1);
+            mouse(MouseEvent.MOUSE_DRAGGED, new Point(300, rowY()), MouseEvent.BUTTON2, 1);
+            mouse(MouseEvent.MOUSE_RELEASED, new Point(300, rowY()), MouseEvent.BUTTON2, 1);
+            assertEquals(start + 100 * view.axis().length() / 740, view.axis().start(), 1e-6);
+            assertEquals(List.of(10.0, 20.0), lanes.times());
+        });
+    }
+
+    @Test
+    void anItemThatKeysSelectIsMadeVisibleAndAnotherScenarioShowsAllOfTheRun() {
+        runOnEdt(() -> {
+            addStuck("left", 5, 6);
+            addStuck("left", 50, 55);
+            updateView();
+            wheel(60, -10, InputEvent.CTRL_DOWN_MASK);
+            assertFalse(view.axis().shows(50));
+            press(KeyEvent.VK_RIGHT, 0);
+            press(KeyEvent.VK_RIGHT, 0);
+            assertTrue(view.axis().shows(50), view.axis().toString());
+            double length = view.axis().length();
+            editor.remove(0);
+            updateView();
+            assertEquals(length, view.axis().length(), 1e-9, "an edit keeps the zoom");
+            view.startScenario();
+            assertTrue(view.axis().isWhole());
+        });
+    }
+
+    @Test
+    void aBarThatBeginsBeforeTheVisiblePartIsNotHitInTheColumnOfNames() {
+        runOnEdt(() -> {
+            addStuck("left", 0, 60);
+            updateView();
+            wheel(400, -6, InputEvent.CTRL_DOWN_MASK);
+            assertNull(view.hit(new Point(20, rowY())));
+            assertEquals(
+                    LaneLayout.ItemPart.BODY, view.hit(new Point(62, rowY())).part());
+            paint();
+        });
+    }
+
+    private int rowY() {
+        return view.lanes().laneTop(0) + view.lanes().rowHeight() / 2;
+    }
+
+    /** Turns the wheel in the first lane; negative notches are away from the user. */
+    private void wheel(int x, int notches, int modifiers) {
+        view.dispatchEvent(new MouseWheelEvent(
+                view,
+                MouseEvent.MOUSE_WHEEL,
+                0,
+                modifiers,
+                x,
+                rowY(),
+                0,
+                false,
+                MouseWheelEvent.WHEEL_UNIT_SCROLL,
+                3,
+                notches));
     }
 
     /** Each position of the mouse, each frame and each key asks for it several times. */

@@ -15,6 +15,7 @@ import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.util.List;
+import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -59,6 +60,23 @@ class RunMarksTest {
                 Theme.LIGHT.palette().sensorColours(2).outline(),
                 marks.get(0).colour().apply(Theme.LIGHT));
         assertEquals(Theme.LIGHT.palette().collision(), marks.get(2).colour().apply(Theme.LIGHT));
+    }
+
+    @Test
+    void theRunCanBeMovedToTheStartAndTheEndOfAFaultAndToTheCollision() throws ScenarioException {
+        SimulationSetup setup = Scenario.loadShipped("office.xml")
+                .setup()
+                .withController(new ControllerSpec.Drive(2, 2))
+                .withDuration(100);
+        SessionFrame frame = crash(setup);
+        long collision = frame.snapshot().tick();
+        EventStops stops = new EventStops(RunMarks.stops(frame, List.of(FAULT), setup.dt()), setup.ticks());
+        assertEquals(OptionalLong.of(setup.tickAt(1.5)), stops.after(0));
+        assertEquals("left: off, no reading begins", stops.text(setup.tickAt(1.5)));
+        assertEquals(OptionalLong.of(setup.tickAt(2.5)), stops.after(setup.tickAt(1.5)));
+        assertEquals("left: off, no reading ends", stops.text(setup.tickAt(2.5)));
+        assertEquals(OptionalLong.of(collision), stops.after(setup.tickAt(2.5)));
+        assertEquals(OptionalLong.empty(), stops.after(collision));
     }
 
     /** The second time is between two ticks, so the command is executed at the later one. */

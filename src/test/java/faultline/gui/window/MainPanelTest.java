@@ -96,6 +96,11 @@ class MainPanelTest {
     private static final List<String> OTHER_ACTIONS = List.of(
             "nextArea",
             "previousArea",
+            "previousEvent",
+            "nextEvent",
+            "lanesZoomIn",
+            "lanesZoomOut",
+            "lanesWhole",
             "new",
             "properties",
             "chooseController",

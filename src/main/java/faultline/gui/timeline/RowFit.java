@@ -1,0 +1,25 @@
+package faultline.gui.timeline;
+
+/**
+ * How rows fit into a height: the height of a row, and the number of rows that are visible as a whole. All rows are
+ * visible where they would not be too low; otherwise fewer rows of a better height are, and the others by scrolling.
+ */
+record RowFit(int rowHeight, int rows) {
+
+    /** Heights of a row, pixels: the least if all are visible, the usual one if not, and the greatest. */
+    record RowHeights(int least, int usual, int greatest) {}
+
+    /** Returns how at least one row fits into a height, pixels. */
+    static RowFit of(int room, int rowCount, RowHeights heights) {
+        if (room / rowCount >= heights.least) {
+            return new RowFit(Math.min(heights.greatest, room / rowCount), rowCount);
+        }
+        int rows = Math.max(1, room / heights.usual);
+        return new RowFit(Math.max(heights.least, Math.min(heights.greatest, room / rows)), rows);
+    }
+
+    /** Returns the height of the visible rows, pixels. */
+    int height() {
+        return rows * rowHeight;
+    }
+}

@@ -1,0 +1,89 @@
+package faultline.gui.timeline;
+
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.UiAction;
+import faultline.gui.document.RunNavigator;
+import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
+import java.awt.event.KeyEvent;
+import java.util.function.Consumer;
+
+/**
+ * The actions of the time line: those that move the run to the next or previous mark, and those that zoom the lanes.
+ */
+public final class TimelineActions {
+
+    private final TimelinePanel timeline;
+    private final RunNavigator navigator;
+    private final Consumer<String> notifier;
+    private final UiAction nextEvent =
+            UiAction.of("nextEvent", this::goToNext).withAccelerator(Keystrokes.character('>'));
+    private final UiAction previousEvent =
+            UiAction.of("previousEvent", this::goToPrevious).withAccelerator(Keystrokes.character('<'));
+    private final UiAction zoomIn =
+            UiAction.of("lanesZoomIn", () -> zoom(1)).withAccelerator(Keystrokes.character('+'));
+    private final UiAction zoomOut =
+            UiAction.of("lanesZoomOut", () -> zoom(-1)).withAccelerator(Keystrokes.character('-'));
+    private final UiAction showAll =
+            UiAction.of("lanesWhole", this::showAll).withAccelerator(Keystrokes.unmodified(KeyEvent.VK_W));
+
+    /** Creates the actions of a time line, disabled before there is a run; {@code notifier} shows notes. */
+    public TimelineActions(TimelinePanel timeline, RunNavigator navigator, Consumer<String> notifier) {
+        this.timeline = timeline;
+        this.navigator = navigator;
+        this.notifier = notifier;
+        timeline.zoom().addListener(this::updateZoom);
+        timeline.addLanesListener(this::updateZoom);
+        update(0);
+    }
+
+    public void addTo(ActionRegistry actions) {
+        actions.add(previousEvent);
+        actions.add(nextEvent);
+        actions.add(zoomIn);
+        actions.add(zoomOut);
+        actions.add(showAll);
+    }
+
+    /** Enables the actions that do something at a tick. */
+    public void update(long tick) {
+        nextEvent.setEnabled(timeline.stops().after(tick).isPresent());
+        previousEvent.setEnabled(timeline.stops().before(tick).isPresent());
+        updateZoom();
+    }
+
+    private void updateZoom() {
+        boolean shown = timeline.areLanesShown() && timeline.lanes().isEnabled();
+        boolean whole = timeline.zoom().axis().isWhole();
+        zoomIn.setEnabled(shown && timeline.zoom().canZoomIn());
+        zoomOut.setEnabled(shown && !whole);
+        showAll.setEnabled(shown && !whole);
+    }
+
+    private void goToNext() {
+        timeline.stops().after(navigator.currentTick()).ifPresent(this::goTo);
+    }
+
+    private void goToPrevious() {
+        timeline.stops().before(navigator.currentTick()).ifPresent(this::goTo);
+    }
+
+    /** Moves the run to a mark; does nothing while it is being moved. */
+    private void goTo(long tick) {
+        if (navigator.seekIfIdle(tick)) {
+            notifier.accept(Messages.get(
+                    "note.event",
+                    NumberText.format("%.2f", timeline.timeOf(tick)),
+                    timeline.stops().text(tick)));
+        }
+    }
+
+    private void zoom(int steps) {
+        timeline.zoom().zoomAbout(steps, timeline.lanes().now());
+    }
+
+    private void showAll() {
+        timeline.zoom().showAll();
+    }
+}
