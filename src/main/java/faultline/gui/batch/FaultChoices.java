@@ -1,10 +1,10 @@
 package faultline.gui.batch;
 
 import faultline.gui.panel.FormConstraints;
-import faultline.gui.panel.TextListener;
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
 import faultline.gui.text.ReadingText;
+import faultline.gui.text.TextListener;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;

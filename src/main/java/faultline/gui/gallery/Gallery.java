@@ -1,8 +1,8 @@
 package faultline.gui.gallery;
 
-import faultline.gui.panel.TextListener;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.text.TextListener;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;

@@ -3,8 +3,6 @@ package faultline.gui.panel;
 import faultline.gui.document.SensorRename;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Glyph;
-import faultline.gui.theme.RefreshSteps;
-import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
 import faultline.io.XmlText;
 import faultline.sensor.Fault;
@@ -12,7 +10,6 @@ import faultline.sensor.FaultKind;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridLayout;
@@ -25,6 +22,7 @@ import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /** The settings of the selected sensor: its id, mounting and faults. Below them, all active faults. */
@@ -32,9 +30,7 @@ public final class SensorDetailsPanel extends JPanel {
 
     private static final int SECTION_GAP = 8;
     private static final int BUTTON_GAP = 2;
-    private static final int FIELD_GAP = 12;
     private static final int ID_COLUMNS = 8;
-    private static final int MIN_CHOICE_WIDTH = 44;
     private static final int FAULT_ROW = 3;
 
     private final transient UndoController editor;
@@ -109,10 +105,6 @@ public final class SensorDetailsPanel extends JPanel {
         UiText.tip(inject, "faults.inject.tip");
         inject.addActionListener(event -> inject());
         UiText.nameAndTip(sensorChoice, "faults.sensor");
-        RefreshSteps.add(
-                sensorChoice,
-                box -> box.setMinimumSize(
-                        new Dimension(TextSize.scaled(MIN_CHOICE_WIDTH), box.getPreferredSize().height)));
     }
 
     private void showSensor() {
@@ -129,10 +121,11 @@ public final class SensorDetailsPanel extends JPanel {
 
     private JComponent createForm() {
         JPanel form = new JPanel(new WrappingGridLayout());
-        form.add(FormConstraints.label("faults.sensor", sensorChoice), FormConstraints.leadingCell(0, 0));
+        JLabel label = FormConstraints.label("faults.sensor", sensorChoice);
+        form.add(label, FormConstraints.leadingCell(0, 0));
         GridBagConstraints choiceCell = FormConstraints.fillRow(1, 0);
         choiceCell.anchor = GridBagConstraints.CENTER;
-        form.add(createChoiceRow(), choiceCell);
+        form.add(createChoiceRow(label), choiceCell);
         mountFields.addTo(form, 1);
         fault.addTo(form, FAULT_ROW, SECTION_GAP);
         GridBagConstraints right = FormConstraints.fillCell(3, FAULT_ROW + FaultFields.VALUE_ROW);
@@ -142,27 +135,15 @@ public final class SensorDetailsPanel extends JPanel {
         return form;
     }
 
-    /** Returns the choice of a sensor with its id and the buttons that add one and remove the chosen one. */
-    private JComponent createChoiceRow() {
+    /** Returns the choice of a sensor with its id and the buttons that add one and remove it, given its label. */
+    private JComponent createChoiceRow(JLabel label) {
         JPanel buttons = new JPanel(new GridLayout(1, 2, BUTTON_GAP, 0));
         buttons.add(addSensor);
         buttons.add(removeSensor);
         JPanel id = new JPanel(new BorderLayout(FormConstraints.GAP, 0));
         id.add(FormConstraints.label("faults.id", idField), BorderLayout.LINE_START);
         id.add(idField, BorderLayout.CENTER);
-        JPanel fields = new JPanel(new GridLayout(1, 2, FIELD_GAP, 0)) {
-            /** Returns the least width, because the row fills that of the panel. */
-            @Override
-            public Dimension getPreferredSize() {
-                return new Dimension(getMinimumSize().width, super.getPreferredSize().height);
-            }
-        };
-        fields.add(sensorChoice);
-        fields.add(id);
-        JPanel row = new JPanel(new BorderLayout(FormConstraints.GAP, 0));
-        row.add(fields, BorderLayout.CENTER);
-        row.add(buttons, BorderLayout.LINE_END);
-        return row;
+        return new SensorChoiceRow(label, sensorChoice, id, buttons);
     }
 
     /** Injects the fault, or nothing if the field does not contain a valid value. */

@@ -59,7 +59,7 @@ public final class WrappingGridLayout extends GridBagLayout {
     }
 
     /** Returns the width that the tab leaves for a container, known before the container is laid out, pixels. */
-    private static int availableWidth(Container parent) {
+    static int availableWidth(Container parent) {
         int margins = 0;
         for (Container outer = parent.getParent(); outer != null; outer = outer.getParent()) {
             if (outer instanceof JViewport viewport) {

@@ -106,6 +106,7 @@ class MainPanelTest {
             "chooseController",
             "scenarioController",
             "batch",
+            "openBatchResults",
             "compareController",
             "examples",
             "preferences",

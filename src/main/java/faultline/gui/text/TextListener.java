@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.text;
 
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
