@@ -26,9 +26,6 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     /** The bound property of the number of rows. */
     static final String ROWS_PROPERTY = "rows";
 
-    private static final int MIN_ROW_HEIGHT = 13;
-    private static final int USUAL_ROW_HEIGHT = 15;
-    private static final int MAX_ROW_HEIGHT = 17;
     private static final int RULER_HEIGHT = 14;
 
     private final transient TimelineEditor editor;
@@ -246,22 +243,13 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         return items;
     }
 
-    /** Rows of a larger text may be a little lower, so that more small windows show all lanes. */
-    private static int minRowHeight() {
-        return Math.max(MIN_ROW_HEIGHT, TextSize.scaled(MIN_ROW_HEIGHT) - 1);
-    }
-
     private int rowHeight() {
         return rowFit(getParent() instanceof JViewport viewport ? viewport.getHeight() : getHeight())
                 .rowHeight();
     }
 
     private RowFit rowFit(int height) {
-        return RowFit.of(
-                height - TextSize.scaled(RULER_HEIGHT),
-                rowCount,
-                new RowFit.RowHeights(
-                        minRowHeight(), TextSize.scaled(USUAL_ROW_HEIGHT), TextSize.scaled(MAX_ROW_HEIGHT)));
+        return RowFit.of(height - TextSize.scaled(RULER_HEIGHT), rowCount, RowFit.RowHeights.scaled());
     }
 
     /** Returns the greatest height that is at most a given one and shows whole rows, at least one, pixels. */
@@ -386,12 +374,13 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     @Override
     public Dimension getPreferredSize() {
         boolean scrolled = getParent() instanceof JViewport viewport && viewport.getHeight() > 0;
-        return height(rowCount, scrolled ? rowHeight() : TextSize.scaled(MAX_ROW_HEIGHT));
+        return height(
+                rowCount, scrolled ? rowHeight() : RowFit.RowHeights.scaled().greatest());
     }
 
     @Override
     public Dimension getMinimumSize() {
-        return height(1, TextSize.scaled(USUAL_ROW_HEIGHT));
+        return height(1, RowFit.RowHeights.scaled().usual());
     }
 
     private static Dimension height(int rows, int rowHeight) {
@@ -400,7 +389,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     @Override
     public Dimension getPreferredScrollableViewportSize() {
-        return height(rowCount, TextSize.scaled(MAX_ROW_HEIGHT));
+        return height(rowCount, RowFit.RowHeights.scaled().greatest());
     }
 
     @Override
