@@ -1,5 +1,6 @@
 package faultline.robot;
 
+import faultline.sensor.FaultSequence;
 import java.util.List;
 
 /**
@@ -20,8 +21,8 @@ public record MotorFaults(List<MotorFault> left, List<MotorFault> right) {
      * @param right the faults of the right motors
      */
     public MotorFaults {
-        left = List.copyOf(left);
-        right = List.copyOf(right);
+        left = FaultSequence.copyOf(left);
+        right = FaultSequence.copyOf(right);
     }
 
     /**

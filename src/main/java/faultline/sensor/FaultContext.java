@@ -9,6 +9,9 @@ import java.util.Arrays;
  */
 public final class FaultContext {
 
+    /** The history of the faults that remember nothing, which are most. */
+    private static final double[] NO_HISTORY = new double[0];
+
     private final long onset;
     private final double dt;
     private final double heldReading;
@@ -16,7 +19,7 @@ public final class FaultContext {
     private double range;
     private double neighbourReading;
     private SensorRandom random;
-    private double[] history = new double[64];
+    private double[] history = NO_HISTORY;
     private long nextStored;
     private boolean inBurst;
     private long burstTick = -1;
@@ -93,7 +96,7 @@ public final class FaultContext {
         // A long delay in short ticks needs megabytes, but only after as many ticks.
         int used = (int) Math.min(size, now + 1);
         if (history.length < used) {
-            history = Arrays.copyOf(history, Math.min(size, 2 * used));
+            history = Arrays.copyOf(history, Math.min(size, Math.max(64, 2 * used)));
         }
         for (long i = Math.max(nextStored, now - delay); i < now; i++) {
             history[(int) (i % size)] = Reading.NOTHING;

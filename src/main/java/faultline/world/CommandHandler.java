@@ -5,19 +5,51 @@ import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
+import faultline.sensor.FaultSequence;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command.CommandCases;
 import faultline.world.Refusal.Reason;
-import java.util.ArrayList;
+import java.util.AbstractList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
-import java.util.function.Predicate;
 
 /** Executes commands on the world, or refuses them, and finds their inverses. */
 final class CommandHandler {
+
+    /**
+     * The commands that restore the faults of a sensor or of motors: one clears all, the others inject the former ones
+     * in their order. They are made when they are read, because few changes of faults are ever undone. Immutable.
+     */
+    static final class FaultRestoration<F> extends AbstractList<Command> {
+
+        private final Command clearAll;
+        private final FaultSequence<F> faults;
+        private final Function<F, Command> inject;
+
+        FaultRestoration(Command clearAll, FaultSequence<F> faults, Function<F, Command> inject) {
+            this.clearAll = clearAll;
+            this.faults = faults;
+            this.inject = inject;
+        }
+
+        /** Returns a list that cannot be changed: the list itself if it is a restoration, otherwise a copy. */
+        static List<Command> immutable(List<Command> commands) {
+            return commands instanceof FaultRestoration<?> ? commands : List.copyOf(commands);
+        }
+
+        @Override
+        public Command get(int index) {
+            return index == 0 ? clearAll : inject.apply(faults.get(index - 1));
+        }
+
+        @Override
+        public int size() {
+            return 1 + faults.size();
+        }
+    }
 
     private final WorldSpec spec;
     private final ObstacleSet obstacles;
@@ -62,7 +94,11 @@ final class CommandHandler {
     }
 
     private CommandResult executed(Command command, Command... inverse) {
-        return new CommandResult.Executed(tick.getAsLong(), command, List.of(inverse));
+        return executed(command, List.of(inverse));
+    }
+
+    private CommandResult executed(Command command, List<Command> inverse) {
+        return new CommandResult.Executed(tick.getAsLong(), command, inverse);
     }
 
     private CommandResult refused(Command command, Reason reason, String subject) {
@@ -84,46 +120,47 @@ final class CommandHandler {
     }
 
     private CommandResult injectFault(Command.InjectFault command) {
-        return withFaults(command, command.sensor(), faults -> faults.add(command.fault()));
+        return withFaults(command, command.sensor(), faults -> Optional.of(faults.with(command.fault())));
     }
 
     private CommandResult clearFault(Command.ClearFault command) {
-        return withFaults(command, command.sensor(), faults -> faults.remove(command.fault()));
+        return withFaults(command, command.sensor(), faults -> faults.without(command.fault()));
     }
 
     private CommandResult clearFaults(Command.ClearFaults command) {
-        return withFaults(command, command.sensor(), faults -> {
-            faults.clear();
-            return true;
-        });
+        return withFaults(command, command.sensor(), faults -> Optional.of(FaultSequence.empty()));
     }
 
     private CommandResult injectMotorFault(Command.InjectMotorFault command) {
-        return withMotorFaults(command, command.motor(), faults -> faults.add(command.fault()));
+        return withMotorFaults(command, command.motor(), faults -> Optional.of(faults.with(command.fault())));
     }
 
     private CommandResult clearMotorFault(Command.ClearMotorFault command) {
-        return withMotorFaults(command, command.motor(), faults -> faults.remove(command.fault()));
+        return withMotorFaults(command, command.motor(), faults -> faults.without(command.fault()));
     }
 
     private CommandResult clearMotorFaults(Command.ClearMotorFaults command) {
-        return withMotorFaults(command, command.motor(), faults -> {
-            faults.clear();
-            return true;
-        });
+        return withMotorFaults(command, command.motor(), faults -> Optional.of(FaultSequence.empty()));
     }
 
     /** Changes the faults of a side's motors, as {@link #withFaults} does with those of a sensor. */
-    private CommandResult withMotorFaults(Command command, MotorSide motor, Predicate<List<MotorFault>> change) {
-        List<MotorFault> faults = new ArrayList<>(body.motorFaults().of(motor));
-        List<Command> restore = new ArrayList<>();
-        restore.add(new Command.ClearMotorFaults(motor));
-        faults.forEach(fault -> restore.add(new Command.InjectMotorFault(motor, fault)));
-        if (!change.test(faults)) {
+    private CommandResult withMotorFaults(
+            Command command,
+            MotorSide motor,
+            Function<FaultSequence<MotorFault>, Optional<FaultSequence<MotorFault>>> change) {
+        FaultSequence<MotorFault> faults =
+                FaultSequence.copyOf(body.motorFaults().of(motor));
+        Optional<FaultSequence<MotorFault>> changed = change.apply(faults);
+        if (changed.isEmpty()) {
             return refused(command, Reason.UNKNOWN_MOTOR_FAULT, motor.fileName());
         }
-        body.setMotorFaults(body.motorFaults().with(motor, faults));
-        return executed(command, restore.toArray(Command[]::new));
+        body.setMotorFaults(body.motorFaults().with(motor, changed.get()));
+        return executed(
+                command,
+                new FaultRestoration<>(
+                        new Command.ClearMotorFaults(motor),
+                        faults,
+                        fault -> new Command.InjectMotorFault(motor, fault)));
     }
 
     private CommandResult withSensor(
@@ -135,17 +172,19 @@ final class CommandHandler {
     }
 
     /** Changes a sensor's faults. They act in the order in which they were added; the inverse restores that order. */
-    private CommandResult withFaults(Command command, String id, Predicate<List<Fault>> change) {
+    private CommandResult withFaults(
+            Command command, String id, Function<FaultSequence<Fault>, Optional<FaultSequence<Fault>>> change) {
         return withSensor(command, id, (index, sensor) -> {
-            List<Fault> faults = new ArrayList<>(sensors.faults(index));
-            List<Command> restore = new ArrayList<>();
-            restore.add(new Command.ClearFaults(id));
-            faults.forEach(fault -> restore.add(new Command.InjectFault(id, fault)));
-            if (!change.test(faults)) {
+            FaultSequence<Fault> faults = sensors.faults(index);
+            Optional<FaultSequence<Fault>> changed = change.apply(faults);
+            if (changed.isEmpty()) {
                 return refused(command, Reason.UNKNOWN_FAULT, id);
             }
-            sensors.setFaults(index, faults);
-            return executed(command, restore.toArray(Command[]::new));
+            sensors.setFaults(index, changed.get());
+            return executed(
+                    command,
+                    new FaultRestoration<>(
+                            new Command.ClearFaults(id), faults, fault -> new Command.InjectFault(id, fault)));
         });
     }
 

@@ -42,7 +42,7 @@ public sealed interface CommandResult {
          * @param inverse the commands, in order, that undo it
          */
         public Executed {
-            inverse = List.copyOf(inverse);
+            inverse = CommandHandler.FaultRestoration.immutable(inverse);
         }
 
         @Override

@@ -11,6 +11,7 @@ import faultline.geometry.SpecularDistance;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
+import faultline.sensor.FaultSequence;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
@@ -118,11 +119,11 @@ final class SensorArray {
                 : soundCones[sensor];
     }
 
-    List<Fault> faults(int sensor) {
+    FaultSequence<Fault> faults(int sensor) {
         return signals[sensor].faults();
     }
 
-    void setFaults(int sensor, List<Fault> faults) {
+    void setFaults(int sensor, FaultSequence<Fault> faults) {
         signals[sensor].setFaults(faults);
     }
 

@@ -2,11 +2,16 @@ package faultline.world;
 
 import faultline.sensor.Fault;
 import faultline.sensor.FaultContext;
+import faultline.sensor.FaultSequence;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorRandom;
 import faultline.sensor.SensorSpec;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Queue;
 
 /** The signal of one sensor: its readings with noise and faults. Confined to the simulation thread. */
 final class SensorSignal {
@@ -14,7 +19,7 @@ final class SensorSignal {
     private record ActiveFault(Fault fault, FaultContext context) {}
 
     private final long streamKey;
-    private List<Fault> faults = List.of();
+    private FaultSequence<Fault> faults = FaultSequence.empty();
     private List<ActiveFault> active = new ArrayList<>();
     private SensorSpec spec;
     /** Whether it reports what it sees unless it has faults. */
@@ -44,14 +49,14 @@ final class SensorSignal {
         exact = newSpec.on() && newSpec.noise() == 0;
     }
 
-    /** Returns the sensor's faults, oldest first. The list is immutable. */
-    List<Fault> faults() {
+    /** Returns the sensor's faults, oldest first. */
+    FaultSequence<Fault> faults() {
         return faults;
     }
 
     /** Sets the sensor's faults, oldest first, which take effect at the next {@link #update}. */
-    void setFaults(List<Fault> newFaults) {
-        faults = List.copyOf(newFaults);
+    void setFaults(FaultSequence<Fault> newFaults) {
+        faults = newFaults;
     }
 
     /** Returns whether the sensor reports what it sees and no fault begins or ends at the next {@link #update}. */
@@ -64,35 +69,33 @@ final class SensorSignal {
      * have changed.
      */
     boolean update(long tick, double dt, double lastReported) {
-        if (isCurrent()) {
+        int kept = countLeadingActive();
+        if (kept == faults.size() && kept == active.size()) {
             return false;
         }
         boolean before = changesOptics();
-        List<ActiveFault> old = new ArrayList<>(active);
-        List<ActiveFault> now = new ArrayList<>();
-        for (Fault fault : faults) {
-            now.add(take(old, fault, new FaultContext(tick, dt, lastReported)));
+        Map<Fault, Queue<ActiveFault>> others = new HashMap<>();
+        active.subList(kept, active.size())
+                .forEach(each -> others.computeIfAbsent(each.fault(), fault -> new ArrayDeque<>())
+                        .add(each));
+        List<ActiveFault> now = new ArrayList<>(active.subList(0, kept));
+        for (Fault fault : faults.subList(kept, faults.size())) {
+            // Of equal faults, the oldest ones go on.
+            ActiveFault old = others.containsKey(fault) ? others.get(fault).poll() : null;
+            now.add(old != null ? old : new ActiveFault(fault, new FaultContext(tick, dt, lastReported)));
         }
         active = now;
         return before || changesOptics();
     }
 
-    private boolean isCurrent() {
-        boolean current = faults.size() == active.size();
-        for (int i = 0; i < faults.size() && current; i++) {
-            current = active.get(i).fault().equals(faults.get(i));
+    /** Returns how many faults at the start of the list are active in the same place. */
+    private int countLeadingActive() {
+        int most = Math.min(faults.size(), active.size());
+        int count = 0;
+        while (count < most && active.get(count).fault().equals(faults.get(count))) {
+            count++;
         }
-        return current;
-    }
-
-    private static ActiveFault take(List<ActiveFault> before, Fault fault, FaultContext fresh) {
-        for (ActiveFault old : before) {
-            if (old.fault().equals(fault)) {
-                before.remove(old);
-                return old;
-            }
-        }
-        return new ActiveFault(fault, fresh);
+        return count;
     }
 
     /** Returns whether a fault changes what the sensor sees, and not only what it reports. */

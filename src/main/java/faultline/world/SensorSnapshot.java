@@ -3,6 +3,7 @@ package faultline.world;
 import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
 import faultline.sensor.Fault;
+import faultline.sensor.FaultSequence;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.List;
@@ -39,6 +40,6 @@ public record SensorSnapshot(
      */
     public SensorSnapshot {
         intersections = List.copyOf(intersections);
-        faults = List.copyOf(faults);
+        faults = FaultSequence.copyOf(faults);
     }
 }

@@ -1,0 +1,70 @@
+package faultline.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.CpuTime;
+import faultline.geometry.Pose;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Many faults of one sensor at the same time, as a scenario file may have them. */
+class OverlappingFaultsTest {
+
+    private static final int FRONT = 0;
+    private static final int FAULTS = 60_000;
+
+    private static World world() {
+        return new World(new WorldSpec(4, 4, true, 1, List.of()), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 1);
+    }
+
+    @Test
+    void manyFaultsOfASensorNeedTimeInProportionToTheirNumber() {
+        World world = world();
+        CpuTime time = CpuTime.start();
+        for (int i = 0; i < FAULTS; i++) {
+            world.execute(new Command.InjectFault("front", new Fault.Stuck(i % 2 == 0 ? 0.4 : 0.3)));
+            if (i % (FAULTS / 100) == 0) {
+                world.move(0, 0);
+                world.sense();
+            }
+        }
+        for (int i = 0; i < FAULTS / 2; i++) {
+            world.execute(new Command.ClearFault("front", world.faults(FRONT).get(0)));
+        }
+        assertEquals(FAULTS / 2, world.faults(FRONT).size());
+        time.assertBelow(3);
+    }
+
+    @Test
+    void manyFaultsOfAMotorNeedTimeInProportionToTheirNumber() {
+        World world = world();
+        CpuTime time = CpuTime.start();
+        for (int i = 0; i < FAULTS; i++) {
+            world.execute(new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.Weak(0.5)));
+        }
+        assertEquals(FAULTS, world.motorFaults().left().size());
+        time.assertBelow(3);
+    }
+
+    @Test
+    void theInverseRestoresTheFaultsThatThereWereBeforeLaterChanges() {
+        World world = world();
+        List<Fault> faults = List.of(new Fault.Bias(0.1), new Fault.Stuck(0.4), new Fault.Bias(0.1));
+        List<CommandResult> results = new ArrayList<>();
+        faults.forEach(fault -> results.add(world.execute(new Command.InjectFault("front", fault))));
+        results.add(world.execute(new Command.ClearFault("front", faults.get(0))));
+        results.add(world.execute(new Command.ClearFaults("front")));
+        for (int i = 0; i <= faults.size(); i++) {
+            List<Command> expected = new ArrayList<>(List.of(new Command.ClearFaults("front")));
+            faults.subList(0, i).forEach(fault -> expected.add(new Command.InjectFault("front", fault)));
+            assertEquals(expected, results.get(i).inverse());
+        }
+        results.get(4).inverse().forEach(world::execute);
+        assertEquals(faults.subList(1, 3), world.faults(FRONT));
+    }
+}
