@@ -36,6 +36,7 @@ class DocsTest {
     /** Names that are not ours: the JDK's, and those of other programs. */
     private static final Set<String> OTHER_NAMES = Set.of(
             "AffineTransform",
+            "AssertionError",
             "AtomicReference",
             "AutoCloseable",
             "Graphics2D",
@@ -44,8 +45,10 @@ class DocsTest {
             "Math",
             "Optional",
             "Random",
+            "Runtime",
             "SplittableRandom",
             "StrictMath",
+            "System",
             "UndoManager",
             "VolatileImage");
 

@@ -76,12 +76,17 @@ public final class PeriodicController implements Controller, AutoCloseable {
         return delegate.name();
     }
 
+    /**
+     * Closes the controller if that can be closed.
+     *
+     * @throws IllegalStateException if it throws something, which is the cause
+     */
     @Override
     public void close() {
         if (delegate instanceof AutoCloseable closeable) {
             try {
                 closeable.close();
-            } catch (Exception e) {
+            } catch (Exception | Error e) {
                 if (e instanceof InterruptedException) {
                     Thread.currentThread().interrupt();
                 }

@@ -15,6 +15,9 @@ import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.WallFollower;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
 
 /** Creates controllers from their specifications. */
@@ -82,15 +85,31 @@ public final class ControllerFactory {
      * Closes a controller that can be closed.
      *
      * @param controller a controller that this class has created
-     * @throws RunFailedException if it throws an exception
+     * @param spec its specification
+     * @throws RunFailedException if it throws an exception, or is in Java and does not return
      */
-    public static void close(Controller controller) {
-        if (controller instanceof PeriodicController closeable) {
-            try {
+    public static void close(Controller controller, ControllerSpec spec) {
+        close(controller, spec, ControllerThread.TIMEOUT);
+    }
+
+    /** Closes a controller that can be closed; the time-out for one in Java is in seconds. */
+    static void close(Controller controller, ControllerSpec spec, double timeout) {
+        if (!(controller instanceof PeriodicController closeable)) {
+            return;
+        }
+        try {
+            if (mode(spec, ControllerMode.DIRECT) == ControllerMode.DIRECT) {
                 closeable.close();
-            } catch (IllegalStateException e) {
-                throw new RunFailedException(e.getMessage(), e.getCause());
+            } else {
+                ControllerThread.call(timeout, Executors.callable(closeable::close));
             }
+        } catch (IllegalStateException e) {
+            throw new RunFailedException(e.getMessage(), e.getCause());
+        } catch (ExecutionException e) {
+            throw new RunFailedException(e.getCause().getMessage(), e.getCause().getCause());
+        } catch (TimeoutException e) {
+            throw new RunFailedException(
+                    "the controller cannot be closed: " + ControllerThread.silence("close", timeout), e);
         }
     }
 

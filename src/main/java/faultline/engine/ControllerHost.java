@@ -33,6 +33,6 @@ interface ControllerHost extends AutoCloseable {
     static ControllerHost create(Controller controller, ControllerMode mode) {
         return mode == ControllerMode.DIRECT
                 ? new DirectHost(controller)
-                : new ThreadedHost(controller, ThreadedHost.DECISION_TIMEOUT);
+                : new ThreadedHost(controller, ControllerThread.TIMEOUT);
     }
 }

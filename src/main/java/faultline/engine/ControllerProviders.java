@@ -10,7 +10,6 @@ import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.CodeSource;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -20,7 +19,8 @@ import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.stream.StreamSupport;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeoutException;
 
 /** The controllers in Java that are on the class path, or in jars that the thread's context class loader adds to it. */
 public final class ControllerProviders {
@@ -37,7 +37,7 @@ public final class ControllerProviders {
      * @throws RunFailedException if a provider cannot be loaded
      */
     public static Optional<ControllerProvider> find(String name) {
-        return all().stream().filter(provider -> provider.name().equals(name)).findFirst();
+        return Optional.ofNullable(all(ControllerThread.TIMEOUT).get(name));
     }
 
     /**
@@ -46,7 +46,7 @@ public final class ControllerProviders {
      * @throws RunFailedException if a provider cannot be loaded
      */
     public static List<String> names() {
-        return all().stream().map(ControllerProvider::name).sorted().toList();
+        return List.copyOf(all(ControllerThread.TIMEOUT).keySet());
     }
 
     /**
@@ -57,12 +57,12 @@ public final class ControllerProviders {
      */
     public static SortedMap<String, Path> jars() {
         SortedMap<String, Path> jars = new TreeMap<>();
-        for (ControllerProvider provider : all()) {
+        all(ControllerThread.TIMEOUT).forEach((name, provider) -> {
             CodeSource source = provider.getClass().getProtectionDomain().getCodeSource();
             if (source != null) {
-                file(source.getLocation()).ifPresent(jar -> jars.putIfAbsent(provider.name(), jar));
+                file(source.getLocation()).ifPresent(jar -> jars.put(name, jar));
             }
-        }
+        });
         return jars;
     }
 
@@ -79,59 +79,47 @@ public final class ControllerProviders {
      *
      * @param name the name of its provider
      * @param settings for it
-     * @throws RunFailedException if there is no such provider, or it fails
+     * @throws RunFailedException if there is no such provider, or it fails or does not answer
      */
     public static Controller create(String name, Map<String, String> settings) {
-        return create(
-                find(name).orElseThrow(() -> new RunFailedException(RunProblem.NO_CONTROLLER.with(name), null)),
-                settings);
+        ControllerProvider provider =
+                find(name).orElseThrow(() -> new RunFailedException(RunProblem.NO_CONTROLLER.with(name), null));
+        return create(name, provider, settings);
     }
 
     /**
      * {@return a new controller}
      *
+     * @param name the name of the provider
      * @param provider makes it
      * @param settings for it
-     * @throws RunFailedException if the provider fails
+     * @throws RunFailedException if the provider fails or does not answer
      */
-    public static Controller create(ControllerProvider provider, Map<String, String> settings) {
-        boolean interrupted = Thread.currentThread().isInterrupted();
+    public static Controller create(String name, ControllerProvider provider, Map<String, String> settings) {
+        return create(name, provider, settings, ControllerThread.TIMEOUT);
+    }
+
+    /** Returns a new controller; the time-out is in seconds. */
+    static Controller create(String name, ControllerProvider provider, Map<String, String> settings, double timeout) {
         try {
-            Controller controller = Objects.requireNonNull(provider.create(settings), "create returned null");
-            return new StateTracker(controller, MessageText.name(provider.name()));
-        } catch (RuntimeException | Error e) {
-            throw new RunFailedException(RunProblem.NOT_CREATED.with(provider.name(), e.toString()), e);
-        } finally {
-            if (!interrupted) {
-                // If the provider has interrupted the thread, the caller must not take that for a cancellation.
-                Thread.interrupted();
-            }
+            Controller controller = ControllerThread.call(
+                    timeout, () -> Objects.requireNonNull(provider.create(settings), "create returned null"));
+            return new StateTracker(controller, MessageText.name(name));
+        } catch (ExecutionException e) {
+            throw new RunFailedException(
+                    RunProblem.NOT_CREATED.with(name, e.getCause().toString()), e.getCause());
+        } catch (TimeoutException e) {
+            throw new RunFailedException(
+                    RunProblem.NOT_CREATED.with(name, ControllerThread.silence("create", timeout)), e);
         }
     }
 
-    private static List<ControllerProvider> all() {
-        try {
-            List<ControllerProvider> providers = StreamSupport.stream(
-                            ServiceLoader.load(ControllerProvider.class).spliterator(), false)
-                    .toList();
-            requireNames(providers);
-            return providers;
-        } catch (ServiceConfigurationError | LinkageError e) {
-            throw new RunFailedException(RunProblem.NOT_LOADED.with(reason(e)), e);
-        }
-    }
-
-    /** Returns the message of an error, with the exception of the provider's constructor if that caused it. */
-    private static String reason(Error error) {
-        return error.getCause() == null
-                ? String.valueOf(error.getMessage())
-                : error.getMessage() + ": " + error.getCause();
-    }
-
-    private static void requireNames(List<ControllerProvider> providers) {
-        Map<String, ControllerProvider> byName = new HashMap<>();
-        for (ControllerProvider provider : providers) {
-            String name = name(provider);
+    /** Returns all providers by their names, in alphabetical order; the time-out of each call is in seconds. */
+    static SortedMap<String, ControllerProvider> all(double timeout) {
+        SortedMap<String, ControllerProvider> byName = new TreeMap<>();
+        for (ServiceLoader.Provider<ControllerProvider> type : types()) {
+            ControllerProvider provider = load(type, timeout);
+            String name = name(provider, timeout);
             ControllerProvider other = byName.put(name, provider);
             if (BUILT_IN_NAMES.contains(name)) {
                 throw new RunFailedException(RunProblem.BUILT_IN_NAME.with(className(provider), name), null);
@@ -141,14 +129,44 @@ public final class ControllerProviders {
                         RunProblem.SAME_NAME.with(className(other), className(provider), name), null);
             }
         }
+        return byName;
     }
 
-    private static String name(ControllerProvider provider) {
+    private static List<ServiceLoader.Provider<ControllerProvider>> types() {
+        try {
+            return ServiceLoader.load(ControllerProvider.class).stream().toList();
+        } catch (ServiceConfigurationError | LinkageError e) {
+            throw new RunFailedException(RunProblem.NOT_LOADED.with(reason(e)), e);
+        }
+    }
+
+    private static ControllerProvider load(ServiceLoader.Provider<ControllerProvider> type, double timeout) {
+        try {
+            return ControllerThread.call(timeout, type::get);
+        } catch (ExecutionException e) {
+            throw new RunFailedException(RunProblem.NOT_LOADED.with(reason(e.getCause())), e.getCause());
+        } catch (TimeoutException e) {
+            String silence =
+                    ControllerThread.silence("the constructor of " + type.type().getName(), timeout);
+            throw new RunFailedException(RunProblem.NOT_LOADED.with(silence), e);
+        }
+    }
+
+    /** Returns the message of an error, with the exception of the provider's constructor if that caused it. */
+    private static String reason(Throwable error) {
+        return error.getCause() == null
+                ? String.valueOf(error.getMessage())
+                : error.getMessage() + ": " + error.getCause();
+    }
+
+    private static String name(ControllerProvider provider, double timeout) {
         String name;
         try {
-            name = provider.name();
-        } catch (RuntimeException | Error e) {
-            throw nameless(provider, e.toString(), e);
+            name = ControllerThread.call(timeout, provider::name);
+        } catch (ExecutionException e) {
+            throw nameless(provider, e.getCause().toString(), e.getCause());
+        } catch (TimeoutException e) {
+            throw nameless(provider, ControllerThread.silence("name", timeout), e);
         }
         if (name == null || name.isBlank()) {
             throw nameless(provider, name == null ? "name returned null" : "name returned a blank", null);

@@ -390,7 +390,7 @@ public final class Simulation implements AutoCloseable {
     public void close() {
         controllerHost.close();
         if (foreignController != null) {
-            ControllerFactory.close(foreignController);
+            ControllerFactory.close(foreignController, setup.controller());
         }
     }
 }

@@ -46,7 +46,7 @@ public final class BuiltInChild {
      */
     public void run(ControllerSpec spec) throws IOException {
         Controller controller = ControllerFactory.create(spec);
-        Closeable closing = () -> ControllerFactory.close(controller);
+        Closeable closing = () -> ControllerFactory.close(controller, spec);
         try (closing) {
             answerAll(controller, ControllerFactory.initialState(spec).name());
         } catch (ProtocolException e) {

@@ -73,7 +73,7 @@ public final class ControllerChoice {
             return setup.withController(new ControllerSpec.Chosen(original, commands));
         }
         return setup.withController(new ControllerSpec.Chosen(
-                original, new JavaControllerSource(provider.get(), settings(choice, original))));
+                original, new JavaControllerSource(choice, provider.get(), settings(choice, original))));
     }
 
     /**

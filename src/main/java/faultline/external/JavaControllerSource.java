@@ -9,14 +9,16 @@ import java.util.Map;
 /**
  * Makes controllers in Java.
  *
+ * @param name the name of the controller
  * @param provider the provider
  * @param settings the settings for the provider
  */
-record JavaControllerSource(ControllerProvider provider, Map<String, String> settings) implements ControllerSource {
+record JavaControllerSource(String name, ControllerProvider provider, Map<String, String> settings)
+        implements ControllerSource {
 
     @Override
     public Controller start(RunConditions run) {
-        return ControllerProviders.create(provider, settings);
+        return ControllerProviders.create(name, provider, settings);
     }
 
     @Override

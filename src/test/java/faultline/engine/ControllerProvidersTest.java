@@ -8,6 +8,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.control.Decision;
+import faultline.control.Observation;
+import faultline.control.Telemetry;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.geometry.Pose;
@@ -19,8 +23,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Providers that break the contract of their interface are named, and are not taken for a defect of the program. */
@@ -124,6 +130,79 @@ class ControllerProvidersTest {
         }
     }
 
+    private static void waitForEver() {
+        try {
+            new CountDownLatch(1).await();
+        } catch (InterruptedException ended) {
+            throw new IllegalStateException(ended);
+        }
+    }
+
+    /** A provider whose constructor does not return. */
+    public static final class EndlessConstructor implements ControllerProvider {
+
+        /** Does not return. */
+        public EndlessConstructor() {
+            waitForEver();
+        }
+
+        @Override
+        public String name() {
+            throw new AssertionError("nobody can ask for it");
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError("nobody can ask for it");
+        }
+    }
+
+    /** A provider that does not say its name. */
+    public static final class EndlessName implements ControllerProvider {
+        @Override
+        public String name() {
+            waitForEver();
+            return "late";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError("nobody can ask for it");
+        }
+    }
+
+    /** A provider of controllers whose {@code close} does what a setting says, or none if there is no setting. */
+    public static class EndlessClose implements ControllerProvider {
+
+        private record Closing(String how) implements Controller, AutoCloseable {
+            @Override
+            public Decision decide(Observation observation) {
+                return new Decision(1, 1, Telemetry.ofState(ControllerState.of("TEST")));
+            }
+
+            @Override
+            public void close() {
+                if (how.equals("never")) {
+                    waitForEver();
+                }
+                throw new AssertionError(how);
+            }
+        }
+
+        @Override
+        public String name() {
+            return "endless-close";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            if (settings.isEmpty()) {
+                waitForEver();
+            }
+            return new Closing(settings.get("close"));
+        }
+    }
+
     private static RunResult run(String name, Map<String, String> settings) {
         WorldSpec room = new WorldSpec(4, 3, true, 3, List.of());
         SimulationSetup setup = SimulationSetup.of(room, new Pose(2, 1.5, 0))
@@ -196,5 +275,61 @@ class ControllerProvidersTest {
         assertEquals(
                 "the controller broke at tick 0: java.lang.NullPointerException: decide returned null",
                 failure(Map.of("decision", "none")));
+    }
+
+    @Test
+    void aProviderThatDoesNotAnswerIsAnErrorAfterTheTimeOfADecision() throws Exception {
+        addProvider(EndlessConstructor.class);
+        assertFails(
+                "a controller in Java cannot be loaded: the constructor of " + EndlessConstructor.class.getName()
+                        + " has not returned for 0.05 s",
+                () -> ControllerProviders.all(0.05));
+        addProvider(EndlessName.class);
+        assertFails(
+                "the controller in Java " + EndlessName.class.getName()
+                        + " has no name: name has not returned for 0.05 s",
+                () -> ControllerProviders.all(0.05));
+        assertFails(
+                "the controller \"endless-close\" cannot be created: create has not returned for 0.05 s",
+                () -> ControllerProviders.create("endless-close", new EndlessClose(), Map.of(), 0.05));
+    }
+
+    private static void assertFails(String sentence, Executable action) {
+        assertEquals(sentence, assertThrows(RunFailedException.class, action).getMessage());
+        assertFalse(Thread.interrupted());
+    }
+
+    @Test
+    void aControllerThatDoesNotReturnFromCloseIsAnErrorAfterTheTimeOfADecision() throws Exception {
+        addProvider(EndlessClose.class);
+        ControllerSpec spec = new ControllerSpec.Provided("endless-close", 0, Map.of("close", "never"));
+        Controller controller = ControllerFactory.create(spec);
+        assertFails(
+                "the controller cannot be closed: close has not returned for 0.05 s",
+                () -> ControllerFactory.close(controller, spec, 0.05));
+    }
+
+    @Test
+    void anErrorOfCloseEndsTheRunAsAnExceptionDoes() throws Exception {
+        addProvider(EndlessClose.class);
+        assertFails(
+                "the controller cannot be closed: java.lang.AssertionError: at the end",
+                () -> run("endless-close", Map.of("close", "at the end")));
+    }
+
+    @Test
+    void anInterruptionEndsTheWaitForAProvider() {
+        Thread waiting = Thread.currentThread();
+        ControllerProvider interrupting = new EndlessClose() {
+            @Override
+            public Controller create(Map<String, String> settings) {
+                waiting.interrupt();
+                return super.create(settings);
+            }
+        };
+        RunFailedException end =
+                assertThrows(RunFailedException.class, () -> ControllerProviders.create("any", interrupting, Map.of()));
+        assertEquals("the run was interrupted at tick 0", end.getMessage());
+        assertTrue(Thread.interrupted());
     }
 }
