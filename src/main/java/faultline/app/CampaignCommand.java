@@ -50,8 +50,7 @@ final class CampaignCommand {
         Thread hook = new Thread(() -> cancel(cancelled, ended));
         Runtime.getRuntime().addShutdownHook(hook);
         TerminalProgress progress = TerminalProgress.on(output.err());
-        ExitGuard guard = ExitGuard.start(output);
-        try (guard) {
+        try {
             CampaignRunner.RunCounts result = runner.run(resume, progress::update, cancelled::get);
             progress.end();
             return report(result, folder);

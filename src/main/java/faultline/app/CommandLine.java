@@ -38,6 +38,8 @@ final class CommandLine {
             "--window",
             "--startup-time");
 
+    private static final List<String> WINDOW_COMMANDS = List.of("--window", "--startup-time");
+
     private static final String OUT_OF_MEMORY = "faultline: there is not enough memory";
     /**
      * How often the report is tried. An allocation that fails collects garbage first, so one try takes milliseconds.
@@ -157,7 +159,9 @@ final class CommandLine {
             return println(help(args.subList(1, args.size())));
         }
         if (COMMANDS.contains(first)) {
-            return args.contains(HELP) ? println(HelpText.help(first)) : run(first, args.subList(1, args.size()));
+            return args.contains(HELP)
+                    ? println(HelpText.help(first))
+                    : runGuarded(first, args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {
             throw new UsageException("there is no command " + MessageText.quoted(first) + "; expected "
@@ -185,6 +189,18 @@ final class CommandLine {
             throw new UsageException("--version takes nothing, not " + MessageText.quoted(String.join(" ", arguments)));
         }
         return println(ProgramVersion.text());
+    }
+
+    /** Runs a command; if it has no window, which may end the process, a controller in Java must not end it. */
+    private int runGuarded(String command, List<String> arguments)
+            throws UsageException, ScenarioException, IOException {
+        if (WINDOW_COMMANDS.contains(command)) {
+            return run(command, arguments);
+        }
+        ExitGuard guard = ExitGuard.start(output);
+        try (guard) {
+            return run(command, arguments);
+        }
     }
 
     /** Runs a command with the arguments after its name. The classes of the other commands are not loaded. */

@@ -189,11 +189,8 @@ final class CompareCommand {
 
     private RunResult runOnce(
             String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver end) {
-        ExitGuard guard = ExitGuard.start(output);
-        try (guard) {
-            return new ChosenController(choice, options.childSettings(scenario, output::printError))
-                    .run(setup, ControllerMode.DIRECT, List.of(end));
-        }
+        return new ChosenController(choice, options.childSettings(scenario, output::printError))
+                .run(setup, ControllerMode.DIRECT, List.of(end));
     }
 
     private int write(

@@ -57,15 +57,12 @@ final class RunCommand {
     }
 
     private RunResult runOnce(Scenario scenario, RunOptions options, RunOutputs outputs) throws IOException {
-        ExitGuard guard = ExitGuard.start(output);
-        try (guard) {
-            return options.controller().isPresent()
-                    ? new ChosenController(
-                                    options.controller().get(),
-                                    options.child().childSettings(scenario.name(), output::printError))
-                            .run(scenario.setup(), options.mode(), outputs.observers())
-                    : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
-        }
+        return options.controller().isPresent()
+                ? new ChosenController(
+                                options.controller().get(),
+                                options.child().childSettings(scenario.name(), output::printError))
+                        .run(scenario.setup(), options.mode(), outputs.observers())
+                : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
     }
 
     /** Throws an exception if a scenario wants a controller from outside, and none is chosen. */

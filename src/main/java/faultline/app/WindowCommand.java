@@ -169,7 +169,10 @@ final class WindowCommand {
     private int runWithoutWindow(Scenario scenario, String name) throws UsageException {
         RunCommand.requireController(scenario, false);
         output.println("There is no display here: running " + name + " without a window.");
-        return new RunCommand(output).run(scenario);
+        ExitGuard guard = ExitGuard.start(output);
+        try (guard) {
+            return new RunCommand(output).run(scenario);
+        }
     }
 
     /**

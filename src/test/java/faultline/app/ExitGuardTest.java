@@ -1,11 +1,13 @@
 package faultline.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.JavaProcess;
 import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.control.Decision;
+import faultline.io.JsonParser;
 import faultline.robot.Velocity;
 import java.io.File;
 import java.io.IOException;
@@ -29,6 +31,11 @@ class ExitGuardTest {
     private static final String MESSAGE =
             "faultline: the run broke: the controller has ended the program by System.exit\n";
 
+    /** The variable with which the controllers end the process when they are asked for their name. */
+    private static final String NAMELESS = "FAULTLINE_TEST_NAMELESS";
+
+    private static final Path YARD = Path.of("scenarios/yard.xml");
+
     @TempDir
     private Path folder;
 
@@ -37,13 +44,19 @@ class ExitGuardTest {
 
         @Override
         public String name() {
+            if (System.getenv().containsKey(NAMELESS)) {
+                System.exit(0);
+            }
             return "quitter";
         }
 
         @Override
         public Controller create(Map<String, String> settings) {
             return observation -> {
-                if (observation.tick() == 7) {
+                if (settings.containsKey("stays")) {
+                    System.out.println("tick " + observation.tick());
+                    System.out.close();
+                } else if (observation.tick() == 7) {
                     System.exit(0);
                 }
                 return Decision.ofVelocity(observation.robot(), new Velocity(0, 0), "WAIT", "");
@@ -52,13 +65,17 @@ class ExitGuardTest {
     }
 
     private Process start(String mainClass, String... arguments) throws IOException {
+        return builder(mainClass, arguments).start();
+    }
+
+    private ProcessBuilder builder(String mainClass, String... arguments) throws IOException {
         Path services = Files.createDirectories(folder.resolve("classes/META-INF/services"));
         Files.writeString(services.resolve(ControllerProvider.class.getName()), Quitters.class.getName());
         ProcessBuilder builder = JavaProcess.builder(mainClass, List.of(arguments));
         List<String> command = new ArrayList<>(builder.command());
         int classPath = command.indexOf("-cp") + 1;
         command.set(classPath, folder.resolve("classes") + File.pathSeparator + command.get(classPath));
-        return builder.command(command).redirectErrorStream(true).start();
+        return builder.command(command).redirectErrorStream(true);
     }
 
     @Test
@@ -95,6 +112,37 @@ class ExitGuardTest {
                 folder.resolve("page.html").toString());
         assertEquals(MESSAGE, JavaProcess.output(process));
         assertEquals(ExitCode.RUN_FAILED, process.waitFor());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"run", "check", "serve"})
+    void aControllerThatEndsTheProcessInsteadOfSayingItsNameIsReported(String command) throws Exception {
+        Path file = Files.writeString(
+                folder.resolve("quit.xml"),
+                Files.readString(YARD).replace("<expect", "<controller type='quitter'/><expect"));
+        ProcessBuilder builder = builder("faultline.app.Main", command, file.toString());
+        builder.environment().put(NAMELESS, "1");
+        Process process = builder.start();
+        process.getOutputStream().close();
+        assertEquals(MESSAGE, JavaProcess.output(process));
+        assertEquals(ExitCode.RUN_FAILED, process.waitFor());
+    }
+
+    @Test
+    void whatAControllerPrintsIsNotPartOfTheResult() throws Exception {
+        Path file = Files.writeString(
+                folder.resolve("quit.xml"),
+                Files.readString(YARD)
+                        .replace(
+                                "<expect",
+                                "<controller type='quitter'><setting name='stays' value='1'/></controller><expect"));
+        Process process = builder("faultline.app.Main", "run", file.toString(), "--until", "0.1", "--json")
+                .redirectErrorStream(false)
+                .redirectError(folder.resolve("errors").toFile())
+                .start();
+        String result = JavaProcess.output(process);
+        assertTrue(JsonParser.parse(result.strip()) instanceof Map, result);
+        assertTrue(Files.readString(folder.resolve("errors")).startsWith("tick 0" + System.lineSeparator()));
     }
 
     /** Ends the process by itself, after or without a guard. */
