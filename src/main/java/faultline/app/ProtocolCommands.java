@@ -26,7 +26,7 @@ final class ProtocolCommands {
         ControllerOptions.addJar(parsed);
         Scenario scenario = Scenario.load(file);
         new SimulationServer(ProgramVersion.text(), scenario.name(), parsed.has("--truth"), System.in, output.out())
-                .run(scenario.setup());
+                .run(scenario.setup(), StartingProcess.current()::isGone);
         return ExitCode.SUCCESS;
     }
 

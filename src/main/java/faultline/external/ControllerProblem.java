@@ -101,7 +101,7 @@ public enum ControllerProblem implements Message.Template {
     /** A whole number is expected. */
     WHOLE("a whole number"),
     /** A whole number of a type is expected. */
-    WHOLE_FROM("a whole number from {0} to {1}, without an exponent"),
+    WHOLE_FROM("a whole number from {0} to {1}, without point and exponent if it has more than 15 digits"),
     /** An object is expected. */
     OBJECT("an object"),
     /** Several objects are expected. */

@@ -18,6 +18,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 
 /**
  * A simulation that another program steps: {@code reset} begins a run, {@code drive} executes some ticks, and each is
@@ -26,13 +27,14 @@ import java.util.Map;
 public final class SimulationServer {
 
     private static final long MAX_TICKS = 1_000_000_000;
+    private static final long TICKS_BETWEEN_CLOCK_READINGS = 100;
+    private static final long NANOS_BETWEEN_QUESTIONS = 500_000_000;
 
     private final String program;
     private final String scenario;
     private final boolean givesTruth;
-    private final InputStream in;
+    private final RequestLines requests;
     private final OutputStream out;
-    private final LineBuffer lines = new LineBuffer();
     /** The robot that the client has last received. */
     private RobotSpec knownRobot;
 
@@ -49,7 +51,7 @@ public final class SimulationServer {
         this.program = program;
         this.scenario = scenario;
         this.givesTruth = givesTruth;
-        this.in = in;
+        this.requests = new RequestLines(in);
         this.out = out;
     }
 
@@ -65,11 +67,20 @@ public final class SimulationServer {
             simulation = new Simulation(setup, observation -> decision, ControllerMode.DIRECT, CommandListener.NONE);
         }
 
-        void drive(DriveMessage drive, long ticks) {
+        /** Makes ticks until enough are made or the run is over. Returns false early if nobody waits for them. */
+        boolean drive(DriveMessage drive, long ticks, BooleanSupplier isAbandoned) {
             decision = telemetry.decide(drive, simulation.ticks());
+            long asked = System.nanoTime();
             for (long i = 0; i < ticks && !isOver(); i++) {
                 simulation.tick();
+                if (i % TICKS_BETWEEN_CLOCK_READINGS == 0 && System.nanoTime() - asked > NANOS_BETWEEN_QUESTIONS) {
+                    if (isAbandoned.getAsBoolean()) {
+                        return false;
+                    }
+                    asked = System.nanoTime();
+                }
             }
+            return true;
         }
 
         boolean isOver() {
@@ -94,17 +105,19 @@ public final class SimulationServer {
      * Answers requests until {@code close}, the end of the input, or the failure of a print stream for the answers.
      *
      * @param setup the run that each reset begins
+     * @param isClientGone tells during a long step whether nobody can read its answer if the input has ended, too; the
+     *     server then ends
      * @throws IOException if the streams cannot be read or written
      * @throws RunFailedException if a request violates the protocol
      */
-    public void run(SimulationSetup setup) throws IOException {
+    public void run(SimulationSetup setup, BooleanSupplier isClientGone) throws IOException {
         knownRobot = setup.robot();
         if (!send(ProtocolMessages.hello(RunDescription.of(program, scenario, setup, 1)))) {
             return;
         }
         Episode episode = new Episode(setup);
         try {
-            for (String line = lines.read(in); line != null; line = lines.read(in)) {
+            for (String line = requests.read(); line != null; line = requests.read()) {
                 MessageReader request = MessageReader.of(line);
                 String type = request.string("type");
                 switch (type) {
@@ -115,7 +128,11 @@ public final class SimulationServer {
                         episode.close();
                         episode = new Episode(request.has("seed") ? setup.withSeed(request.whole("seed")) : setup);
                     }
-                    case "drive" -> drive(episode, request);
+                    case "drive" -> {
+                        if (!drive(episode, request, () -> requests.isEnded() && isClientGone.getAsBoolean())) {
+                            return;
+                        }
+                    }
                     default ->
                         throw new ProtocolException(
                                 "wrote a message",
@@ -133,12 +150,17 @@ public final class SimulationServer {
         }
     }
 
-    private static void drive(Episode episode, MessageReader request) throws ProtocolException {
+    /** Executes a request; returns false if nobody waits for the answer. */
+    private static boolean drive(Episode episode, MessageReader request, BooleanSupplier isAbandoned)
+            throws ProtocolException {
         if (episode.isOver()) {
             throw new ProtocolException("wrote a drive message", " after the end of the run; expected reset or close");
         }
+        if (request.has("tick") && request.whole("tick") != episode.simulation.ticks()) {
+            throw new ProtocolException(ControllerProblem.TICK, request.whole("tick"));
+        }
         long ticks = request.has("ticks") ? request.whole("ticks", 1, MAX_TICKS) : 1;
-        episode.drive(DriveMessage.read(request, episode.simulation.robot()), ticks);
+        return episode.drive(DriveMessage.read(request, episode.simulation.robot()), ticks, isAbandoned);
     }
 
     private String answer(Episode episode) {

@@ -26,6 +26,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -47,7 +48,8 @@ class SimulationServerTest {
     private static List<String> serveText(SimulationSetup setup, String requests) throws Exception {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         byte[] in = requests.getBytes(StandardCharsets.UTF_8);
-        new SimulationServer("faultline test", "Office", true, new ByteArrayInputStream(in), out).run(setup);
+        new SimulationServer("faultline test", "Office", true, new ByteArrayInputStream(in), out)
+                .run(setup, () -> false);
         return out.toString(StandardCharsets.UTF_8).lines().toList();
     }
 
@@ -70,7 +72,7 @@ class SimulationServerTest {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         byte[] in = requests.getBytes(StandardCharsets.UTF_8);
         new SimulationServer("faultline 0.1.0", "Eye", false, new ByteArrayInputStream(in), out)
-                .run(Scenario.load(eye).setup());
+                .run(Scenario.load(eye).setup(), () -> false);
         assertEquals(
                 lines.stream().filter(line -> !line.startsWith("> ")).toList(),
                 out.toString(StandardCharsets.UTF_8).lines().toList());
@@ -111,7 +113,7 @@ class SimulationServerTest {
     void eachAnswerIsSentBeforeTheNextRequestIsRead() throws Exception {
         String drive = "{\"type\":\"drive\",\"left_v\":1,\"right_v\":1}";
         WaitingClient client = new WaitingClient("{\"type\":\"reset\"}", drive, drive);
-        new SimulationServer("faultline test", "Office", false, client, client.answers()).run(office());
+        new SimulationServer("faultline test", "Office", false, client, client.answers()).run(office(), () -> false);
         assertEquals(List.of(1L, 2L, 3L, 4L), client.answersBefore());
     }
 
@@ -195,7 +197,7 @@ class SimulationServerTest {
                             false,
                             new ByteArrayInputStream(requests.getBytes(StandardCharsets.UTF_8)),
                             out)
-                    .run(noisy);
+                    .run(noisy, () -> false);
             String end = out.toString(StandardCharsets.UTF_8);
             hashes.add(end.substring(end.lastIndexOf("readings_m")));
         }
@@ -211,7 +213,7 @@ class SimulationServerTest {
                         false,
                         new ByteArrayInputStream(latin1),
                         new ByteArrayOutputStream())
-                .run(office()));
+                .run(office(), () -> false));
         assertEquals(
                 "the client wrote a line at tick 0 that is not UTF-8: \"{\"type\":\"reset\",\"who\":\"Ren\uFFFD\"}\"",
                 e.getMessage());
@@ -226,7 +228,7 @@ class SimulationServerTest {
             }
         });
         ByteArrayInputStream in = new ByteArrayInputStream("garbage\n".getBytes(StandardCharsets.UTF_8));
-        new SimulationServer("faultline test", "Office", false, in, closed).run(office());
+        new SimulationServer("faultline test", "Office", false, in, closed).run(office(), () -> false);
         assertTrue(closed.checkError());
         assertEquals(8, in.available());
     }
@@ -245,7 +247,7 @@ class SimulationServerTest {
         });
         byte[] in = "{\"type\":\"reset\"}\ngarbage\n".getBytes(StandardCharsets.UTF_8);
         new SimulationServer("faultline test", "Office", false, new ByteArrayInputStream(in), closedAfterTheGreeting)
-                .run(office());
+                .run(office(), () -> false);
         assertEquals(1, out.toString(StandardCharsets.UTF_8).lines().count());
     }
 
@@ -280,13 +282,50 @@ class SimulationServerTest {
             {"type":"drive","left_v":1}                        | the client wrote a message at tick 0 whose "right_v" is missing; expected a finite number
             {"type":"reset","seed":"7"}                        | the client wrote a message at tick 0 whose "seed" is the string "7"; expected a whole number
             {"type":"reset","seed":1.5}                        | the client wrote a message at tick 0 whose "seed" is "1.5"; expected a whole number
-            {"type":"reset","seed":9223372036854775808}        | the client wrote a message at tick 0 whose "seed" is "9223372036854775808"; expected a whole number from -9223372036854775808 to 9223372036854775807, without an exponent
-            {"type":"reset","seed":9007199254740992.0}         | the client wrote a message at tick 0 whose "seed" is "9007199254740992"; expected a whole number from -9223372036854775808 to 9223372036854775807, without an exponent
-            {"type":"reset","seed":1e16}                       | the client wrote a message at tick 0 whose "seed" is "1E+16"; expected a whole number from -9223372036854775808 to 9223372036854775807, without an exponent
+            {"type":"reset","seed":9223372036854775808}        | the client wrote a message at tick 0 whose "seed" is "9223372036854775808"; expected a whole number from -9223372036854775808 to 9223372036854775807, without point and exponent if it has more than 15 digits
+            {"type":"reset","seed":9007199254740992.0}         | the client wrote a message at tick 0 whose "seed" is "9007199254740992"; expected a whole number from -9223372036854775808 to 9223372036854775807, without point and exponent if it has more than 15 digits
+            {"type":"reset","seed":1e16}                       | the client wrote a message at tick 0 whose "seed" is "1E+16"; expected a whole number from -9223372036854775808 to 9223372036854775807, without point and exponent if it has more than 15 digits
+            {"type":"drive","tick":99,"left_v":1,"right_v":1}  | the client answered tick 99 at tick 0; expected the tick of the observation
+            {"type":"drive","tick":"0","left_v":1,"right_v":1} | the client wrote a message at tick 0 whose "tick" is the string "0"; expected a whole number
             hello                                              | the client wrote no JSON at tick 0: "hello" (there is no value at character 1); write messages for people to standard error
             """)
     void aBadRequestEndsTheServerInOneSentence(String request, String sentence) {
         RunFailedException e = assertThrows(RunFailedException.class, () -> serve(request));
         assertEquals(sentence, e.getMessage());
+    }
+
+    @Test
+    void aDriveMayHaveTheTickOfTheLastObservation() throws Exception {
+        String reset = "{\"type\":\"reset\"}";
+        String drive = "{\"type\":\"drive\",\"left_v\":1,\"right_v\":1,\"ticks\":5%s}";
+        assertEquals(
+                serve(drive.formatted(""), drive.formatted(""), reset, drive.formatted("")),
+                serve(
+                        drive.formatted(",\"tick\":0"),
+                        drive.formatted(",\"tick\":5.0"),
+                        reset,
+                        drive.formatted(",\"tick\":0")));
+    }
+
+    private static List<String> serveLongStep(boolean isClientGone) throws Exception {
+        SimulationSetup setup = office().withDuration(isClientGone ? 1e7 : 3000);
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        byte[] in = "{\"type\":\"drive\",\"left_v\":0,\"right_v\":0,\"ticks\":1000000000}\n"
+                .getBytes(StandardCharsets.UTF_8);
+        new SimulationServer("faultline test", "Office", false, new ByteArrayInputStream(in), out)
+                .run(setup, () -> isClientGone);
+        return out.toString(StandardCharsets.UTF_8).lines().toList();
+    }
+
+    @Test
+    @Timeout(60)
+    void aStepWhoseAnswerNobodyReadsEndsTheServer() throws Exception {
+        assertEquals(1, serveLongStep(true).size());
+    }
+
+    @Test
+    void aClientThatOnlyClosesItsOutputGetsItsAnswer() throws Exception {
+        List<String> answers = serveLongStep(false);
+        assertTrue(answers.get(1).startsWith("{\"type\":\"end\",\"reason\":\"duration\""), answers.get(1));
     }
 }
