@@ -7,6 +7,7 @@ import faultline.io.MessageText;
 import java.io.File;
 import java.math.BigDecimal;
 import java.nio.charset.Charset;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -20,6 +21,9 @@ import java.util.function.Predicate;
 
 /** The arguments of one command: files, and options that each take a value, as {@code --seed 7} or {@code --seed=7}. */
 final class Arguments {
+
+    /** What the virtual machine puts in the place of bytes that are not in the encoding of the locale. */
+    private static final char REPLACEMENT = '\uFFFD';
 
     private final List<String> files = new ArrayList<>();
     private final Map<String, String> options = new LinkedHashMap<>();
@@ -176,11 +180,12 @@ final class Arguments {
     /**
      * Converts a name to a path.
      *
-     * @throws UsageException if the name is empty or the system does not allow it
+     * @throws UsageException if the name is empty, the system does not allow it, or it is not a text
      */
     static Path parsePath(String name) throws UsageException {
         try {
-            if (!name.isEmpty()) {
+            // The replacement character stands for bytes that are no letters, or for itself in the name of a file.
+            if (!name.isEmpty() && (name.indexOf(REPLACEMENT) < 0 || Files.exists(Path.of(name)))) {
                 return Path.of(name);
             }
         } catch (InvalidPathException e) {
@@ -192,6 +197,9 @@ final class Arguments {
     /** Returns a hint if the encoding of the locale, which is also that of file names, lacks a letter of the name. */
     private static String encodingHint(String name) {
         String encoding = System.getProperty("sun.jnu.encoding", "UTF-8");
+        if (name.indexOf(REPLACEMENT) >= 0 && encoding.equals("UTF-8")) {
+            return " in the encoding of this locale, UTF-8";
+        }
         boolean limited = File.separatorChar == '/' && !encoding.equals("UTF-8") && Charset.isSupported(encoding);
         return limited && !Charset.forName(encoding).newEncoder().canEncode(name)
                 ? " in the encoding of this locale, " + encoding + "; it may be possible with LC_ALL=C.UTF-8"

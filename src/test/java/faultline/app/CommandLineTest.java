@@ -301,6 +301,21 @@ class CommandLineTest {
                 command(arguments.split(" ")));
     }
 
+    /** The virtual machine puts this character in the place of bytes that are not in the encoding of the locale. */
+    @Test
+    void aNameWithAReplacementCharacterIsOnlyThatOfAFileThatExists(@TempDir Path names) throws Exception {
+        String text = names.resolve("\uFFFD.xml").toString();
+        CommandResult refused = command("import", "a.png", "--out", text);
+        assertEquals(2, refused.code());
+        assertTrue(
+                refused.err().contains("\uFFFD.xml\" cannot be the name of a file in the encoding of this locale, "),
+                refused.err());
+        if (System.getProperty("sun.jnu.encoding").equals("UTF-8")) {
+            Files.copy(Path.of("scenarios/yard.xml"), Path.of(text));
+            assertEquals(0, command("check", text).code());
+        }
+    }
+
     @Test
     @EnabledOnOs(value = OS.LINUX, disabledReason = "other systems have one encoding for the names of files")
     void anEncodingThatLacksALetterOfAFileIsNamed() throws Exception {
