@@ -2,7 +2,10 @@ package faultline.app;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
+import faultline.control.ControllerSpec;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.ScenarioException;
 import java.nio.file.Path;
 import java.util.List;
@@ -30,6 +33,16 @@ final class CheckCommand {
         return code;
     }
 
+    /** Throws an exception if every run of a scenario breaks at its start, although the file can be read. */
+    private static void requireRecord(Path file, Scenario scenario) throws ScenarioException {
+        if (scenario.setup().controller() instanceof ControllerSpec.Recorded record
+                && record.ticks() == 0
+                && scenario.setup().ticks() > 0) {
+            throw new ScenarioException(
+                    file.toString(), ProblemKind.VALUE.with("ticks", "controller", 0, Allowed.RECORDED_TICKS.with()));
+        }
+    }
+
     private int checkFile(String file) throws UsageException {
         try {
             Path path = Arguments.parsePath(file);
@@ -37,7 +50,7 @@ final class CheckCommand {
                 CampaignPlan plan = PlanFiles.read(path);
                 output.println(file + ": good, " + plan.runCount() + (plan.runCount() == 1 ? " run" : " runs"));
             } else {
-                Scenario.load(path);
+                requireRecord(path, Scenario.load(path));
                 output.println(file + ": good");
             }
             return ExitCode.SUCCESS;

@@ -230,6 +230,28 @@ class CommandLineTest {
     }
 
     @Test
+    void checkReportsARecordInWhichEveryRunBreaks() throws IOException {
+        String room = "<scenario xmlns='urn:faultline:scenario:1' duration='%s'><world width='3' height='3'/>"
+                + "<robot x='1.2' y='1'/><controller type='recorded' ticks='%s'/></scenario>";
+        String file = folder.resolve("record.xml").toString();
+        Files.writeString(Path.of(file), room.formatted("1", "0"));
+        assertEquals(
+                new CommandResult(
+                        2,
+                        "",
+                        file + ": ticks of <controller> is \"0\"; expected at least 1, because a run breaks where the"
+                                + " record ends\n"),
+                command("check", file));
+        // What can be run is good: another controller, a record without movement, and a run that has just begun.
+        assertEquals(0, command("run", file, "--controller", "none").code);
+        for (String[] good : List.of(new String[] {"1", "100"}, new String[] {"0", "0"})) {
+            Files.writeString(Path.of(file), room.formatted((Object[]) good));
+            assertEquals(new CommandResult(0, file + ": good\n", ""), command("check", file));
+            assertEquals(0, command("run", file).code);
+        }
+    }
+
+    @Test
     void checkReportsValidAndInvalidFiles() throws IOException {
         Path bad = Files.writeString(folder.resolve("bad.xml"), "<scenario/>");
         assertEquals(

@@ -48,6 +48,8 @@ public enum Allowed implements Message.Template {
     DECISIONS("voltages as left,right or left,right*ticks with blanks between them"),
     /** Recorded decisions within a limit: the last tick. */
     DECISIONS_END("decisions that end at tick {0} or earlier"),
+    /** The ticks of recorded decisions in a scenario that is to be run. */
+    RECORDED_TICKS("at least 1, because a run breaks where the record ends"),
     /** No attribute. */
     NONE("none"),
     /** No content. */
