@@ -73,6 +73,16 @@ class FloorPlanTest {
                 read(write("s.pgm", "P2 3 2 100 0 100 80 100 0 99"), "").grid());
     }
 
+    /** The values that the documentation names, with and without a YAML file. */
+    @Test
+    void withoutThresholdsThoseOfTheMapServerHold() throws IOException {
+        Path image = write("t.pgm", "P2 4 1 255 89 90 205 206\n");
+        List<?> expected = List.of(OCCUPIED, UNKNOWN, UNKNOWN, FREE);
+        assertEquals(expected, row(read(image, "").grid(), 0));
+        FloorPlan plain = FloorPlan.readImage(image, new BigDecimal("0.05"), FloorPlan.Options.DEFAULT);
+        assertEquals(expected, row(plain.grid(), 0));
+    }
+
     @Test
     void anOccupancyThatEqualsAThresholdMeetsItAtEveryDepth() throws IOException {
         for (int percent = 1; percent < 100; percent++) {
