@@ -81,13 +81,20 @@ final class TemporaryFile {
             }
             ended = true;
             for (Path file : FILES) {
+                delete(file);
+            }
+            LOCK.unlock();
+        }
+
+        /** Deletes a file, or a folder, in which other threads may still make files. */
+        private static void delete(Path file) {
+            for (int i = 0; i < MAX_DELETIONS && Files.exists(file, LinkOption.NOFOLLOW_LINKS); i++) {
                 try {
-                    Files.deleteIfExists(file);
+                    TemporaryFolder.deleteTree(file);
                 } catch (IOException e) {
                     // The process is ending, so the failure cannot be reported.
                 }
             }
-            LOCK.unlock();
         }
     }
 
@@ -98,6 +105,9 @@ final class TemporaryFile {
 
     /** The time for which the end of the process waits for files that are moved into place, seconds. */
     private static final int MAX_SECONDS_OF_MOVES = 30;
+
+    /** How often it is tried to delete something when the process ends. */
+    private static final int MAX_DELETIONS = 10;
 
     private static final int MAX_MILLIS_WITHOUT_LOCK = 10_000;
 
@@ -120,6 +130,30 @@ final class TemporaryFile {
      */
     static TemporaryFile create(Path target) throws IOException {
         return UnfinishedFiles.create(target);
+    }
+
+    /** Lets a folder be deleted, with everything in it, at the latest when the process ends. */
+    static void deleteAtExit(Path folder) {
+        UnfinishedFiles.FILES.add(folder);
+    }
+
+    /** Does not let a file or folder be deleted when the process ends. */
+    static void forget(Path path) {
+        UnfinishedFiles.FILES.remove(path);
+    }
+
+    /** Returns whether a folder has temporary files, and no process has locked one of them. */
+    static boolean hasAbandoned(Path folder, long now) throws IOException {
+        boolean found = false;
+        try (DirectoryStream<Path> files = list(folder)) {
+            for (Path file : files) {
+                if (UnfinishedFiles.FILES.contains(file) || !isAbandoned(file, now)) {
+                    return false;
+                }
+                found = true;
+            }
+        }
+        return found;
     }
 
     /** Deletes what this process has not finished; no other file is created after this. */
@@ -256,7 +290,7 @@ final class TemporaryFile {
 
     /** Keeps the file, because it has become another one. */
     void forget() {
-        UnfinishedFiles.FILES.remove(path);
+        forget(path);
     }
 
     void delete() throws IOException {

@@ -7,19 +7,17 @@ import faultline.campaign.run.CampaignRunner;
 import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.Shard;
 import faultline.gui.document.TaskProgress;
+import faultline.io.TemporaryFolder;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Queue;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.stream.Stream;
 
 /**
  * Makes the runs of a batch in a temporary folder. {@link #make} is called on a background thread; everything else is
@@ -39,6 +37,7 @@ final class BatchRun {
     /** The cells of the header and of the rows. */
     private final List<List<String>> lines = new ArrayList<>();
 
+    private volatile TemporaryFolder temporary;
     private volatile Path folder;
     private volatile CampaignPlan plan;
     private volatile List<CampaignCell> cells = List.of();
@@ -100,7 +99,8 @@ final class BatchRun {
      * @throws IOException if the temporary folder cannot be used
      */
     CampaignRunner.RunCounts make() throws IOException, ScenarioException {
-        folder = Files.createTempDirectory("faultline-batch-");
+        temporary = TemporaryFolder.create("faultline-batch-");
+        folder = temporary.path();
         CampaignPlan read = batch.prepare(folder);
         lines.add(ResultColumns.of(read).stream().map(column -> column.name()).toList());
         completion = new Completion(0, read.runCount(), 0);
@@ -155,30 +155,14 @@ final class BatchRun {
             }
             Files.move(part, target, StandardCopyOption.REPLACE_EXISTING);
         } finally {
-            deleteTree(part);
+            TemporaryFolder.deleteTree(part);
         }
     }
 
     /** Deletes the temporary folder, after the batch has ended. */
     void delete() throws IOException {
-        if (folder != null) {
-            deleteTree(folder);
-        }
-    }
-
-    private static void deleteTree(Path top) throws IOException {
-        if (Files.exists(top)) {
-            try (Stream<Path> files = Files.walk(top)) {
-                files.sorted(Comparator.reverseOrder()).forEach(BatchRun::deleteFile);
-            }
-        }
-    }
-
-    private static void deleteFile(Path file) {
-        try {
-            Files.delete(file);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        if (temporary != null) {
+            temporary.delete();
         }
     }
 }

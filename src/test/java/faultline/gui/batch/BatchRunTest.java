@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.JavaProcess;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.report.CampaignCell;
@@ -87,6 +88,30 @@ class BatchRunTest {
                 runsOf(PlanFiles.read(folder.resolve("results/plan/plan.xml")), folder.resolve("fromCopy")),
                 "the copy of the plan beside the results can be run too");
         run.delete();
+    }
+
+    /** Makes a batch and ends the process as a window does that is closed meanwhile. */
+    static final class ClosedWindow {
+
+        private ClosedWindow() {}
+
+        public static void main(String[] arguments) throws Exception {
+            new BatchRun(plan(DiagnosisChoice.OFF, 1), 1).make();
+            try (Stream<Path> left = Files.list(Path.of(System.getProperty("java.io.tmpdir")))) {
+                System.out.print(left.count());
+            }
+            System.exit(0);
+        }
+    }
+
+    @Test
+    void theFilesOfABatchAreDeletedWhenTheProgramEnds() throws Exception {
+        ProcessBuilder builder = JavaProcess.builder(ClosedWindow.class.getName(), List.of());
+        builder.command().add(1, "-Djava.io.tmpdir=" + folder);
+        assertEquals("1", JavaProcess.output(builder.start()));
+        try (Stream<Path> left = Files.list(folder)) {
+            assertEquals(List.of(), left.toList());
+        }
     }
 
     @Test
