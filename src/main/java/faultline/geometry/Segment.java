@@ -1,5 +1,7 @@
 package faultline.geometry;
 
+import java.util.function.Consumer;
+
 /**
  * A straight wall without thickness. Its ends belong to it and may coincide.
  *
@@ -59,6 +61,19 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
      */
     public Vector2 pointAt(double fraction) {
         return fraction == 1 ? b() : new Vector2(ax + fraction * (bx - ax), ay + fraction * (by - ay));
+    }
+
+    /**
+     * Calls an action for evenly spaced points of the segment, the second end last; the first end is left out.
+     *
+     * @param step the greatest distance between two of them, metres
+     * @param action the action
+     */
+    public void forEachPoint(double step, Consumer<Vector2> action) {
+        double count = Math.max(1, Math.ceil(length() / step));
+        for (int i = 1; i <= count; i++) {
+            action.accept(pointAt(i / count));
+        }
     }
 
     @Override

@@ -7,6 +7,7 @@ import faultline.control.wallfollower.WallFollower;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
@@ -33,6 +34,9 @@ public final class CarryOnMetrics implements TickObserver {
     /** The robot's path is sampled in steps of this length, metres. */
     private static final double STEP = 0.02;
 
+    /** Points of the path farther from each other than this could miss a place, metres. */
+    private static final double MAX_STEP = 0.05;
+
     /** The distance that the robot must drive before a pass of the same place counts again, metres. */
     private static final double MIN_LAP = 1.0;
 
@@ -48,7 +52,7 @@ public final class CarryOnMetrics implements TickObserver {
     private double passedLength;
     private double weightedPasses;
     private double wallLength;
-    private Vector2 last = new Vector2(Double.POSITIVE_INFINITY, 0);
+    private Vector2 last = Vector2.ZERO;
     private boolean collided;
     private boolean passedInTime;
     private double time;
@@ -132,11 +136,12 @@ public final class CarryOnMetrics implements TickObserver {
         if (collided || time < onset || circuit.size() == 0) {
             return;
         }
-        if (path < 0 && state != FollowerState.SEARCH) {
+        if (path >= 0) {
+            if (centre.distanceTo(last) >= STEP) {
+                new Segment(last, centre).forEachPoint(MAX_STEP, this::visit);
+            }
+        } else if (state != FollowerState.SEARCH) {
             startClock(centre);
-        }
-        if (path >= 0 && !(centre.distanceTo(last) < STEP)) {
-            visit(centre);
         }
     }
 
@@ -147,10 +152,12 @@ public final class CarryOnMetrics implements TickObserver {
         for (int i = 0; i < passes.length; i++) {
             wallLength += circuit.path(i) == path ? circuit.wallLength(i) : 0;
         }
+        last = centre;
+        visit(centre);
     }
 
     private void visit(Vector2 centre) {
-        travelled += Double.isInfinite(last.x()) ? 0 : centre.distanceTo(last);
+        travelled += centre.distanceTo(last);
         last = centre;
         circuit.forEachPassed(centre, this::pass);
         passedInTime |= time <= deadline && share().orElse(0) >= REQUIRED_SHARE;

@@ -15,6 +15,9 @@ final class Coverage {
     /** The greatest distance at which the robot passes a place, metres. */
     static final double TOLERANCE = 0.05;
 
+    /** Points of the robot's path farther from each other than this could miss a place, metres. */
+    static final double MAX_STEP = TOLERANCE / 2;
+
     /** Samples along the walls are this far apart, metres. */
     private static final double SPACING = 0.01;
 

@@ -7,6 +7,7 @@ import faultline.engine.ControllerFactory;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import java.util.List;
@@ -44,6 +45,8 @@ final class WallFollowingMetrics implements TickObserver {
 
     private final WallReference walls;
     private final Coverage coverage;
+    /** The robot's centre in the last tick. */
+    private Vector2 before;
     /** Null until it is needed, because finding the walls takes a long time in large worlds. */
     private NearestWall nearestWall;
 
@@ -62,6 +65,7 @@ final class WallFollowingMetrics implements TickObserver {
         controller = setup.controller();
         robot = setup.robot();
         hasOwnStates = !(controller instanceof ControllerSpec.WallFollowing);
+        before = setup.start().position();
         walls = new WallReference(setup.world());
         startDistance = wanted.orElse(0);
         distance = startDistance;
@@ -84,11 +88,16 @@ final class WallFollowingMetrics implements TickObserver {
         ControllerState state = simulation.telemetry().state();
         boolean follows = state == FollowerState.FOLLOW || hasOwnStates && !FOLLOWER_STATES.contains(state);
         if (follows || state == FollowerState.ROUND) {
-            coverage.visit(distance == startDistance ? centre : atStartDistance(centre));
+            new Segment(before, centre).forEachPoint(Coverage.MAX_STEP, this::visit);
         }
+        before = centre;
         if (follows) {
             addError(centre);
         }
+    }
+
+    private void visit(Vector2 centre) {
+        coverage.visit(distance == startDistance ? centre : atStartDistance(centre));
     }
 
     private void setDistance(double wanted) {

@@ -99,6 +99,14 @@ class CarryOnMetricsTest {
     }
 
     @Test
+    void whatAFastRobotPassesBetweenTwoTicksCounts() {
+        metrics.update(ONSET, Vector2.ZERO, FollowerState.FOLLOW, false);
+        metrics.update(ONSET + 1, new Vector2(ENOUGH, 0), FollowerState.FOLLOW, false);
+        assertEquals(OptionalDouble.of(0.8), metrics.share());
+        assertTrue(metrics.carriedOn());
+    }
+
+    @Test
     void onlyTheWallThatTheRobotMeetsFirstCounts() {
         metrics.update(ONSET, new Vector2(0, 4.9), FollowerState.FOLLOW, false);
         assertEquals(OptionalDouble.of(1 / 40.0), metrics.share());

@@ -9,12 +9,14 @@ import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -123,6 +125,20 @@ class WallFollowingMetricsTest {
         RunResult result = runFollower(80, new SimulationSetup.TimedCommand(1, new Command.ConfigureSensor(inside)));
         assertEquals(1, result.coverage().orElse(-1), 0.03);
         assertTrue(result.distanceRms().orElse(1) < 0.001, () -> "error " + result.distanceRms());
+    }
+
+    /** In a tick, the robot drives twice as far as the distance within which it passes a place, and farther. */
+    @ParameterizedTest
+    @CsvSource({"1, 0.1", "1, 0.2", "2, 0.1"})
+    void whatARobotPassesBetweenTwoTicksCounts(double speed, double tick) {
+        MotorSpec fast = new MotorSpec(RobotSpec.DEFAULT.motor().timeConstant(), 0.4, 12);
+        RunResult result = run(SimulationSetup.of(new WorldSpec(10, 10, true, 3, List.of()), new Pose(5, 2, 0))
+                .withRobot(RobotSpec.DEFAULT.withSpeed(speed).withMotor(fast))
+                .withController(ControllerSpec.WallFollowing.DEFAULT.withDistance(0.4))
+                .withTick(tick)
+                .withDuration(100));
+        assertEquals(Optional.empty(), result.collision());
+        assertTrue(result.coverage().orElse(-1) > 0.96, () -> "coverage " + result.coverage());
     }
 
     @Test
