@@ -1,7 +1,9 @@
 package faultline.floorplan;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
@@ -20,6 +22,11 @@ final class MapYamlLines {
     private final String[] source;
     private final List<String> keys;
     private final List<YamlLine> lines = new ArrayList<>();
+    /**
+     * For each mark, and each line that is in a text which the mark begins: an indentation that did not suffice for
+     * such a text to end.
+     */
+    private final Map<Character, int[]> unclosed;
     /** The index of the next line of the file. */
     private int next;
 
@@ -34,6 +41,13 @@ final class MapYamlLines {
     private MapYamlLines(String text, List<String> keys) {
         this.source = text.replaceFirst("^\uFEFF", "").split("\r\n|[\r\n]", -1);
         this.keys = keys;
+        unclosed = Map.of('"', newIndents(), '\'', newIndents());
+    }
+
+    private int[] newIndents() {
+        int[] indents = new int[source.length];
+        Arrays.fill(indents, NONE);
+        return indents;
     }
 
     /** Returns the lines of a text, given the keys that map_server knows. */
@@ -70,18 +84,30 @@ final class MapYamlLines {
     private String nextLine(int indent) {
         int end = next + 1;
         StringBuilder line = new StringBuilder(source[next]);
+        StringBuilder marks = new StringBuilder();
         int open = MapYamlFlow.openQuote(line, 0);
-        while (open >= 0 && end < source.length && (source[end].isBlank() || indent(source[end]) > indent)) {
+        while (open >= 0 && continues(end, indent, line.charAt(open))) {
+            marks.append(line.charAt(open));
             int checked = line.length();
             line.append('\n').append(source[end++]);
             int close = MapYamlScalar.closing(line, line.charAt(open), checked);
             open = close < line.length() ? MapYamlFlow.openQuote(line, close + 1) : open;
         }
         if (open >= 0) {
+            for (int i = 0; i < marks.length(); i++) {
+                unclosed.get(marks.charAt(i))[next + 1 + i] = indent;
+            }
             return stripComment(source[next++]);
         }
         next = end;
         return stripComment(line.toString());
+    }
+
+    /** Returns whether a text in quotes may continue in a line: if it is indented, and not known to be without end. */
+    private boolean continues(int index, int indent, char mark) {
+        return index < source.length
+                && (source[index].isBlank() || indent(source[index]) > indent)
+                && indent < unclosed.get(mark)[index];
     }
 
     /** Adds the lines up to the one that closes a mapping in braces or a list in brackets. */

@@ -46,23 +46,25 @@ final class MapYamlScalar {
     /** Joins lines with single blanks, or without one if a backslash in double quotes ends the line. */
     private static String fold(String text) {
         StringBuilder joined = new StringBuilder();
+        String last = "";
         for (String line : text.split("\n")) {
             String part = line.strip();
             if (part.isEmpty()) {
                 continue;
             }
-            if (text.startsWith("\"") && endsInEscape(joined)) {
+            if (text.startsWith("\"") && endsInEscape(last)) {
                 joined.setLength(joined.length() - 1);
             } else if (!joined.isEmpty()) {
                 joined.append(' ');
             }
             joined.append(part);
+            last = part;
         }
         return joined.toString();
     }
 
     /** Returns whether an odd number of backslashes, of which two are one escape, ends a text. */
-    private static boolean endsInEscape(CharSequence text) {
+    private static boolean endsInEscape(String text) {
         int i = text.length();
         while (i > 0 && text.charAt(i - 1) == '\\') {
             i--;

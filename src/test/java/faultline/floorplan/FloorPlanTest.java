@@ -310,6 +310,30 @@ class FloorPlanTest {
         time.assertBelow(10);
     }
 
+    /** From every line on, some mark that it contains remains open to the end of the file. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "notes: [\n * , \"a\", \"b\n",
+                "notes: [\n * , \"a', \"b\", 'c\n , \"a', 'b', \"c\n",
+                "mode:\n * , \"a\", \"b\n",
+                "mode:\n *  - \"a\n - 'b\n   - \"c\n",
+                "mode: \"\n *\\\\\\\n "
+            })
+    void textsInQuotesWithoutEndTakeLinearTime(String content) throws IOException {
+        write("m.pgm", PLAIN);
+        String[] parts = content.split("\\*");
+        String yaml = "image: m.pgm\nresolution: 1\n" + parts[0] + parts[1].repeat(800_000 / parts[1].length());
+        Path file = write("m.yaml", yaml);
+        CpuTime time = CpuTime.start();
+        try {
+            FloorPlan.readYaml(file, FloorPlan.Options.DEFAULT);
+        } catch (FloorPlanException e) {
+            assertTrue(e.getMessage().contains(":3:"), e::getMessage);
+        }
+        time.assertBelow(10);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
