@@ -1,6 +1,7 @@
 package faultline.world;
 
 import faultline.geometry.Vector2;
+import faultline.robot.MotorFaults;
 import faultline.sensor.Fault;
 import java.util.Collections;
 import java.util.List;
@@ -16,6 +17,7 @@ import java.util.TreeMap;
  * @param obstacle the id of the obstacle, or {@link WorldSpec#ENCLOSURE}
  * @param faults the faults active then, by sensor id, sorted; sensors without faults are omitted
  * @param switchedOff the ids of the sensors that were switched off then, in the robot's order
+ * @param motorFaults the faults of the motors active then
  */
 public record Collision(
         Vector2 point,
@@ -23,7 +25,8 @@ public record Collision(
         long tick,
         String obstacle,
         Map<String, List<Fault>> faults,
-        List<String> switchedOff) {
+        List<String> switchedOff,
+        MotorFaults motorFaults) {
 
     /**
      * Creates a collision from copies of the faults and the sensors that are off.
@@ -34,6 +37,7 @@ public record Collision(
      * @param obstacle the id of the obstacle, or {@link WorldSpec#ENCLOSURE}
      * @param faults the faults active then, by sensor id, sorted; sensors without faults are omitted
      * @param switchedOff the ids of the sensors that were switched off then, in the robot's order
+     * @param motorFaults the faults of the motors active then
      */
     public Collision {
         faults = Collections.unmodifiableMap(new TreeMap<>(faults));

@@ -100,7 +100,8 @@ public final class World {
             return;
         }
         contacts = contact.points();
-        collisions.add(new Collision(mean(contacts), time, at, contact.obstacle(), activeFaults(), switchedOff()));
+        collisions.add(new Collision(
+                mean(contacts), time, at, contact.obstacle(), activeFaults(), switchedOff(), motorFaults()));
     }
 
     private static Vector2 mean(List<Vector2> points) {

@@ -144,15 +144,20 @@ public final class SampleFrames {
                                 0.2,
                                 true,
                                 List.of(new Vector2(3.9, 2.4), new Vector2(5.5, 2.4), new Vector2(5.5, 3.5)))));
-        Collision collision = new Collision(
+        Collision collision = collisionWithFaults();
+        return frame(
+                robot, curve(robot), sensors(robot), obstacles, List.of(collision.point()), Optional.of(collision));
+    }
+
+    private static Collision collisionWithFaults() {
+        return new Collision(
                 new Vector2(2.42, 1.245),
                 12.48,
                 1248,
                 "table",
                 Map.of("left", List.of(new Fault.Stuck(0.4)), "rear", List.of(new Fault.Dead())),
-                List.of("rear-right"));
-        return frame(
-                robot, curve(robot), sensors(robot), obstacles, List.of(collision.point()), Optional.of(collision));
+                List.of("rear-right"),
+                MotorFaults.NONE);
     }
 
     private static List<SensorSnapshot> sensors(Pose robot) {

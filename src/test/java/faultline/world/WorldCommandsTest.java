@@ -10,6 +10,9 @@ import faultline.control.ControllerSpec;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaults;
+import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.Reading;
@@ -150,12 +153,15 @@ class WorldCommandsTest {
     @Test
     void aCollisionKeepsTheFaultsAndSwitchesOfItsMoment() {
         world.execute(new Command.InjectFault("left", new Fault.Stuck(0.3)));
+        world.execute(new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.Weak(0.9)));
         world.execute(new Command.SwitchSensor("rear", false));
         world.execute(new Command.MoveObstacle("desk", new Pose(2, 2, 0)));
         world.execute(new Command.ClearFaults("left"));
+        world.execute(new Command.ClearMotorFaults(MotorSide.LEFT));
         Collision collision = world.collision().orElseThrow();
         assertEquals(Map.of("left", List.of(new Fault.Stuck(0.3))), collision.faults());
         assertEquals(List.of("rear"), collision.switchedOff());
+        assertEquals(new MotorFaults(List.of(new MotorFault.Weak(0.9)), List.of()), collision.motorFaults());
     }
 
     @Test

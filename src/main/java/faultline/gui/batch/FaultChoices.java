@@ -3,7 +3,6 @@ package faultline.gui.batch;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
-import faultline.gui.text.ReadingText;
 import faultline.gui.text.TextListener;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
@@ -85,7 +84,7 @@ final class FaultChoices extends JPanel {
                 self -> self.setToolTipText(
                         Messages.get(MotorFaultText.valueKeyOf(kind)) + ". " + Messages.get("batch.syntax")));
         RefreshSteps.add(box, self -> {
-            self.setText(ReadingText.nameOf(kind));
+            self.setText(MotorFaultText.nameOf(kind));
             self.setToolTipText(MotorFaultText.describe(kind));
             value.getAccessibleContext().setAccessibleName(Messages.get("batch.valueOf", self.getText()));
         });

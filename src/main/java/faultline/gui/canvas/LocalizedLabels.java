@@ -1,6 +1,7 @@
 package faultline.gui.canvas;
 
 import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
 import faultline.gui.theme.TextSize;
 import faultline.paint.scene.SceneLabels;
 import faultline.paint.surface.DrawContext;
@@ -27,7 +28,8 @@ public final class LocalizedLabels {
                 Messages.get("picture.faults"),
                 Messages.get("picture.off"),
                 Messages.get("reading.off"),
-                kind -> Messages.get((kind == FaultKind.OFF ? "picture.fault." : "fault.") + kind.fileName()),
+                MotorFaultText::motors,
+                kind -> kind == FaultKind.OFF ? Messages.get("picture.fault.off") : MotorFaultText.nameOf(kind),
                 font);
     }
 }

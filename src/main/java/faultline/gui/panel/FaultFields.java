@@ -2,7 +2,6 @@ package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
-import faultline.gui.text.ReadingText;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import faultline.gui.theme.RefreshSteps;
@@ -78,7 +77,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     /** Creates the fields of a sensor that is stuck. */
     public static FaultFields<FaultKind, Fault> forSensors() {
-        return new FaultFields<>(FaultKind.values(), FaultKind.STUCK, ReadingText::nameOf);
+        return new FaultFields<>(FaultKind.values(), FaultKind.STUCK, MotorFaultText::nameOf);
     }
 
     /** Creates the fields of motors that are weak. */

@@ -6,8 +6,11 @@ import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
 import faultline.gui.text.NumberText;
 import faultline.gui.text.ReadingText;
+import faultline.robot.MotorFaults;
+import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
 import faultline.world.Collision;
 import java.util.ArrayList;
@@ -116,8 +119,9 @@ public record RunVerdict(boolean success, String title, String detail, long even
         collision.switchedOff().forEach(id -> sensors.computeIfAbsent(
                         Messages.get("reading.off"), text -> new ArrayList<>())
                 .add(id));
-        List<String> entries = sensors.entrySet().stream()
-                .flatMap(entry -> faultEntries(entry.getKey(), entry.getValue()))
+        List<String> entries = Stream.concat(
+                        sensors.entrySet().stream().flatMap(entry -> faultEntries(entry.getKey(), entry.getValue())),
+                        Stream.of(MotorSide.values()).flatMap(side -> motorEntries(collision.motorFaults(), side)))
                 .toList();
         if (entries.isEmpty()) {
             return Messages.get("verdict.noFaults");
@@ -133,6 +137,10 @@ public record RunVerdict(boolean success, String title, String detail, long even
         return sensors.size() > MAX_NAMED
                 ? Stream.of(Messages.get("verdict.sensors", Integer.toString(sensors.size()), fault))
                 : sensors.stream().map(id -> id + " " + fault);
+    }
+
+    private static Stream<String> motorEntries(MotorFaults faults, MotorSide side) {
+        return faults.of(side).stream().map(fault -> MotorFaultText.motors(side) + " " + MotorFaultText.format(fault));
     }
 
     /** Returns the tick to go to in order to see what went wrong. */

@@ -23,7 +23,7 @@ public final class MotorFaultText {
         return Messages.get("motors." + side.fileName());
     }
 
-    public static String nameOf(MotorFaultKind kind) {
+    public static String nameOf(FaultDescriptor<?> kind) {
         return Messages.get(keyOf(kind));
     }
 

@@ -1,7 +1,6 @@
 package faultline.gui.text;
 
 import faultline.sensor.Fault;
-import faultline.sensor.FaultKind;
 import faultline.sensor.Reading;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -24,12 +23,8 @@ public final class ReadingText {
         return faults.stream().map(ReadingText::format).collect(Collectors.joining(", "));
     }
 
-    public static String nameOf(FaultKind kind) {
-        return Messages.get("fault." + kind.fileName());
-    }
-
     /** Formats a fault, for example "stuck 0.40 m". */
     public static String format(Fault fault) {
-        return MotorFaultText.format(nameOf(fault.kind()), fault.kind(), fault.value());
+        return MotorFaultText.format(MotorFaultText.nameOf(fault.kind()), fault.kind(), fault.value());
     }
 }

@@ -3,6 +3,7 @@ package faultline.paint.scene;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Shapes;
+import faultline.robot.MotorSide;
 import faultline.world.Collision;
 import faultline.world.Snapshot;
 import java.awt.Color;
@@ -86,12 +87,19 @@ final class CollisionPainter {
                         collision.point().y(),
                         collision.time(),
                         collision.obstacle()));
-        if (!collision.faults().isEmpty()) {
-            List<String> broken = new ArrayList<>();
+        List<String> broken = new ArrayList<>();
+        collision
+                .faults()
+                .forEach((sensor, faults) -> faults.forEach(
+                        fault -> broken.add(sensor + " " + labels.faultName().apply(fault.kind()))));
+        for (MotorSide side : MotorSide.values()) {
             collision
-                    .faults()
-                    .forEach((sensor, faults) -> faults.forEach(fault ->
-                            broken.add(sensor + " " + labels.faultName().apply(fault.kind()))));
+                    .motorFaults()
+                    .of(side)
+                    .forEach(fault -> broken.add(labels.motors().apply(side) + " "
+                            + labels.faultName().apply(fault.kind())));
+        }
+        if (!broken.isEmpty()) {
             lines.add(labels.faults() + ": " + String.join(", ", broken));
         }
         if (!collision.switchedOff().isEmpty()) {

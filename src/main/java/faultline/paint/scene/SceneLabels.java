@@ -1,7 +1,8 @@
 package faultline.paint.scene;
 
 import faultline.paint.surface.DrawContext;
-import faultline.sensor.FaultKind;
+import faultline.robot.MotorSide;
+import faultline.sensor.FaultDescriptor;
 import java.awt.Font;
 import java.util.function.Function;
 
@@ -12,7 +13,8 @@ import java.util.function.Function;
  * @param faults the label before the faults at that time
  * @param sensorsOff the label before the sensors that were switched off at that time
  * @param switchedOff the label beside a sensor that is switched off
- * @param faultName returns the name of a kind of fault
+ * @param motors returns the name of a side's motors
+ * @param faultName returns the name of a kind of fault of a sensor or a motor
  * @param font the font of the texts
  */
 public record SceneLabels(
@@ -20,10 +22,17 @@ public record SceneLabels(
         String faults,
         String sensorsOff,
         String switchedOff,
-        Function<FaultKind, String> faultName,
+        Function<MotorSide, String> motors,
+        Function<FaultDescriptor<?>, String> faultName,
         Font font) {
 
     /** The texts in files. */
     public static final SceneLabels ENGLISH = new SceneLabels(
-            "First collision", "Active faults", "Switched off", "off", FaultKind::fileName, DrawContext.DEFAULT_FONT);
+            "First collision",
+            "Active faults",
+            "Switched off",
+            "off",
+            side -> side.fileName() + " motors",
+            FaultDescriptor::fileName,
+            DrawContext.DEFAULT_FONT);
 }

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 class ExpectationTest {
 
     private static final Collision COLLISION =
-            new Collision(new Vector2(3, 1.5), 12.25, 1225, "desk", Map.of(), List.of());
+            new Collision(new Vector2(3, 1.5), 12.25, 1225, "desk", Map.of(), List.of(), MotorFaults.NONE);
 
     private static RunResult result(List<Collision> collisions, double coverage, double rms) {
         Snapshot last = new Snapshot(
@@ -98,7 +98,13 @@ class ExpectationTest {
         Expectation.Condition distance = new Expectation.MaxDistanceRms(0.005);
         Expectation all = new Expectation(List.of(new Expectation.Collides(false), coverage, distance));
         Collision collision = new Collision(
-                new Vector2(4.2, 5.661382960239527), 60.449199503620775, 6045, "desk", Map.of(), List.of());
+                new Vector2(4.2, 5.661382960239527),
+                60.449199503620775,
+                6045,
+                "desk",
+                Map.of(),
+                List.of(),
+                MotorFaults.NONE);
         assertEquals(
                 List.of(
                         "expected no collision, but the robot struck desk at 4.2,5.661 after 60.449 s",

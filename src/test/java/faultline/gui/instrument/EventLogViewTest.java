@@ -13,6 +13,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.timeline.EventKind;
 import faultline.gui.timeline.EventText;
+import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Collision;
@@ -179,7 +180,8 @@ class EventLogViewTest {
 
     @Test
     void aCollisionSaysWhatAndWhere() {
-        Collision collision = new Collision(new Vector2(1.5, 2), 3.217, 322, "desk", Map.of(), List.of());
+        Collision collision =
+                new Collision(new Vector2(1.5, 2), 3.217, 322, "desk", Map.of(), List.of(), MotorFaults.NONE);
         RunEvent event = new RunEvent.Collided(322, collision);
         assertEquals(
                 "3.217 Collision first contact with desk at 1.500, 2.000",

@@ -13,6 +13,8 @@ import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.geometry.Vector2;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaults;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioRun;
 import faultline.scenario.xml.ScenarioException;
@@ -129,7 +131,15 @@ class RunVerdictTest {
                 RunVerdict.faultText(collision(different, List.of())));
     }
 
+    @Test
+    void theFaultsOfMotorsAreNamedAfterThoseOfSensors() {
+        MotorFaults motors = new MotorFaults(List.of(), List.of(new MotorFault.Weak(0.7), new MotorFault.NoDrive()));
+        Collision collision = new Collision(Vector2.ZERO, 1, 100, "pole", Map.of(), List.of("left"), motors);
+        assertEquals(
+                "Active faults: left off, right motors weak 0.70, right motors dead", RunVerdict.faultText(collision));
+    }
+
     private static Collision collision(Map<String, List<Fault>> faults, List<String> off) {
-        return new Collision(Vector2.ZERO, 1, 100, "pole", faults, off);
+        return new Collision(Vector2.ZERO, 1, 100, "pole", faults, off, MotorFaults.NONE);
     }
 }

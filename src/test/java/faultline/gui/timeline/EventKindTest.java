@@ -11,6 +11,7 @@ import faultline.control.TimingRule;
 import faultline.engine.recording.RunEvent;
 import faultline.geometry.Vector2;
 import faultline.gui.theme.Glyph;
+import faultline.robot.MotorFaults;
 import faultline.sensor.Fault;
 import faultline.world.Collision;
 import faultline.world.Command;
@@ -42,7 +43,8 @@ class EventKindTest {
             new RunEvent.CommandExecuted(6, 0.06, new Command.ClearFaults("left")),
             new RunEvent.CommandExecuted(7, 0.07, OFF),
             new RunEvent.CommandRefused(7, 0.07, OFF, new Refusal(Refusal.Reason.UNKNOWN_SENSOR, "left")),
-            new RunEvent.Collided(8, new Collision(new Vector2(1, 2), 0.08, 8, "desk", Map.of(), List.of())),
+            new RunEvent.Collided(
+                    8, new Collision(new Vector2(1, 2), 0.08, 8, "desk", Map.of(), List.of(), MotorFaults.NONE)),
             new RunEvent.Diverged(9, 0.09));
 
     @Test

@@ -9,6 +9,8 @@ import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaults;
 import faultline.sensor.Fault;
 import faultline.world.Collision;
 import faultline.world.Snapshot;
@@ -28,10 +30,12 @@ class CollisionPainterTest {
     private static final int WIDTH = 800;
     private static final int HEIGHT = 400;
     private static final Vector2 POINT = new Vector2(3.1416, 1.8714);
+    private static final MotorFaults WEAK_LEFT =
+            new MotorFaults(List.of(new MotorFault.Weak(0.7), new MotorFault.DeadBand(1)), List.of());
 
     @Test
     void theBadgeNamesPositionTimeAndObstacleOfTheFirstCollision() {
-        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of());
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of(), MotorFaults.NONE);
         assertEquals(
                 List.of("First collision   x 3.142 m   y 1.871 m   t 12.480 s   desk"),
                 CollisionPainter.badgeLines(collision, SceneLabels.ENGLISH));
@@ -57,7 +61,7 @@ class CollisionPainterTest {
 
     /** Returns the upper left corner of the pixels that the badge changes in a picture of 8 m by 4 m. */
     private static Point cornerOfBadge(Pose robot, List<Rectangle2D> covered) {
-        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of());
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of(), MotorFaults.NONE);
         Snapshot world = SampleFrames.frame(
                         robot,
                         SampleFrames.pathThrough(robot.position()),
@@ -88,10 +92,17 @@ class CollisionPainterTest {
                 "Uszkodzone",
                 "Wy\u0142\u0105czone",
                 "wy\u0142.",
+                side -> "silniki",
                 kind -> "zepsuty",
                 DrawContext.DEFAULT_FONT);
-        Collision collision =
-                new Collision(POINT, 12.48, 1248, "desk", Map.of("left", List.of(new Fault.Dead())), List.of("rear"));
+        Collision collision = new Collision(
+                POINT,
+                12.48,
+                1248,
+                "desk",
+                Map.of("left", List.of(new Fault.Dead())),
+                List.of("rear"),
+                MotorFaults.NONE);
         assertEquals(
                 List.of(
                         "Zderzenie   x 3.142 m   y 1.871 m   t 12.480 s   desk",
@@ -101,12 +112,22 @@ class CollisionPainterTest {
     }
 
     @Test
+    void faultsOfMotorsAloneAreNamedToo() {
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of(), WEAK_LEFT);
+        assertEquals(
+                List.of("Active faults: left motors weak, left motors dead-band"),
+                CollisionPainter.badgeLines(collision, SceneLabels.ENGLISH).subList(1, 2));
+    }
+
+    @Test
     void theBadgeNamesTheFaultsAndTheSensorsOffAtThatTime() {
         Map<String, List<Fault>> faults =
                 Map.of("left", List.of(new Fault.Stuck(0.4), new Fault.Bias(0.1)), "front", List.of(new Fault.Dead()));
-        Collision collision = new Collision(POINT, 12.48, 1248, "desk", faults, List.of("rear", "right"));
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", faults, List.of("rear", "right"), WEAK_LEFT);
         assertEquals(
-                List.of("Active faults: front off, left stuck, left bias", "Switched off: rear, right"),
+                List.of(
+                        "Active faults: front off, left stuck, left bias, left motors weak, left motors dead-band",
+                        "Switched off: rear, right"),
                 CollisionPainter.badgeLines(collision, SceneLabels.ENGLISH).subList(1, 3));
     }
 }

@@ -14,6 +14,7 @@ import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.Palette;
+import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
 import faultline.sensor.FaultKind;
 import faultline.sensor.Reading;
@@ -202,7 +203,7 @@ class ScenePainterTest {
     @Test
     void theFirstCollisionIsMarkedAndDescribedInABadge() {
         Vector2 point = new Vector2(4, 3);
-        Collision collision = new Collision(point, 1.5, 150, "box", Map.of(), List.of());
+        Collision collision = new Collision(point, 1.5, 150, "box", Map.of(), List.of(), MotorFaults.NONE);
         RobotPath path = SampleFrames.pathThrough(AT_2_1.position());
         Frame frame = SampleFrames.frame(AT_2_1, path, List.of(), List.of(), List.of(point), Optional.of(collision));
         Pixels.render(frame, LIGHT).assertColour(LIGHT.collision(), point);
