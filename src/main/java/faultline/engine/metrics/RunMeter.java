@@ -50,7 +50,7 @@ public final class RunMeter implements TickObserver {
         }
     }
 
-    /** {@return the measures so far; in a world with many walls, the coverage is known at the end only} */
+    /** {@return the measures so far; in a world with many or long walls, the coverage is known at the end only} */
     public RunMeasures measures() {
         OptionalDouble coverage = atEnd ? wall.coverage() : wall.liveCoverage();
         return new RunMeasures(

@@ -26,6 +26,9 @@ final class WallFollowingMetrics implements TickObserver {
     /** The maximum number of walls for which the places to pass are found during a run that is shown. */
     private static final int MAX_LIVE_WALLS = 5000;
 
+    /** The maximum length of the walls then, metres: the coverage takes up to 5 ms whenever it is asked for. */
+    private static final double MAX_LIVE_LENGTH = 2000;
+
     /** A list, because a set would call {@code equals} and {@code hashCode} of a record, whose first calls are slow. */
     private static final List<ControllerState> FOLLOWER_STATES =
             ControllerFactory.states(ControllerSpec.WallFollowing.DEFAULT);
@@ -137,12 +140,12 @@ final class WallFollowingMetrics implements TickObserver {
         }
     }
 
-    /** Returns whether there are too many walls to compute the coverage during the run. */
+    /** Returns whether there are too many walls, or too long ones, to compute the coverage during the run. */
     boolean isLarge() {
-        return walls.size() > MAX_LIVE_WALLS;
+        return walls.size() > MAX_LIVE_WALLS || walls.length() > MAX_LIVE_LENGTH;
     }
 
-    /** Returns {@link #coverage} during the run; empty also if there are too many walls. */
+    /** Returns {@link #coverage} during the run; empty also if the world {@link #isLarge}. */
     OptionalDouble liveCoverage() {
         return coverage.isEmpty() || isLarge() ? OptionalDouble.empty() : coverage();
     }

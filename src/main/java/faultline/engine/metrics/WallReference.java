@@ -2,6 +2,7 @@ package faultline.engine.metrics;
 
 import faultline.engine.Simulation;
 import faultline.geometry.ConvexShape;
+import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
 import faultline.world.CandidateBuffer;
@@ -9,6 +10,7 @@ import faultline.world.SpatialIndex;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * The walls of a world at the start, as ground truth for wall followers: what can be followed at a distance. Moving
@@ -26,6 +28,8 @@ public final class WallReference {
     private final CandidateBuffer candidates = new CandidateBuffer();
     /** Null until it is needed, because creating it takes a long time in large worlds. */
     private SpatialIndex index;
+    /** Not a number until it is needed. */
+    private double length = Double.NaN;
     /** The wall that was nearer to the last place that is not free: it often is nearer to the next place too. */
     private ConvexShape lastNearer;
 
@@ -55,6 +59,17 @@ public final class WallReference {
     /** Returns the number of shapes that the walls consist of. */
     int size() {
         return walls().size();
+    }
+
+    /** Returns the length of all walls, metres; of an ellipse that of a circle around it. */
+    double length() {
+        if (Double.isNaN(length)) {
+            length = IntStream.range(0, size())
+                    .mapToObj(walls()::shape)
+                    .mapToDouble(wall -> wall.boundingRadius() * 2 * (wall instanceof Segment ? 1 : StrictMath.PI))
+                    .sum();
+        }
+        return length;
     }
 
     /**

@@ -17,6 +17,8 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the measures during a run and at its end, in a room of 3.7 m by 2.9 m with a cupboard. */
 class RunMeterTest {
@@ -57,10 +59,11 @@ class RunMeterTest {
         assertTrue(last.followRms() > 0 && last.followRms() < 0.05, "of all walls: " + last.followRms());
     }
 
-    @Test
-    void inAWorldWithManyWallsTheCoverageIsKnownAtTheEnd() {
-        List<Vector2> zigzag = IntStream.rangeClosed(0, 5200)
-                .mapToObj(i -> new Vector2(i % 2 * 0.5, i * 0.0003))
+    @ParameterizedTest
+    @CsvSource({"5200, 0.3", "4500, 0.5"})
+    void inAWorldWithManyOrLongWallsTheCoverageIsKnownAtTheEnd(int walls, double length) {
+        List<Vector2> zigzag = IntStream.rangeClosed(0, walls)
+                .mapToObj(i -> new Vector2(i % 2 * length, i * 0.0003))
                 .toList();
         Obstacle wall = new Obstacle("zigzag", new ObstacleShape.WallShape(zigzag), new Pose(3.1, 1, 0));
         SimulationSetup many =
