@@ -8,8 +8,11 @@ import faultline.engine.ChunkLog;
  */
 final class TraceLevelRecorder {
 
-    /** The number of buckets in a chunk. */
-    static final int CHUNK_SIZE = 4096;
+    /** The maximum number of buckets in a chunk. */
+    private static final int MAX_CHUNK_SIZE = 4096;
+
+    /** The number of channels, those of 29 sensors, with which a chunk has the maximum number of buckets. */
+    private static final int MAX_CHANNELS = 70;
 
     /**
      * The values of consecutive buckets, bucket by bucket.
@@ -20,6 +23,7 @@ final class TraceLevelRecorder {
     record Chunk(float[] min, float[] max) {}
 
     private final int channels;
+    private final int chunkSize;
     private final int ticksPerBucket;
     private final ChunkLog<Chunk> log;
     private final int mergeFactor;
@@ -35,7 +39,8 @@ final class TraceLevelRecorder {
         this.channels = channels;
         this.ticksPerBucket = ticksPerBucket;
         this.mergeFactor = mergeFactor;
-        log = new ChunkLog<>(CHUNK_SIZE, maxChunks, this::newChunk);
+        chunkSize = Math.min(MAX_CHUNK_SIZE, MAX_CHUNK_SIZE * MAX_CHANNELS / Math.max(1, channels));
+        log = new ChunkLog<>(chunkSize, maxChunks, this::newChunk);
         min = new float[channels];
         max = new float[channels];
     }
@@ -92,8 +97,8 @@ final class TraceLevelRecorder {
     }
 
     private Chunk newChunk() {
-        float[] lows = new float[CHUNK_SIZE * channels];
-        return new Chunk(lows, ticksPerBucket == 1 ? lows : new float[CHUNK_SIZE * channels]);
+        float[] lows = new float[chunkSize * channels];
+        return new Chunk(lows, ticksPerBucket == 1 ? lows : new float[chunkSize * channels]);
     }
 
     TraceLevel view() {

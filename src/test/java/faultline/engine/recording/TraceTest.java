@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Traces at several resolutions: what is kept, how it is thinned, and that views stay as they are. */
 class TraceTest {
@@ -96,6 +99,28 @@ class TraceTest {
                     level.endBucket() - level.firstBucket() <= (level.ticksPerBucket() == 1 ? 32_768 : 16_384),
                     "buckets of " + level.ticksPerBucket());
         }
+    }
+
+    /** A value takes four bytes, and a coarse bucket has two for each channel. */
+    @ParameterizedTest
+    @ValueSource(ints = {24, 70, 72, 500, 2024})
+    void withManyChannelsFewerTicksAreKeptInTheSameMemory(int channels) {
+        TraceRecorder many = new TraceRecorder(channels);
+        float[] tick = new float[channels];
+        for (int i = 0; i < 20_000_000 / channels; i++) {
+            Arrays.fill(tick, i);
+            many.add(tick);
+        }
+        Trace trace = many.view();
+        long values = trace.levels().stream()
+                .mapToLong(level ->
+                        (level.endBucket() - level.firstBucket()) * channels * (level.ticksPerBucket() == 1 ? 1 : 2))
+                .sum();
+        assertTrue(values <= 16_100_000, values + " values");
+        TraceLevel finest = trace.finestLevel();
+        assertTrue(finest.endBucket() - finest.firstBucket() >= Math.min(finest.endBucket(), 896), "9 s at 10 ms");
+        assertEquals(finest.endBucket() - 1, finest.min(channels - 1, finest.endBucket() - 1));
+        assertEquals(finest.firstBucket(), finest.min(0, finest.firstBucket()));
     }
 
     @Test
