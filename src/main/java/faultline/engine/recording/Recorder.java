@@ -122,6 +122,7 @@ public final class Recorder implements TickObserver, CommandListener {
         values[TraceChannels.RIGHT_VOLTS] = (float) simulation.rightVolts();
         lastHeading = simulation.pose().heading();
         values[TraceChannels.HEADING] = (float) lastHeading;
+        values[TraceChannels.HEADING_REST] = (float) (lastHeading - (float) lastHeading);
         Velocity commanded = simulation.commandedVelocity();
         values[TraceChannels.COMMANDED_VELOCITY] = (float) commanded.linear();
         values[TraceChannels.COMMANDED_TURN_RATE] = (float) commanded.angular();

@@ -1,6 +1,6 @@
 package faultline.engine.recording;
 
-/** The numbers that are traced: eight of the controller, three of the robot's motion, and two of each sensor. */
+/** The numbers that are traced: eight of the controller, four of the robot's motion, and two of each sensor. */
 public final class TraceChannels {
 
     /** The distance that the controller holds, metres. */
@@ -19,16 +19,18 @@ public final class TraceChannels {
     /** The robot's heading, radians, not normalised. */
     public static final int HEADING = 6;
 
+    /** What rounding removes from {@link #HEADING}, radians: a heading is great after many turns. */
+    public static final int HEADING_REST = 7;
     /** The linear velocity at which the motors would settle with these voltages, metres per second. */
-    public static final int COMMANDED_VELOCITY = 7;
+    public static final int COMMANDED_VELOCITY = 8;
     /** The robot's linear velocity, metres per second, positive ahead. */
-    public static final int VELOCITY = 8;
+    public static final int VELOCITY = 9;
     /** The turn rate at which the motors would settle with these voltages, radians per second. */
-    public static final int COMMANDED_TURN_RATE = 9;
+    public static final int COMMANDED_TURN_RATE = 10;
     /** The robot's turn rate, radians per second, positive to the left. */
-    public static final int TURN_RATE = 10;
+    public static final int TURN_RATE = 11;
 
-    private static final int SENSOR_OFFSET = 11;
+    private static final int SENSOR_OFFSET = 12;
 
     private TraceChannels() {}
 

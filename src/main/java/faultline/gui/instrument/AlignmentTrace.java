@@ -166,7 +166,7 @@ record AlignmentTrace(
     }
 
     private static double headingAt(TraceLevel level, long tick) {
-        return level.min(TraceChannels.HEADING, tick);
+        return (double) level.min(TraceChannels.HEADING, tick) + level.min(TraceChannels.HEADING_REST, tick);
     }
 
     /** Returns whether F3 and F4 are known. */

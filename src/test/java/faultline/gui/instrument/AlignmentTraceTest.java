@@ -17,6 +17,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
+import faultline.geometry.Pose;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
@@ -80,6 +81,19 @@ class AlignmentTraceTest {
                 Math.toDegrees(Math.IEEEremainder(spin.achievedHeading(), Math.PI / 2)),
                 1.0,
                 "along a wall of the room");
+    }
+
+    @Test
+    void theErrorIsThatOfTheTurnHoweverOftenTheRobotHasTurnedBefore() {
+        SimulationSetup setup = SampleRuns.ROOM_SETUP;
+        Pose start = setup.start();
+        Pose turned = new Pose(start.x(), start.y(), start.heading() + 2 * StrictMath.PI * 100_000);
+        AlignmentTrace first =
+                AlignmentTrace.latest(SampleRuns.frame(setup, 2000)).orElseThrow();
+        AlignmentTrace later = AlignmentTrace.latest(SampleRuns.frame(setup.withStart(turned), 2000))
+                .orElseThrow();
+        assertEquals(first.headingError().orElseThrow(), later.headingError().orElseThrow(), 1e-6);
+        assertEquals(first.origin(), later.origin(), 1e-6);
     }
 
     @Test
