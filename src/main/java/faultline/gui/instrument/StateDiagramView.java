@@ -164,7 +164,10 @@ public final class StateDiagramView extends AccessibleComponent {
 
     @Override
     public String getToolTipText(MouseEvent event) {
-        StateTally tally = frame == null ? StateTally.EMPTY : frame.recording().stateTally();
+        if (frame == null || !isFollower(frame)) {
+            return super.getToolTipText(event);
+        }
+        StateTally tally = frame.recording().stateTally();
         return DiagramPainter.arrows(tally).stream()
                 .filter(arrow -> isNear(arrow, event))
                 .findFirst()

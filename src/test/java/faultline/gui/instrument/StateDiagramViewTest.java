@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -207,6 +208,22 @@ class StateDiagramViewTest {
         String tip = callOnEdt(() -> view.getToolTipText(
                 new MouseEvent(view, MouseEvent.MOUSE_MOVED, 0, 0, (int) middle.x() - 12, (int) middle.y(), 0, false)));
         assertEquals("Search → Turn: wall met (1×)", tip);
+    }
+
+    @Test
+    void withoutADiagramNoArrowExplainsItself() {
+        assertNoArrowExplainsItself();
+        picture(SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 10));
+        assertNoArrowExplainsItself();
+    }
+
+    private void assertNoArrowExplainsItself() {
+        runOnEdt(() -> view.setSize(WIDTH, HEIGHT));
+        for (Arrow arrow : StateDiagram.TRANSITIONS) {
+            Vector2 tip = LAYOUT.route(arrow).tip();
+            assertNull(callOnEdt(() -> view.getToolTipText(
+                    new MouseEvent(view, MouseEvent.MOUSE_MOVED, 0, 0, (int) tip.x(), (int) tip.y(), 0, false))));
+        }
     }
 
     @Test
