@@ -40,7 +40,7 @@ public final class ObstacleXml {
      * @throws ScenarioException with everything that is wrong
      */
     public static List<Obstacle> parse(String text) throws ScenarioException {
-        String trimmed = text.strip();
+        String trimmed = text.replaceFirst("^\uFEFF", "").strip();
         String file = isScenario(trimmed) ? trimmed : PREFIX + trimmed + SUFFIX;
         return ScenarioReader.read("", file.getBytes(StandardCharsets.UTF_8))
                 .setup()

@@ -65,6 +65,14 @@ class ObstacleXmlTest {
         assertEquals(List.of(), ObstacleXml.parse("<!---->".repeat(1000)));
     }
 
+    @Test
+    void aTextCanBeginWithAByteOrderMark() throws Exception {
+        String pole = "<circle id=\"pole\" x=\"2\" y=\"0.5\" radius=\"0.1\"/>";
+        assertEquals(ObstacleXml.parse(pole), ObstacleXml.parse("\uFEFF" + pole));
+        String office = new String(Scenario.loadShipped("office.xml").toBytes(), StandardCharsets.UTF_8);
+        assertEquals(ObstacleXml.parse(office), ObstacleXml.parse("\uFEFF" + office));
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {

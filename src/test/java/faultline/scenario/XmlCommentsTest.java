@@ -128,6 +128,13 @@ class XmlCommentsTest {
     }
 
     @Test
+    void aFileThatNoScenarioCanBeHasNone() {
+        String comment = "<!-- a -->";
+        assertSame(XmlComments.NONE, readComments(comment + "<a>".repeat(100_000) + "</a>".repeat(100_000)));
+        assertSame(XmlComments.NONE, readComments(comment + "<a>" + "<b/>".repeat(300_000) + "</a>"));
+    }
+
+    @Test
     void aFileThatCannotBeReadHasNone() {
         assertSame(XmlComments.NONE, XmlComments.read(folder.resolve("none.xml")));
         assertSame(XmlComments.NONE, readComments("<scenario><!-- a -->"));

@@ -43,6 +43,7 @@ public final class DiagnosisMetrics implements TickObserver {
                 .filter(timed -> CarryOnMetrics.startTime(setup, timed) == onset
                         && timed.command() instanceof Command.InjectFault)
                 .map(timed -> ((Command.InjectFault) timed.command()).sensor())
+                .filter(sensor -> setup.robot().sensor(sensor).isPresent())
                 .findFirst()
                 .orElse("");
     }

@@ -32,7 +32,7 @@ public final class Keyframes {
     /**
      * {@return the newest frame that is not after a tick; empty if nothing is recorded}
      *
-     * @param tick the tick
+     * @param tick the tick, not negative
      */
     public Optional<Frame> frameAt(long tick) {
         return size == 0 ? Optional.empty() : Optional.of(frames[(int) Math.min(size - 1, tick / stride)]);

@@ -58,7 +58,9 @@ public record Axis(String label, double low, double high, boolean logarithmic, L
         double[] all = values.filter(Double::isFinite).toArray();
         double most = Arrays.stream(all).max().orElse(1);
         double least = Math.min(Arrays.stream(all).min().orElse(0), most - minSpan);
-        double step = niceStep(Math.max(most - least, 1e-9));
+        // Labels have twelve digits.
+        double minShown = 1e-9 * Math.max(1, Math.max(Math.abs(least), Math.abs(most)));
+        double step = niceStep(Math.max(most - least, minShown));
         double low = Math.floor(least / step) * step;
         double high = Math.ceil(most / step) * step;
         return linear(label, low, high > low ? high : low + step);

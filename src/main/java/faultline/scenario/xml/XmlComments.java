@@ -48,7 +48,8 @@ public final class XmlComments {
     }
 
     /**
-     * {@return the comments of a scenario file with some bytes, none if they are not well-formed XML}
+     * {@return the comments of a scenario file with some bytes, none if they are not well-formed XML, or beyond the
+     * limits of a scenario}
      *
      * @param bytes the content of the file
      */
@@ -77,6 +78,8 @@ public final class XmlComments {
         private final ElementPath path = new ElementPath();
         private final List<XmlComment> found = new ArrayList<>();
         private final List<String> pending = new ArrayList<>();
+        private int elementCount;
+        private int depth;
 
         @Override
         public void comment(char[] buffer, int start, int length) {
@@ -84,7 +87,11 @@ public final class XmlComments {
         }
 
         @Override
-        public void startElement(String uri, String localName, String qName, Attributes attributes) {
+        public void startElement(String uri, String localName, String qName, Attributes attributes)
+                throws SAXException {
+            if (++elementCount > ScenarioLimits.MAX_ELEMENTS || ++depth > ScenarioLimits.MAX_DEPTH) {
+                throw new SAXException("too many elements, or too many in each other");
+            }
             String id = attributes.getValue("id");
             path.enter(localName, id == null ? "" : id);
             flushPending(path.current());
@@ -94,6 +101,7 @@ public final class XmlComments {
         public void endElement(String uri, String localName, String qName) {
             flushPending(path.current() + "/");
             path.leave();
+            depth--;
         }
 
         @Override

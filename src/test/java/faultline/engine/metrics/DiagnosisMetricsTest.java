@@ -155,6 +155,15 @@ class DiagnosisMetricsTest {
     }
 
     @Test
+    void aFaultOfASensorThatTheRobotLacksIsNone() {
+        SimulationSetup setup = office.withTimeline(
+                List.of(new SimulationSetup.TimedCommand(0, new Command.InjectFault("top", new Fault.Dead()))));
+        DiagnosisMetrics metrics = observe(setup, tick -> List.of(distrusted("left")));
+        assertEquals(OptionalDouble.empty(), metrics.detectionDelay());
+        assertEquals(OptionalInt.of(1), metrics.falseAlarms());
+    }
+
+    @Test
     void withoutAFaultEachSensorThatIsNotTrustedIsAFalseAlarm() {
         DiagnosisMetrics metrics = observe(office.withTimeline(List.of()), tick -> List.of(distrusted("left")));
         assertEquals(OptionalInt.of(1), metrics.falseAlarms());
