@@ -35,8 +35,6 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
     static final List<String> SENSORS =
             List.of("front", "front-left", "left", "rear-left", "rear", "rear-right", "right", "front-right");
 
-    private static final double WANTED = 0.35;
-
     /**
      * What is the same in all runs of a study.
      *
@@ -103,7 +101,7 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
 
     Outcome run() {
         SimulationSetup setup = setup();
-        CarryOnMetrics metrics = new CarryOnMetrics(setup, WallCircuit.forCarryOn(setup.world(), WANTED));
+        CarryOnMetrics metrics = new CarryOnMetrics(setup, WallCircuit.forCarryOn(setup));
         DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
         try (Simulation simulation = new Simulation(
                 setup, ControllerFactory.create(setup.controller()), ControllerMode.DIRECT, CommandListener.NONE)) {

@@ -44,7 +44,7 @@ public final class RunMeter implements TickObserver {
     /** Returns the path that the robot follows; if it is too long, no laps are measured. */
     private WallCircuit circuit() {
         try {
-            return new WallCircuits().forCarryOn(setup);
+            return WallCircuit.forCarryOn(setup);
         } catch (WallReference.PathTooLongException e) {
             return WallCircuit.empty();
         }

@@ -1,10 +1,10 @@
 package faultline.engine.metrics;
 
+import faultline.engine.SimulationSetup;
 import faultline.geometry.Vector2;
-import faultline.world.WorldSpec;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import java.util.stream.DoubleStream;
 
@@ -24,22 +24,27 @@ public final class WallCircuit {
 
     private final double[] ys;
 
-    /** The places of each cell: those of a bucket of a hash table are linked by {@link #next}. */
-    private final int[] first;
+    /** The last place of each cell, and for each place the one before it in its cell. */
+    private final CellNumbers lastInCell = new CellNumbers();
 
-    private final int[] next;
-    private final long[] cells;
+    private final int[] before;
 
     /**
-     * {@return the circuit that the robot's centre can drive along the walls of a world, for {@link CarryOnMetrics}}
+     * {@return the circuit that the robot's centre can drive along the walls, for {@link CarryOnMetrics}; without any
+     * path if the robot follows no wall}
      *
-     * @param world before anything moves
-     * @param distance the distance from a wall to the robot's centre, metres
+     * @param setup the setup of the run
      * @throws WallReference.PathTooLongException if the path is too long
      */
-    public static WallCircuit forCarryOn(WorldSpec world, double distance) {
+    public static WallCircuit forCarryOn(SimulationSetup setup) {
+        OptionalDouble distance = CarryOnMetrics.wantedDistance(setup);
+        if (distance.isEmpty()) {
+            return empty();
+        }
         double spacing = 0.02;
-        return new WallCircuit(new WallReference(world).samplesAlongPath(distance, spacing), spacing, 0.04, 0.15);
+        List<WallReference.WallSample> places =
+                new WallReference(setup.world()).samplesAlongPath(distance.getAsDouble(), spacing);
+        return new WallCircuit(places, spacing, 0.04, 0.15);
     }
 
     /** {@return a circuit without any path, for robots that follow no wall} */
@@ -63,10 +68,7 @@ public final class WallCircuit {
         lengths = new double[count];
         xs = places.stream().mapToDouble(place -> place.position().x()).toArray();
         ys = places.stream().mapToDouble(place -> place.position().y()).toArray();
-        next = new int[count];
-        cells = new long[count];
-        first = new int[Integer.highestOneBit(2 * count + 1) * 2];
-        Arrays.fill(first, -1);
+        before = new int[count];
         for (int i = 0; i < count; i++) {
             paths[i] = i;
             joinWithEarlier(i, joinDistance);
@@ -97,23 +99,13 @@ public final class WallCircuit {
     }
 
     private void addToCell(int i) {
-        cells[i] = cell(column(xs[i]), column(ys[i]));
-        int bucket = bucket(cells[i]);
-        next[i] = first[bucket];
-        first[bucket] = i;
+        long cell = CellKey.of(column(xs[i]), column(ys[i]));
+        before[i] = lastInCell.get(cell);
+        lastInCell.put(cell, i);
     }
 
     private long column(double coordinate) {
-        return (long) Math.floor(coordinate / tolerance);
-    }
-
-    private static long cell(long column, long row) {
-        return column << 32 ^ row & 0xFFFF_FFFFL;
-    }
-
-    private int bucket(long cell) {
-        long mixed = cell * 0x9E37_79B9_7F4A_7C15L;
-        return (int) (mixed >>> 32) & first.length - 1;
+        return CellKey.index(coordinate, tolerance);
     }
 
     /** Calls an action for every place within a radius of at most the tolerance around a point. */
@@ -126,9 +118,8 @@ public final class WallCircuit {
         long top = Math.min(column(atY + reach), column(atY) + 1);
         for (long x = left; x <= right; x++) {
             for (long y = bottom; y <= top; y++) {
-                long cell = cell(x, y);
-                for (int i = first[bucket(cell)]; i >= 0; i = next[i]) {
-                    if (cells[i] == cell && distance(i, atX, atY) <= radius) {
+                for (int i = lastInCell.get(CellKey.of(x, y)); i != CellNumbers.NONE; i = before[i]) {
+                    if (distance(i, atX, atY) <= radius) {
                         action.accept(i);
                     }
                 }

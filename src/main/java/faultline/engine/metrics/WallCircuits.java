@@ -4,7 +4,6 @@ import faultline.engine.SimulationSetup;
 import faultline.world.WorldSpec;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.OptionalDouble;
 
 /** The circuits of worlds, found once for all runs in the same world; the latest are kept. Safe on any thread. */
 public final class WallCircuits {
@@ -16,6 +15,7 @@ public final class WallCircuits {
     /** Creates a cache without circuits. */
     public WallCircuits() {}
 
+    /** The distance is not a number for robots that follow no wall. */
     private record CircuitKey(WorldSpec world, double distance) {}
 
     /**
@@ -25,18 +25,15 @@ public final class WallCircuits {
      * @throws WallReference.PathTooLongException if the path is too long
      */
     public WallCircuit forCarryOn(SimulationSetup setup) {
-        OptionalDouble distance = CarryOnMetrics.wantedDistance(setup);
-        if (distance.isEmpty()) {
-            return WallCircuit.empty();
-        }
-        CircuitKey key = new CircuitKey(setup.world(), distance.getAsDouble());
+        CircuitKey key = new CircuitKey(
+                setup.world(), CarryOnMetrics.wantedDistance(setup).orElse(Double.NaN));
         synchronized (kept) {
             WallCircuit known = kept.get(key);
             if (known != null) {
                 return known;
             }
         }
-        WallCircuit circuit = WallCircuit.forCarryOn(key.world, key.distance);
+        WallCircuit circuit = WallCircuit.forCarryOn(setup);
         synchronized (kept) {
             kept.put(key, circuit);
             while (kept.size() > MAX_KEPT || keptPlaces() > WallReference.MAX_PLACES) {

@@ -13,7 +13,7 @@ import faultline.engine.metrics.CarryOnMetrics;
 import faultline.engine.metrics.DiagnosisMetrics;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
-import faultline.engine.metrics.WallCircuits;
+import faultline.engine.metrics.WallCircuit;
 import faultline.scenario.RunSummary;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -65,7 +65,7 @@ class ResultColumnsTest {
         static MeasuredRun of(CampaignPlan plan, int index) throws Exception {
             PlannedRun run = plan.run(index);
             SimulationSetup setup = plan.scenario(run).setup();
-            CarryOnMetrics carry = new CarryOnMetrics(setup, new WallCircuits().forCarryOn(setup));
+            CarryOnMetrics carry = new CarryOnMetrics(setup, WallCircuit.forCarryOn(setup));
             DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
             RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(carry, diagnosis));
             String row = ResultColumns.row(run, result, carry, diagnosis);
