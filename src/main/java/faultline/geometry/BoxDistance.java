@@ -97,7 +97,7 @@ public final class BoxDistance {
                     ellipse.frame().toParent(new Vector2(ellipse.rx() * deepest.x(), ellipse.ry() * deepest.y()));
             return new Separation(0, point, point);
         }
-        Separation least = fromCorner(box.corner(0), ellipse);
+        Separation least = new Separation(Double.POSITIVE_INFINITY, Vector2.ZERO, Vector2.ZERO);
         for (int i = 0; i < OrientedBox.CORNERS; i++) {
             least = Separation.min(least, fromCorner(box.corner(i), ellipse));
             Vector2 outward = i % 2 == 0 ? new Vector2(i == 0 ? 1 : -1, 0) : new Vector2(0, i == 1 ? 1 : -1);

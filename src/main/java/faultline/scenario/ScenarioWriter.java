@@ -54,7 +54,7 @@ final class ScenarioWriter {
             out.attribute("recorded", true);
         }
         if (!scenario.description().isEmpty()) {
-            out.textElement("description", scenario.description());
+            out.beginElement("description").endTextElement(scenario.description());
         }
         WorldWriter.write(setup.world(), out);
         RobotWriter.write(setup.robot(), setup.start(), out);

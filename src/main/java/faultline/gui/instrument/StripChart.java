@@ -168,7 +168,7 @@ public final class StripChart extends JPanel {
     }
 
     private JCheckBoxMenuItem additionItem(int number, ChartLine line) {
-        JCheckBoxMenuItem item = new JCheckBoxMenuItem("", isAdded(line));
+        JCheckBoxMenuItem item = new JCheckBoxMenuItem("", additions.stream().anyMatch(line::showsSameAs));
         ContextMenu.number(item, number, line.name());
         item.addActionListener(event -> toggle(line));
         item.putClientProperty("CheckBoxMenuItem.doNotCloseOnMouseClick", true);
@@ -194,12 +194,8 @@ public final class StripChart extends JPanel {
         return menu;
     }
 
-    private boolean isAdded(ChartLine line) {
-        return additions.stream().anyMatch(other -> other.name().equals(line.name()));
-    }
-
     private void toggle(ChartLine line) {
-        if (!additions.removeIf(other -> other.name().equals(line.name()))) {
+        if (!additions.removeIf(line::showsSameAs)) {
             additions.add(line);
         }
         updateSignal();

@@ -12,7 +12,6 @@ import java.awt.Font;
 import java.awt.Rectangle;
 import java.awt.Shape;
 import java.awt.Stroke;
-import java.awt.font.FontRenderContext;
 import java.awt.geom.Rectangle2D;
 
 /**
@@ -40,8 +39,6 @@ public record ObstaclePainter(boolean named, Font font) {
 
     /** The greatest radius of an obstacle that is painted as a dot, pixels. */
     private static final double MAX_DOT_RADIUS = 1;
-
-    private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
 
     /** Paints an obstacle without its route. */
     public void paint(DrawContext context, Obstacle obstacle) {
@@ -94,7 +91,8 @@ public record ObstaclePainter(boolean named, Font font) {
         if (!named) {
             return paintedBounds(camera, obstacle, 0, OUTLINE_MARGIN);
         }
-        double halfName = font.getStringBounds(obstacle.id(), FONT_CONTEXT).getWidth() / 2;
+        double halfName =
+                font.getStringBounds(obstacle.id(), DrawContext.FONT_CONTEXT).getWidth() / 2;
         return paintedBounds(
                 camera, obstacle, halfName, NAME_HEIGHT * font.getSize2D() / DrawContext.DEFAULT_FONT.getSize2D());
     }

@@ -7,6 +7,7 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.Stroke;
+import java.awt.font.FontRenderContext;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
@@ -20,8 +21,11 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
     /** The font of labels in files. */
     public static final Font DEFAULT_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
 
+    /** How text is measured where there is no surface. */
+    public static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
+
     /** The stroke of halos around letters. */
-    public static final Stroke HALO_STROKE = new BasicStroke(3.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    public static final BasicStroke HALO_STROKE = solidStroke(3.5);
 
     private static final int HALO_ALPHA = 200;
     private static final Stroke CROSS_STROKE = solidStroke(2);
@@ -42,7 +46,7 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
     }
 
     /** Returns a solid stroke with round ends and joins; width in pixels. */
-    public static Stroke solidStroke(double width) {
+    public static BasicStroke solidStroke(double width) {
         return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     }
 

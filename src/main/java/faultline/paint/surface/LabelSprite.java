@@ -5,7 +5,6 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.Shape;
-import java.awt.font.FontRenderContext;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
@@ -25,7 +24,6 @@ record LabelSprite(BufferedImage image, int left, int baseline) {
     /** An upper bound of the width of the halo, pixels. */
     private static final int MARGIN = 3;
 
-    private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
     private static final Map<SpriteKey, LabelSprite> CACHE =
             Collections.synchronizedMap(new LinkedHashMap<>(MAX_CACHED, 0.75f, true) {
                 @Override
@@ -38,7 +36,7 @@ record LabelSprite(BufferedImage image, int left, int baseline) {
     private record SpriteKey(String text, Font font, Color colour, Color halo, double scale) {
 
         private LabelSprite render() {
-            Shape letters = TextOutline.of(text, font, FONT_CONTEXT, 0, 0);
+            Shape letters = TextOutline.of(text, font, DrawContext.FONT_CONTEXT, 0, 0);
             Shape rim = DrawContext.HALO_STROKE.createStrokedShape(letters);
             AffineTransform larger = AffineTransform.getScaleInstance(scale, scale);
             Rectangle bounds = larger.createTransformedShape(rim).getBounds();

@@ -23,7 +23,7 @@ public record LineStyle(Color colour, double width, DashPattern dash) {
     public BasicStroke stroke() {
         List<Double> lengths = dash.lengths();
         if (lengths.isEmpty()) {
-            return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+            return DrawContext.solidStroke(width);
         }
         float[] dashes = new float[lengths.size()];
         for (int i = 0; i < dashes.length; i++) {

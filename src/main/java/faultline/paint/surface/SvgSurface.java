@@ -15,7 +15,6 @@ import java.util.Locale;
 /** A surface that becomes an SVG file. Viewers clip what reaches beyond its edges. */
 public final class SvgSurface implements Surface {
 
-    private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
     /** The width of a space, in units of the font size. */
     private static final double SPACE_WIDTH = 0.32;
 
@@ -144,7 +143,7 @@ public final class SvgSurface implements Surface {
         String attributes = fontSize(font)
                 + SvgFormat.colourAttributes("fill", colour)
                 + SvgFormat.colourAttributes("stroke", halo)
-                + strokeAttributes((BasicStroke) DrawContext.HALO_STROKE)
+                + strokeAttributes(DrawContext.HALO_STROKE)
                 + " paint-order=\"stroke\"";
         appendText(x, y, attributes, XmlText.escapeAttribute(text));
     }
@@ -160,7 +159,7 @@ public final class SvgSurface implements Surface {
 
     @Override
     public FontRenderContext fontRenderContext() {
-        return FONT_CONTEXT;
+        return DrawContext.FONT_CONTEXT;
     }
 
     private static StringBuilder strokeAttributes(BasicStroke stroke) {

@@ -127,17 +127,6 @@ public final class XmlWriter {
     }
 
     /**
-     * Writes an element that contains only text.
-     *
-     * @param name its name
-     * @param text the text
-     */
-    public void textElement(String name, String text) {
-        beginElement(name);
-        endTextElement(text);
-    }
-
-    /**
      * Ends the innermost element, which contains only text.
      *
      * @param text the text
