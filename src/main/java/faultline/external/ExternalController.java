@@ -4,6 +4,7 @@ import faultline.control.Controller;
 import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.engine.RunFailedException;
+import faultline.engine.RunProblem;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.io.JsonWriter;
@@ -13,6 +14,7 @@ import faultline.io.MessageText;
 import faultline.io.XmlText;
 import faultline.robot.RobotSpec;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -149,6 +151,9 @@ public final class ExternalController implements Controller, TickObserver, AutoC
                 throw new ProtocolException(ControllerProblem.TICK, drive.whole("tick"));
             }
             return telemetry.decide(DriveMessage.read(drive, observation.robot()), observation.tick());
+        } catch (InterruptedIOException ended) {
+            child.close();
+            throw new RunFailedException(RunProblem.INTERRUPTED.with(observation.tick()), ended);
         } catch (ProtocolException | IOException e) {
             throw failure(e, ControllerProblem.AT_TICK.with(observation.tick()));
         }

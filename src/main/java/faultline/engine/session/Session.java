@@ -38,6 +38,7 @@ public final class Session implements SessionView, AutoCloseable {
     private final AtomicReference<SessionFrame> latestFrame = new AtomicReference<>();
     private final AtomicReference<SessionStatus> latestStatus = new AtomicReference<>();
     private final Thread thread = new Thread(this::run, "faultline-world");
+    private final TickWatch watch = new TickWatch(thread);
     private volatile boolean frameWanted;
     private volatile boolean closed;
     private volatile boolean ended;
@@ -286,11 +287,21 @@ public final class Session implements SessionView, AutoCloseable {
         return ended;
     }
 
-    /** Ends the session and its threads. Frames stay valid. */
+    /**
+     * Lets the run fail if its controller does not answer within a second, so that the session can answer the requests
+     * that it has got. A controller in another process is then ended.
+     */
+    public void stopWaiting() {
+        CompletableFuture<Void> answered = new CompletableFuture<>();
+        submit(() -> answers.add(() -> answered.complete(null)));
+        watch.limit(answered);
+    }
+
+    /** Ends the session and its threads, without waiting for a controller that does not answer. Frames stay valid. */
     @Override
     public void close() {
         closed = true;
-        LockSupport.unpark(thread);
+        stopWaiting();
     }
 
     /** Submits a task that runs on the simulation thread between two ticks. */
@@ -348,12 +359,21 @@ public final class Session implements SessionView, AutoCloseable {
 
     private void tick() {
         try {
-            advance();
+            advanceWatched();
             pacer.tickCompleted(simulation.setup().dt());
             frameOutdated = true;
             running = running && simulation.ticks() != pauseTick;
         } catch (RuntimeException e) {
             fail(e);
+        }
+    }
+
+    private void advanceWatched() {
+        watch.begin();
+        try {
+            advance();
+        } finally {
+            watch.end();
         }
     }
 

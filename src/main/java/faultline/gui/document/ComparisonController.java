@@ -104,7 +104,7 @@ public final class ComparisonController implements WorkspaceListener {
         TaskProgress progress = new TaskProgress();
         pendingTask = progress;
         BackgroundTasks.run(
-                () -> replay.run(progress),
+                () -> progress.perform(() -> replay.run(progress)),
                 made -> completeTask(progress, () -> setReference(made)),
                 failure -> completeTask(
                         progress,

@@ -84,6 +84,7 @@ public final class RunController implements WorkspaceListener {
     private void restartWith(UnaryOperator<Scenario> change) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
+            now.session().stopWaiting();
             workspace.start(new WorkspaceTask(TaskKind.RESTART, now.document().displayPath()), () -> {
                 Scenario scenario = change.apply(edited.join());
                 // The workspace sets the file when the session has started.

@@ -112,7 +112,7 @@ public final class Workspace implements AutoCloseable {
         task = newTask;
         lastTask = () -> start(newTask, maker, then, otherwise);
         BackgroundTasks.run(
-                maker,
+                () -> newTask.progress().perform(maker),
                 made -> {
                     boolean opened = taskDone(newTask, made);
                     (opened ? then : otherwise).run();

@@ -5,6 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
+import faultline.control.ControllerSource;
+import faultline.control.ControllerSpec;
+import faultline.control.Decision;
+import faultline.control.FollowerState;
+import faultline.control.Telemetry;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
@@ -14,12 +20,15 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
@@ -82,6 +91,70 @@ class SessionTest {
                 session.status().failure().orElseThrow().toString());
         CompletableFuture<Journal> journal = session.journal();
         assertThrows(ExecutionException.class, () -> journal.get(5, TimeUnit.SECONDS));
+    }
+
+    /** A controller that needs a permit for each decision from tick 2 on. */
+    private static final class PermittedController implements ControllerSource {
+
+        private final Semaphore permits = new Semaphore(0);
+        private final AtomicLong observed = new AtomicLong();
+
+        @Override
+        public Controller start(RunConditions run) {
+            return observation -> {
+                observed.set(observation.tick());
+                if (observation.tick() >= 2) {
+                    permits.acquireUninterruptibly();
+                }
+                return new Decision(1, 1, Telemetry.ofState(FollowerState.SEARCH));
+            };
+        }
+
+        @Override
+        public boolean limitsAnswerTime() {
+            return false;
+        }
+    }
+
+    /** Replaces the session by one that waits for the decision of tick 2. */
+    private PermittedController startWaiting() {
+        session.close();
+        PermittedController source = new PermittedController();
+        session = Session.start(SimulationSetup.of(new WorldSpec(6, 4, true, 3, List.of(POLE)), new Pose(1, 1, 0))
+                .withDuration(10)
+                .withController(new ControllerSpec.Chosen(new ControllerSpec.Extern(0), source)));
+        session.resume();
+        await(() -> source.observed.get() == 2);
+        return source;
+    }
+
+    @Test
+    void aRunThatIsNotWaitedForFailsAndAnswersItsRequests() throws Exception {
+        PermittedController controller = startWaiting();
+        BlockingQueue<CommandResult> results = new LinkedBlockingQueue<>();
+        session.send(List.of(new Command.RemoveObstacle("pole")), results::addAll);
+        session.stopWaiting();
+        assertEquals(Optional.empty(), results.take().refusal());
+        assertEquals(
+                "the run was interrupted at tick 2",
+                session.status().failure().orElseThrow().toString());
+        assertEquals(1, session.journal().get().entries().size());
+        controller.permits.release();
+    }
+
+    @Test
+    void aControllerThatAnswersSoonIsWaitedFor() {
+        PermittedController controller = startWaiting();
+        session.stopWaiting();
+        long start = System.nanoTime();
+        for (int tick = 2; System.nanoTime() - start < 1.3e9; tick++) {
+            long observed = tick;
+            await(() -> controller.observed.get() == observed);
+            LockSupport.parkNanos(100_000_000);
+            controller.permits.release();
+        }
+        assertEquals(Optional.empty(), session.status().failure());
+        controller.permits.release(1000);
     }
 
     @Test

@@ -27,7 +27,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
@@ -264,18 +264,18 @@ class RunNavigatorTest {
         assertEquals(3, controllers.started.get());
     }
 
-    /** Makes controllers that stand still, and that do not answer while they are held. */
+    /** Makes controllers that stand still, and that do not answer while they are held, even if they are interrupted. */
     private static final class HeldControllers implements ControllerSource {
         private final AtomicInteger started = new AtomicInteger();
         private final AtomicInteger waiting = new AtomicInteger();
-        private volatile CountDownLatch latch = new CountDownLatch(0);
+        private volatile CompletableFuture<Void> release = CompletableFuture.completedFuture(null);
 
         void hold() {
-            latch = new CountDownLatch(1);
+            release = new CompletableFuture<>();
         }
 
         void release() {
-            latch.countDown();
+            release.complete(null);
         }
 
         @Override
@@ -283,11 +283,7 @@ class RunNavigatorTest {
             started.incrementAndGet();
             return observation -> {
                 waiting.incrementAndGet();
-                try {
-                    latch.await();
-                } catch (InterruptedException e) {
-                    throw new IllegalStateException(e);
-                }
+                release.join();
                 waiting.decrementAndGet();
                 return new Decision(0, 0, Telemetry.ofState(ControllerState.of("HELD")));
             };

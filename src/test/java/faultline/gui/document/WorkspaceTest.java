@@ -321,15 +321,21 @@ class WorkspaceTest {
 
     @Test
     void aPendingSessionNeverStartsOnceTheWorkspaceIsClosed() {
+        CompletableFuture<Void> begun = new CompletableFuture<>();
+        CompletableFuture<Void> closed = new CompletableFuture<>();
         CompletableFuture<OpenDocument> made = new CompletableFuture<>();
         runOnEdt(() -> {
             ScenarioDocument document = workspace.openDocument().orElseThrow().document();
             workspace.start(new WorkspaceTask(TaskKind.OPEN, file), () -> {
+                begun.complete(null);
+                closed.join();
                 made.complete(OpenDocument.start(document, false, workspace));
                 return made.join();
             });
-            workspace.close();
         });
+        begun.join();
+        runOnEdt(workspace::close);
+        closed.complete(null);
         Await.until(
                 "the end of a session that nobody wants",
                 () -> made.isDone() && made.join().session().journal().isCompletedExceptionally());

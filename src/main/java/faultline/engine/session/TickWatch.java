@@ -1,0 +1,50 @@
+package faultline.engine.session;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+
+/** Interrupts a tick whose controller does not answer while somebody waits for the run. Any thread may call it. */
+final class TickWatch {
+
+    /** The time for which a tick may keep somebody waiting, milliseconds. */
+    private static final long PATIENCE = 1000;
+
+    private final Thread thread;
+    private long begun;
+    private boolean isTicking;
+
+    /** Creates a watch of the ticks that a thread makes. */
+    TickWatch(Thread thread) {
+        this.thread = thread;
+    }
+
+    /** Notes that the thread begins a tick. */
+    synchronized void begin() {
+        begun++;
+        isTicking = true;
+    }
+
+    /** Notes that the thread has ended a tick, also one that was interrupted. */
+    synchronized void end() {
+        isTicking = false;
+        // The thread would no longer wait for the next tick or task.
+        Thread.interrupted();
+    }
+
+    /** Interrupts a tick that takes a second from now, or from its later start, unless a request is answered before. */
+    synchronized void limit(CompletableFuture<Void> answered) {
+        long watched = begun;
+        CompletableFuture.delayedExecutor(PATIENCE, TimeUnit.MILLISECONDS).execute(() -> check(watched, answered));
+    }
+
+    private synchronized void check(long watched, CompletableFuture<Void> answered) {
+        if (answered.isDone() || !thread.isAlive()) {
+            return;
+        }
+        if (isTicking && begun == watched) {
+            thread.interrupt();
+        } else {
+            limit(answered);
+        }
+    }
+}
