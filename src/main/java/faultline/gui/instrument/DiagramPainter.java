@@ -1,9 +1,11 @@
 package faultline.gui.instrument;
 
+import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.control.ladder.Rung;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
+import faultline.engine.ControllerFactory;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.recording.StateTally;
@@ -82,12 +84,8 @@ final class DiagramPainter {
             paintState(state);
         }
         Font bold = SMALL_FONT.deriveFont(Font.BOLD);
-        String strategy = nameText(width / 3, bold) + strategyText(frame);
-        double room = width - TEXT_MARGIN - g.getFontMetrics(bold).stringWidth(strategy);
         drawFitted(
-                strategy
-                        + last.map(transition -> transitionText(transition, room, bold))
-                                .orElseGet(() -> Messages.get("diagram.none")),
+                caption(frame, last.orElse(null), width, g.getFontMetrics(bold)),
                 new Vector2(width / 2, height - Math.min(9, 9 * height / 150)),
                 width - TEXT_MARGIN,
                 bold,
@@ -109,10 +107,20 @@ final class DiagramPainter {
         return Stream.concat(StateDiagram.TRANSITIONS.stream(), others).toList();
     }
 
+    /**
+     * Returns the text below a diagram of a width, pixels: the name of the controller, the strategy, and the last
+     * transition, null for none.
+     */
+    static String caption(SessionFrame frame, RunEvent.StateChanged last, double width, FontMetrics metrics) {
+        String before = nameText(frame, width / 3, metrics) + strategyText(frame);
+        double room = width - TEXT_MARGIN - metrics.stringWidth(before);
+        return before + (last == null ? Messages.get("diagram.none") : transitionText(last, room, metrics));
+    }
+
     /** Returns the name that the controller gives itself, if it does, shortened to a width in pixels. */
-    private String nameText(double room, Font font) {
+    private static String nameText(SessionFrame frame, double room, FontMetrics metrics) {
         String name = frame.controllerName();
-        return name.isEmpty() ? "" : ShortenedText.of(name, g.getFontMetrics(font), room) + " · ";
+        return name.isEmpty() ? "" : ShortenedText.of(name, metrics, room) + " · ";
     }
 
     /** Returns which strategy of the ladder drives, if it is not the first one, before the last transition. */
@@ -121,21 +129,29 @@ final class DiagramPainter {
         return rung.isEmpty() || rung.equals(Rung.ALL.name()) ? "" : HealthText.rungPosition(rung) + " · ";
     }
 
-    /** Returns the description of the last transition, or its condition alone if the full text does not fit. */
-    private String transitionText(RunEvent.StateChanged last, double room, Font font) {
+    /**
+     * Returns the description of the last transition, or its condition alone, if any, if the full text does not fit.
+     */
+    private static String transitionText(RunEvent.StateChanged last, double room, FontMetrics metrics) {
         String whole = transitionText(last);
-        return g.getFontMetrics(font).stringWidth(whole) <= room ? whole : conditionText(last);
+        String condition = conditionText(last);
+        return condition.isEmpty() || metrics.stringWidth(whole) <= room ? whole : condition;
     }
 
-    /** Returns the newest transition that is still in the log. */
+    /** Returns the newest transition that is still in the log; none is the first state of a controller from outside. */
     static Optional<RunEvent.StateChanged> lastTransition(SessionFrame frame) {
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= log.firstIndex(); i--) {
             if (log.get(i) instanceof RunEvent.StateChanged transition) {
-                return Optional.of(transition);
+                return Optional.of(transition).filter(found -> !isFirstState(found, frame.controller()));
             }
         }
         return Optional.empty();
+    }
+
+    private static boolean isFirstState(RunEvent.StateChanged found, ControllerSpec controller) {
+        return !(controller instanceof ControllerSpec.BuiltIn)
+                && found.from().equals(ControllerFactory.initialState(controller));
     }
 
     static String transitionText(RunEvent.StateChanged last) {

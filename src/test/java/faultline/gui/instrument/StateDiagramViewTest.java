@@ -8,15 +8,21 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
+import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
+import faultline.control.Decision;
 import faultline.control.FollowerState;
+import faultline.control.StateTracker;
 import faultline.control.Telemetry;
 import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.ControllerFactory;
 import faultline.engine.Frame;
+import faultline.engine.SimulationSetup;
+import faultline.engine.recording.RunEvent;
 import faultline.engine.recording.StateTally;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
@@ -29,12 +35,14 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
+import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /** The state diagram without a display: the current state, the last transition, and their descriptions. */
@@ -314,6 +322,59 @@ class StateDiagramViewTest {
         for (FollowerState state : FollowerState.values()) {
             assertEquals(Theme.currentColours().field(), ground(picture, state), state.toString());
         }
+    }
+
+    @Test
+    void aCaptionWithoutRoomEndsInTheConditionOrElseInTheWholeTransition() {
+        SessionFrame frame = frame(FollowerState.FOLLOW, "THREE");
+        RunEvent.StateChanged other =
+                new RunEvent.StateChanged(9, 0.09, FollowerState.MEASURE, FollowerState.FOLLOW, "");
+        RunEvent.StateChanged own = new RunEvent.StateChanged(9, 0.09, FollowerState.SEARCH, FollowerState.TURN, "");
+        assertEquals("3 of 6: three sensors, map · Measure → Follow", caption(frame, other, 1000));
+        assertEquals("3 of 6: three sensors, map · Measure → Follow", caption(frame, other, 200));
+        String condition = StateText.condition(own.from(), own.to(), "");
+        assertEquals("3 of 6: three sensors, map · Search → Turn: " + condition, caption(frame, own, 1000));
+        assertEquals("3 of 6: three sensors, map · " + condition, caption(frame, own, 200));
+    }
+
+    private static String caption(SessionFrame frame, RunEvent.StateChanged last, double width) {
+        Graphics2D graphics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        try {
+            return DiagramPainter.caption(
+                    frame, last, width, graphics.getFontMetrics(new Font(Font.SANS_SERIF, Font.BOLD, 11)));
+        } finally {
+            graphics.dispose();
+        }
+    }
+
+    @Test
+    void theFirstStateOfAControllerFromOutsideIsNoTransition() {
+        List<FollowerState> states = List.of(FollowerState.SEARCH, FollowerState.SEARCH, FollowerState.TURN);
+        SimulationSetup setup =
+                SampleRuns.setup(new ControllerSpec.Chosen(new ControllerSpec.Extern(0), states(states)));
+        SessionFrame first = SampleRuns.frame(setup, 2);
+        assertEquals(FollowerState.SEARCH, first.telemetry().state());
+        assertEquals(Optional.empty(), DiagramPainter.lastTransition(first));
+        assertEquals("No transition yet", caption(first, null, 1000));
+        RunEvent.StateChanged second =
+                DiagramPainter.lastTransition(SampleRuns.frame(setup, 3)).orElseThrow();
+        assertEquals(FollowerState.TURN, second.to());
+    }
+
+    private static ControllerSource states(List<FollowerState> states) {
+        return new ControllerSource() {
+            @Override
+            public Controller start(RunConditions run) {
+                Controller named =
+                        observation -> new Decision(1, 1, Telemetry.ofState(states.get((int) observation.tick())));
+                return new StateTracker(named, "");
+            }
+
+            @Override
+            public boolean limitsAnswerTime() {
+                return true;
+            }
+        };
     }
 
     private static String strategy(String rung) {
