@@ -16,9 +16,9 @@ record LegendPlace(LegendRows<LegendEntry> rows, Vector2 corner, int above, int 
     /** No legend. */
     static final LegendPlace NONE = new LegendPlace(LegendEntry.rows(List.of(), name -> 0, 0), Vector2.ZERO, 0, 0);
 
-    /** Returns a legend above a plot that begins at an x coordinate, pixels. */
+    /** Returns a legend above the ribbon over a plot that begins at an x coordinate, pixels. */
     static LegendPlace above(LegendRows<LegendEntry> rows, int left) {
-        return new LegendPlace(rows, new Vector2(left, GAP), rows.rows().size() * ROW_HEIGHT, 0);
+        return new LegendPlace(rows, new Vector2(left, 0), rows.rows().size() * ROW_HEIGHT, 0);
     }
 
     /** Returns a legend to the right of a plot, at an x coordinate and of a width in pixels. */

@@ -247,7 +247,8 @@ class StripChartTest {
                 String message = width + "x" + height + " leaves " + area;
                 assertTrue(
                         rows == 0
-                                || area.y() >= StripScale.TOP_MARGIN + rows * LegendPlace.ROW_HEIGHT
+                                || legend.corner().y() + rows * LegendPlace.ROW_HEIGHT
+                                        <= area.y() - StripScale.TOP_MARGIN
                                 || area.x() + area.width() < legend.corner().x(),
                         message);
                 assertTrue(rows <= 1 || area.height() >= 45 || legend.beside() > 0, message);
