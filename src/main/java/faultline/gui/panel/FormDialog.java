@@ -2,18 +2,27 @@ package faultline.gui.panel;
 
 import faultline.gui.theme.ScreenFit;
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.ComponentListener;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JOptionPane;
+import javax.swing.JSpinner;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 
 /** A form in a dialog that can be accepted or cancelled. */
@@ -51,6 +60,7 @@ public final class FormDialog {
             Component parent, String title, JComponent form, Component first, Supplier<Optional<FormProblem>> check) {
         JOptionPane pane = new FormPane(title, form, first, check);
         NumberSpinner.findIn(form).forEach(NumberSpinner::passKeysOn);
+        textFields(form).forEach(FocusSelection::install);
         JDialog dialog = pane.createDialog(parent, title);
         dialog.setResizable(true);
         ScreenFit.pack(dialog);
@@ -61,6 +71,57 @@ public final class FormDialog {
         form.removeComponentListener(growth);
         dialog.dispose();
         return FormPane.ACCEPTED.equals(pane.getValue());
+    }
+
+    /** Returns the fields for a text in a component and its descendants, without those that are a part of another. */
+    private static Stream<JTextField> textFields(Container parent) {
+        return Stream.of(parent.getComponents())
+                .flatMap(child -> child instanceof JTextField field
+                        ? Stream.of(field)
+                        : child instanceof Container inner && !(child instanceof JSpinner || child instanceof JComboBox)
+                                ? textFields(inner)
+                                : Stream.empty());
+    }
+
+    /** Selects a text when its field gets the focus, as in a field for a number, unless the mouse places the caret. */
+    private static final class FocusSelection extends FocusAdapter {
+
+        private final JTextField field;
+        /** Whether the mouse has placed the caret, or the field has the focus of a window that is not active. */
+        private boolean keepsCaret;
+
+        private FocusSelection(JTextField field) {
+            this.field = field;
+        }
+
+        static void install(JTextField field) {
+            FocusSelection selection = new FocusSelection(field);
+            field.addFocusListener(selection);
+            field.addMouseListener(new MouseAdapter() {
+                @Override
+                public void mousePressed(MouseEvent event) {
+                    selection.keepsCaret = !field.isFocusOwner();
+                }
+            });
+        }
+
+        @Override
+        public void focusGained(FocusEvent event) {
+            if (!keepsCaret) {
+                field.setCaretPosition(field.getDocument().getLength());
+                // The caret is at the start, so that the start of a long text shows.
+                field.moveCaretPosition(0);
+            }
+            keepsCaret = false;
+        }
+
+        @Override
+        public void focusLost(FocusEvent event) {
+            keepsCaret = event.isTemporary();
+            if (!keepsCaret) {
+                field.setCaretPosition(0);
+            }
+        }
     }
 
     /** Asks for a form; its dialog closes when the value is set. */

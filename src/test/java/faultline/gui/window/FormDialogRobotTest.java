@@ -2,6 +2,8 @@ package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
@@ -16,6 +18,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.GridLayout;
 import java.awt.Rectangle;
 import java.awt.Window;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
@@ -168,6 +171,34 @@ class FormDialogRobotTest {
         robot.waitFor("the corrected text", () -> until.getText().equals("93"));
         robot.pressKeys(KeyEvent.VK_ENTER);
         robot.waitFor("the form is accepted", accepted::get);
+    }
+
+    @Test
+    void aTextIsSelectedWhenTheKeyboardReachesItsFieldAndNotWhenTheMouseDoes() {
+        List<JTextField> fields = callOnEdt(() -> {
+            Theme.LIGHT.install();
+            return List.of(new JTextField("Empty room", 12), new JTextField("A description", 12));
+        });
+        JTextField name = fields.get(0);
+        JTextField description = fields.get(1);
+        EventQueue.invokeLater(() -> {
+            Box form = Box.createVerticalBox();
+            fields.forEach(form::add);
+            FormDialog.showDialog(null, "Names", form, name);
+        });
+        robot.waitFor("the first field is selected", () -> "Empty room".equals(name.getSelectedText()));
+        Window dialog = callOnEdt(() -> SwingUtilities.getWindowAncestor(name));
+        robot.pressKeys(KeyEvent.VK_TAB);
+        robot.waitFor("the second field is selected", () -> "A description".equals(description.getSelectedText()));
+        assertEquals(0, callOnEdt(description::getCaretPosition), "the start of a long text shows");
+        assertNull(callOnEdt(name::getSelectedText));
+        robot.pressKeys(KeyEvent.VK_X);
+        robot.waitFor("the typed text replaces it", () -> "x".equals(description.getText()));
+        robot.click(name, 20, name.getHeight() / 2.0, InputEvent.BUTTON1_DOWN_MASK);
+        robot.waitFor("the first field has the focus", name::isFocusOwner);
+        assertNull(callOnEdt(name::getSelectedText));
+        robot.pressKeys(KeyEvent.VK_ESCAPE);
+        robot.waitFor("the dialog is gone", () -> !dialog.isShowing());
     }
 
     private static JTextField textOf(NumberSpinner field) {
