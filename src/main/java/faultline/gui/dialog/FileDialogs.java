@@ -161,8 +161,8 @@ class FileDialogs {
     }
 
     /**
-     * A file chooser that Escape closes wherever the focus is, and that fits on the screen. The name of a file to save
-     * may contain the characters of a file name pattern.
+     * A file chooser that Escape closes wherever the focus is, and that fits on the screen. It stays open if the file
+     * to open does not exist. The name of a file to save may contain the characters of a file name pattern.
      */
     static final class EscapableFileChooser extends JFileChooser {
         EscapableFileChooser(File folder) {
@@ -183,16 +183,11 @@ class FileDialogs {
 
         @Override
         public void approveSelection() {
-            if (isPath(getSelectedFile())) {
-                super.approveSelection();
-            } else {
-                JOptionPane.showMessageDialog(
-                        this,
-                        TextWrap.wrap(
-                                Messages.get("files.badName", getSelectedFile().getName())),
-                        getDialogTitle(),
-                        JOptionPane.WARNING_MESSAGE);
-            }
+            problem(getSelectedFile(), getDialogType() == OPEN_DIALOG)
+                    .ifPresentOrElse(
+                            sentence -> JOptionPane.showMessageDialog(
+                                    this, TextWrap.wrap(sentence), getDialogTitle(), JOptionPane.WARNING_MESSAGE),
+                            super::approveSelection);
         }
 
         @Override
@@ -208,6 +203,16 @@ class FileDialogs {
                             JComponent.WHEN_IN_FOCUSED_WINDOW);
             return dialog;
         }
+    }
+
+    /** Returns why a file cannot be chosen, given whether it is to be opened; empty if it can. */
+    static Optional<String> problem(File file, boolean opens) {
+        if (!isPath(file)) {
+            return Optional.of(Messages.get("files.badName", file.getName()));
+        }
+        return opens && Files.notExists(file.toPath())
+                ? Optional.of(Messages.get("files.missing", file.getPath()))
+                : Optional.empty();
     }
 
     /** Returns whether the file system accepts the name of a file. */

@@ -6,9 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.text.Messages;
 import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -51,6 +55,17 @@ class FileDialogsTest {
     void aNameThatTheFileSystemRefusesIsNoPath() {
         assertTrue(FileDialogs.isPath(new File("what?.xml")) || File.separatorChar == '\\');
         assertFalse(FileDialogs.isPath(new File("a\0b.xml")));
+    }
+
+    @Test
+    void aFileToOpenThatDoesNotExistIsNamedWithItsFolder(@TempDir Path folder) throws IOException {
+        File missing = folder.resolve("mistyped/nothing.yaml").toFile();
+        assertEquals(Optional.of(missing + " does not exist."), FileDialogs.problem(missing, true));
+        assertEquals(Optional.empty(), FileDialogs.problem(missing, false));
+        File present = Files.createFile(folder.resolve("plan.yaml")).toFile();
+        assertEquals(Optional.empty(), FileDialogs.problem(present, true));
+        assertEquals(
+                Optional.of("a\0b.xml is not a valid file name."), FileDialogs.problem(new File("a\0b.xml"), false));
     }
 
     @ParameterizedTest
