@@ -26,11 +26,12 @@ public final class Autosave implements AutoCloseable {
 
     private volatile boolean closed;
     private boolean lastWriteSucceeded;
-    private boolean failureReported;
+    /** Whether there are edits that could not be saved, as far as is known. */
+    private boolean failing;
 
     /**
      * Starts to save the edits of a workspace to a recovery store. {@code onFailure} is called on the event dispatch
-     * thread when that fails; not again before it has succeeded.
+     * thread when edits cannot be saved; not again before that has succeeded or there are no edits.
      */
     public Autosave(Workspace workspace, RecoveryStore recovery, Consumer<Throwable> onFailure) {
         assert EventQueue.isDispatchThread();
@@ -62,6 +63,7 @@ public final class Autosave implements AutoCloseable {
         if (!lastWriteSucceeded || !Objects.equals(unsaved, lastWritten)) {
             lastWritten = unsaved;
             lastWriteSucceeded = true;
+            failing &= unsaved != null;
             Path origin = workspace.file().orElse(null);
             Scenario base = workspace.replaceableScenario().orElse(null);
             BackgroundTasks.run(
@@ -69,7 +71,7 @@ public final class Autosave implements AutoCloseable {
                         write(origin, base, unsaved);
                         return true;
                     },
-                    written -> failureReported = false,
+                    written -> failing = false,
                     this::writeFailed);
         }
     }
@@ -89,12 +91,17 @@ public final class Autosave implements AutoCloseable {
         return lastWritten != null;
     }
 
+    /** Returns whether there are edits that could not be saved when that was last tried. */
+    public boolean isFailing() {
+        return failing;
+    }
+
     private void writeFailed(Throwable failure) {
         // The next period tries again.
         lastWriteSucceeded = false;
         LOG.log(Level.WARNING, "the unsaved edits cannot be written to the recovery file", failure);
-        if (!failureReported) {
-            failureReported = true;
+        if (!failing && hasEdits()) {
+            failing = true;
             onFailure.accept(failure);
         }
     }

@@ -101,6 +101,8 @@ public final class MainWindow extends JFrame {
     private final transient TimelineActions timelineActions;
     private final transient FileWatch fileWatch;
     private final transient RunPoller runPoller;
+    /** Null until recovery is enabled. */
+    private transient Autosave autosave;
 
     /** Creates a window without a scenario, not yet visible. */
     public MainWindow(WindowPreferences preferences) {
@@ -362,11 +364,14 @@ public final class MainWindow extends JFrame {
      * asynchronously. If there are none, {@code otherwise} is called.
      */
     public void enableRecovery(RecoveryStore recovery, Runnable otherwise) {
-        Autosave autosave = new Autosave(
-                workspace,
-                recovery,
-                failure -> showNote(Messages.get("recover.failed", ErrorMessages.describe(failure))));
+        autosave = new Autosave(workspace, recovery, this::showAutosaveFailure);
         RecoveryPrompt.offerRecovery(recovery, autosave, fileController::offerRecovery, otherwise);
+    }
+
+    private void showAutosaveFailure(Throwable failure) {
+        String sentence = Messages.get("recover.failed", ErrorMessages.describe(failure));
+        mainPanel.statusBar().keepNote(sentence, () -> autosave.isFailing() && workspace.isChanged());
+        runPoller.wake();
     }
 
     /** Responds to events of the workspace. */

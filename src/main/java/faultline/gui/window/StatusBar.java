@@ -14,6 +14,7 @@ import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.SeparatorBorder;
 import faultline.world.Snapshot;
 import java.awt.EventQueue;
+import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
@@ -151,6 +152,11 @@ final class StatusBar extends JPanel {
     /** Shows a sentence for as long as it takes to read, and no longer than it holds in the world that is shown. */
     void showNote(String sentence, Predicate<Snapshot> holds) {
         note.show(sentence, holds);
+    }
+
+    /** Shows a sentence for as long as it holds, unless another one replaces it. */
+    void keepNote(String sentence, BooleanSupplier holds) {
+        note.keep(sentence, world -> holds.getAsBoolean());
     }
 
     /** Returns whether a note is shown that will be removed. */

@@ -6,7 +6,10 @@ import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import javax.swing.JLabel;
 
-/** A sentence that stays for as long as it takes to read, and no longer than it holds in the world that is shown. */
+/**
+ * A sentence that stays for as long as it takes to read, or is kept, and no longer than it holds in the world that is
+ * shown.
+ */
 final class StatusNote extends JLabel {
 
     /** Minimum time for which a note stays, milliseconds. */
@@ -37,6 +40,12 @@ final class StatusNote extends JLabel {
         setText(sentence);
         setToolTipText(sentence);
         stayMillis = Math.max(MIN_MILLIS, MILLIS_PER_CHARACTER * sentence.length());
+    }
+
+    /** Shows a sentence for as long as it holds, unless another one replaces it. */
+    void keep(String sentence, Predicate<Snapshot> newHolds) {
+        show(sentence, newHolds);
+        stayMillis = 0;
     }
 
     /** Removes the sentence. */

@@ -317,6 +317,34 @@ class CrashRecoveryTest {
         assertEquals(1, callOnEdt(failures::size));
     }
 
+    /** Before the edits, the folder was already a file: there was nothing to be kept. */
+    @Test
+    void theFirstEditsThatCannotBeKeptAreReported() throws IOException {
+        Path obstacle = Files.createFile(folder.resolve("kept"));
+        RecoveryStore store = new RecoveryStore(obstacle.resolve("recovery"), DEAD, Instant.EPOCH);
+        AtomicInteger failed = new AtomicInteger();
+        Logger log = Logger.getLogger(Autosave.class.getName());
+        log.setFilter(record -> {
+            failed.incrementAndGet();
+            return false;
+        });
+        Autosave autosave = autosave(store);
+        Await.until("the failure without edits", () -> failed.get() == 1);
+        assertEquals(List.of(), failures);
+        assertFalse(callOnEdt(autosave::isFailing));
+        edit();
+        runOnEdt(autosave::saveUnsavedEdits);
+        Await.until("the failure with edits", () -> failed.get() == 2);
+        assertEquals(1, callOnEdt(failures::size));
+        assertTrue(callOnEdt(autosave::isFailing));
+        runOnEdt(() -> documentStore.save(file, () -> {}));
+        Await.until("the save", () -> failed.get() == 3);
+        log.setFilter(null);
+        assertFalse(callOnEdt(autosave::isFailing));
+        assertEquals(1, callOnEdt(failures::size));
+        Files.delete(obstacle);
+    }
+
     @Test
     void theRecoveryFileOfSavedEditsIsDeletedAtOnce() {
         RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);

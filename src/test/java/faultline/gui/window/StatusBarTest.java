@@ -20,6 +20,7 @@ import faultline.paint.surface.Camera;
 import faultline.world.Refusal;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -120,6 +121,23 @@ class StatusBarTest {
         assertTrue(texts().contains("old"));
         runOnEdt(() -> bar.removeNote("old"));
         assertFalse(texts().contains("old"));
+    }
+
+    @Test
+    void aKeptNoteStaysAsLongAsItHoldsOrUntilAnotherOneReplacesIt() {
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
+        AtomicBoolean holds = new AtomicBoolean(true);
+        runOnEdt(() -> bar.keepNote("not kept", holds::get));
+        show(1_000_000, frame, running(1));
+        assertTrue(texts().contains("not kept"));
+        assertFalse(callOnEdt(bar::isNoteShown), "nothing has to be polled");
+        holds.set(false);
+        show(2000, frame, running(1));
+        assertFalse(texts().contains("not kept"));
+        holds.set(true);
+        runOnEdt(() -> bar.keepNote("not kept", holds::get));
+        runOnEdt(() -> bar.showNote("saved"));
+        assertFalse(texts().contains("not kept"));
     }
 
     @Test
