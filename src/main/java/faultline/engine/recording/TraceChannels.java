@@ -19,7 +19,7 @@ public final class TraceChannels {
     /** The robot's heading, radians, not normalised. */
     public static final int HEADING = 6;
 
-    /** What rounding removes from {@link #HEADING}, radians: a heading is great after many turns. */
+    /** What rounding removes from {@link #HEADING}, radians: a heading is large after many turns. */
     public static final int HEADING_REST = 7;
     /** The linear velocity at which the motors would settle with these voltages, metres per second. */
     public static final int COMMANDED_VELOCITY = 8;
