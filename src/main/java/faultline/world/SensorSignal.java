@@ -80,7 +80,7 @@ final class SensorSignal {
                         .add(each));
         List<ActiveFault> now = new ArrayList<>(active.subList(0, kept));
         for (Fault fault : faults.subList(kept, faults.size())) {
-            // Of equal faults, the oldest ones go on.
+            // Of equal faults, the oldest ones continue.
             ActiveFault old = others.containsKey(fault) ? others.get(fault).poll() : null;
             now.add(old != null ? old : new ActiveFault(fault, new FaultContext(tick, dt, lastReported)));
         }

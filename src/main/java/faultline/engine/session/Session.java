@@ -12,12 +12,9 @@ import faultline.io.Message;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
-import java.util.ArrayDeque;
 import java.util.List;
-import java.util.Queue;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
@@ -34,7 +31,7 @@ public final class Session implements SessionView, AutoCloseable {
 
     private static final long NO_PAUSE_TICK = -1;
 
-    private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
+    private final SessionRequests requests = new SessionRequests();
     private final AtomicReference<SessionFrame> latestFrame = new AtomicReference<>();
     private final AtomicReference<SessionStatus> latestStatus = new AtomicReference<>();
     private final Thread thread = new Thread(this::run, "faultline-world");
@@ -53,7 +50,6 @@ public final class Session implements SessionView, AutoCloseable {
     private boolean running;
     private long pauseTick = NO_PAUSE_TICK;
     private boolean frameOutdated;
-    private final Queue<Runnable> answers = new ArrayDeque<>();
     private int refusals;
     private Refusal lastRefusal;
     private Message failure;
@@ -188,7 +184,7 @@ public final class Session implements SessionView, AutoCloseable {
     public void send(List<Command> commands, Consumer<List<CommandResult>> resultHandler) {
         submit(() -> {
             List<CommandResult> results = commands.stream().map(this::execute).toList();
-            answers.add(() -> resultHandler.accept(results));
+            requests.addAnswer(() -> resultHandler.accept(results));
         });
     }
 
@@ -271,7 +267,7 @@ public final class Session implements SessionView, AutoCloseable {
         CompletableFuture<Journal> journal = new CompletableFuture<>();
         submit(() -> {
             Journal now = request.get();
-            answers.add(() -> journal.complete(now));
+            requests.addAnswer(() -> journal.complete(now));
         });
         if (closed) {
             journal.completeExceptionally(new IllegalStateException("the session is closed"));
@@ -293,7 +289,7 @@ public final class Session implements SessionView, AutoCloseable {
      */
     public void stopWaiting() {
         CompletableFuture<Void> answered = new CompletableFuture<>();
-        submit(() -> answers.add(() -> answered.complete(null)));
+        submit(() -> requests.addAnswer(() -> answered.complete(null)));
         watch.limit(answered);
     }
 
@@ -306,7 +302,7 @@ public final class Session implements SessionView, AutoCloseable {
 
     /** Submits a task that runs on the simulation thread between two ticks. */
     private void submit(Runnable task) {
-        tasks.add(task);
+        requests.add(task);
         LockSupport.unpark(thread);
     }
 
@@ -323,8 +319,8 @@ public final class Session implements SessionView, AutoCloseable {
             closed = true;
             try {
                 // Requests that were submitted before the end are still answered.
-                runTasks();
-                sendAnswers();
+                requests.execute(this::fail);
+                requests.sendAnswers();
             } finally {
                 ended = true;
             }
@@ -333,22 +329,12 @@ public final class Session implements SessionView, AutoCloseable {
 
     private void advanceUntilClosed() {
         while (!closed) {
-            runTasks();
+            requests.execute(this::fail);
             if (running) {
                 tick();
             }
             publish();
             awaitNextTick();
-        }
-    }
-
-    private void runTasks() {
-        for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
-            try {
-                task.run();
-            } catch (RuntimeException e) {
-                fail(e);
-            }
         }
     }
 
@@ -404,7 +390,7 @@ public final class Session implements SessionView, AutoCloseable {
 
     private void publish() {
         boolean changed = false;
-        if (frameOutdated && (frameWanted || !running || !answers.isEmpty())) {
+        if (frameOutdated && (frameWanted || !running || requests.hasAnswers())) {
             frameWanted = false;
             frameOutdated = false;
             if (!running) {
@@ -419,16 +405,9 @@ public final class Session implements SessionView, AutoCloseable {
             latestStatus.set(now);
             changed = true;
         }
-        sendAnswers();
+        requests.sendAnswers();
         if (changed && !(now.running() && before.running())) {
             pausedChangeListener.run();
-        }
-    }
-
-    /** Answers requests, in their order, now that a frame that shows their effect is published. */
-    private void sendAnswers() {
-        for (Runnable answer = answers.poll(); answer != null; answer = answers.poll()) {
-            answer.run();
         }
     }
 
@@ -448,7 +427,7 @@ public final class Session implements SessionView, AutoCloseable {
 
     /** Waits until the next tick is due or a task is submitted. */
     private void awaitNextTick() {
-        if (tasks.isEmpty() && !closed) {
+        if (requests.isEmpty() && !closed) {
             if (running) {
                 pacer.awaitTick();
             } else {

@@ -110,7 +110,7 @@ final class LaneMouse extends MouseAdapter {
         }
     }
 
-    /** Moves the lanes in time by the distance of the mouse from the visible part, so that a drag can go on. */
+    /** Moves the lanes in time by the distance of the mouse from the visible part, so that a drag can continue. */
     private void scrollTo(int x) {
         TimeAxis axis = view.axis();
         view.zoom().move(Math.min(0, x - axis.left()) + Math.max(0, x - axis.right()));
