@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.JavaProcess;
 import faultline.app.Main;
 import faultline.scenario.ManyObstacles;
+import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -30,8 +31,9 @@ class ManyObstaclesRobotTest {
         private FirstPicture() {}
 
         public static void main(String[] arguments) {
+            PrintStream out = System.out;
             Runtime.getRuntime()
-                    .addShutdownHook(new Thread(() -> System.out.println(ProcessHandle.current()
+                    .addShutdownHook(new Thread(() -> out.println(ProcessHandle.current()
                             .info()
                             .totalCpuDuration()
                             .orElse(Duration.ZERO)
