@@ -17,7 +17,6 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.util.Optional;
-import java.util.function.Function;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -43,7 +42,6 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     private static final int DESCRIPTION_ROWS = 2;
 
     private final JComboBox<K> kind;
-    private final Function<K, String> names;
 
     private final NumberSpinner value = new NumberSpinner(MotorFaultText.NUMBER_PATTERN, 0, 1, 0.05, ignored -> {});
     private final NumberSpinner length = new NumberSpinner(
@@ -57,9 +55,8 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private double range = Double.POSITIVE_INFINITY;
 
-    private FaultFields(K[] kinds, K initial, Function<K, String> names) {
+    private FaultFields(K[] kinds, K initial) {
         this.kind = new JComboBox<>(kinds);
-        this.names = names;
         configureKind(kinds.length);
         configure(value, "faults.value");
         configure(length, "faults.length");
@@ -77,12 +74,12 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     /** Creates the fields of a sensor that is stuck. */
     public static FaultFields<FaultKind, Fault> forSensors() {
-        return new FaultFields<>(FaultKind.values(), FaultKind.STUCK, MotorFaultText::nameOf);
+        return new FaultFields<>(FaultKind.values(), FaultKind.STUCK);
     }
 
     /** Creates the fields of motors that are weak. */
     public static FaultFields<MotorFaultKind, MotorFault> forMotors() {
-        return new FaultFields<>(MotorFaultKind.values(), MotorFaultKind.WEAK, MotorFaultText::nameOf);
+        return new FaultFields<>(MotorFaultKind.values(), MotorFaultKind.WEAK);
     }
 
     @SuppressWarnings("unchecked")
@@ -91,7 +88,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     }
 
     private void configureKind(int count) {
-        kind.setRenderer(NamedChoice.rendererOf(names, MotorFaultText::describe));
+        kind.setRenderer(NamedChoice.rendererOf(MotorFaultText::nameOf, MotorFaultText::describe));
         kind.setMaximumRowCount(count);
         kind.addActionListener(event -> updateKind());
         UiText.name(kind, "faults.kind");

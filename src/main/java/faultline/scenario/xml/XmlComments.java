@@ -90,7 +90,7 @@ public final class XmlComments {
         public void startElement(String uri, String localName, String qName, Attributes attributes)
                 throws SAXException {
             if (++elementCount > ScenarioLimits.MAX_ELEMENTS || ++depth > ScenarioLimits.MAX_DEPTH) {
-                throw new SAXException("too many elements, or too many in each other");
+                throw new SAXException("too many elements, or nested too deep");
             }
             String id = attributes.getValue("id");
             path.enter(localName, id == null ? "" : id);
