@@ -1,18 +1,21 @@
 package faultline.gui.timeline;
 
+import faultline.engine.SimulationSetup;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.RunNavigator;
+import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
 import java.awt.event.KeyEvent;
 import java.util.function.Consumer;
 
 /**
- * The actions of the time line: those that move the run to the next or previous mark, and those that zoom the lanes.
+ * The actions of the time line: those that move the run to the next or previous mark, and those that zoom the lanes. If
+ * the user moves or restarts the run, the lanes show its new time.
  */
-public final class TimelineActions {
+public final class TimelineActions implements WorkspaceListener {
 
     private final TimelinePanel timeline;
     private final RunNavigator navigator;
@@ -77,6 +80,16 @@ public final class TimelineActions {
                     NumberText.format("%.2f", timeline.timeOf(tick)),
                     timeline.stops().text(tick)));
         }
+    }
+
+    @Override
+    public void seekStarted(long tick) {
+        timeline.showTick(tick);
+    }
+
+    @Override
+    public void scenarioRestarted(SimulationSetup before) {
+        timeline.showTick(0);
     }
 
     private void zoom(int steps) {

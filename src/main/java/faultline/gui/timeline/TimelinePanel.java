@@ -131,7 +131,7 @@ public final class TimelinePanel extends JPanel {
     }
 
     /** Shows the part of the run with a tick, unless it is visible. */
-    public void showTick(long tick) {
+    void showTick(long tick) {
         lanes.zoom().showTime(timeOf(tick));
     }
 

@@ -178,6 +178,7 @@ public final class MainWindow extends JFrame {
     private TimelineActions addTimelineActions() {
         TimelineActions added = new TimelineActions(mainPanel.timeline(), runController.navigator(), this::showNote);
         added.addTo(actionRegistry);
+        workspace.addListener(added);
         return added;
     }
 
@@ -394,17 +395,11 @@ public final class MainWindow extends JFrame {
         @Override
         public void scenarioRestarted(SimulationSetup before) {
             undoController.runRestarted(before, runController::change);
-            mainPanel.timeline().showTick(0);
         }
 
         @Override
         public void runRepositioned(long tick, SimulationSetup setup) {
             undoController.runRepositioned(tick, setup, runController::change);
-        }
-
-        @Override
-        public void seekStarted(long tick) {
-            mainPanel.timeline().showTick(tick);
         }
 
         @Override

@@ -117,16 +117,20 @@ class StripChartTest {
                 .toList());
     }
 
+    private void addLineOfRear() {
+        JMenuItem added = (JMenuItem) Stream.of(chart.createAdditionsMenu().getSubElements())
+                .map(MenuElement::getComponent)
+                .filter(item -> ((JMenuItem) item).getText().contains("rear, reported"))
+                .findFirst()
+                .orElseThrow();
+        added.doClick(0);
+    }
+
     @Test
     void theChosenSensorAndTheAddedLinesStayWhenAnotherSensorIsRemoved() {
         choose(5 + 6);
         runOnEdt(() -> {
-            JMenuItem added = (JMenuItem) Stream.of(chart.createAdditionsMenu().getSubElements())
-                    .map(MenuElement::getComponent)
-                    .filter(item -> ((JMenuItem) item).getText().contains("rear, reported"))
-                    .findFirst()
-                    .orElseThrow();
-            added.doClick(0);
+            addLineOfRear();
             chart.setFrame(frameWithout("front-left"));
         });
         JComboBox<?> choice = ComponentFinder.find(chart, JComboBox.class, "Signals");
@@ -148,12 +152,7 @@ class StripChartTest {
     void theChosenSensorAndTheAddedLinesStayWhenTheirSensorIsRenamed() {
         choose(5 + 6);
         runOnEdt(() -> {
-            JMenuItem added = (JMenuItem) Stream.of(chart.createAdditionsMenu().getSubElements())
-                    .map(MenuElement::getComponent)
-                    .filter(item -> ((JMenuItem) item).getText().contains("rear, reported"))
-                    .findFirst()
-                    .orElseThrow();
-            added.doClick(0);
+            addLineOfRear();
             chart.setFrame(frameWithId("right", "starboard"));
         });
         JComboBox<?> choice = ComponentFinder.find(chart, JComboBox.class, "Signals");
