@@ -191,7 +191,7 @@ final class BatchDialog extends RunsDialog {
                 results.add(row);
             }
             saved = saved && results.size() == before;
-            resultTabsOrNull().update(before, run.cells());
+            resultTabsOrNull().update(run.cells());
             progress().show(run.completion(), run.progress().isActive());
         }
     }

@@ -207,6 +207,11 @@ final class ResultTable extends RowTable {
         return row < 0 ? OptionalInt.empty() : OptionalInt.of(convertRowIndexToModel(row));
     }
 
+    /** Returns the number of rows, also of those that are not shown. */
+    int allRowCount() {
+        return model.rows.size();
+    }
+
     /** Adds rows at the end. */
     void addRows(List<List<ResultCell>> rows) {
         if (!rows.isEmpty()) {

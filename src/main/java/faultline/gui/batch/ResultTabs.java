@@ -4,6 +4,7 @@ import faultline.campaign.report.CampaignCell;
 import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
+import java.awt.EventQueue;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
@@ -21,6 +22,9 @@ import javax.swing.event.ListSelectionEvent;
  */
 final class ResultTabs {
 
+    /** The number of rows of runs that are added at a time. */
+    static final int BLOCK = 2000;
+
     private final JTabbedPane tabs;
     private final BatchResults results;
     private final ResultTable cellTable;
@@ -28,6 +32,9 @@ final class ResultTabs {
     private final HistogramView histogram;
     private final int firstTab;
     private List<CampaignCell> cells = List.of();
+    /** Whether more rows of runs will be added when other events have been handled. */
+    private boolean addingRows;
+
     private Set<Long> shownRuns;
 
     /**
@@ -46,15 +53,26 @@ final class ResultTabs {
         addTab("batch.tab.runs", new JScrollPane(runTable));
         addTab("batch.tab.histogram", histogram);
         histogram.update();
-        RefreshSteps.add(runTable, table -> table.setRows(runRows(0)));
+        RefreshSteps.add(runTable, table -> table.setRows(runRows(0, table.allRowCount())));
         RefreshSteps.add(
                 cellTable,
                 table -> table.setRows(cells.stream().map(results::cellRow).toList()));
     }
 
-    /** Returns the rows of the runs from one on, in the current language. */
-    private List<List<ResultCell>> runRows(int first) {
-        return IntStream.range(first, results.size()).mapToObj(results::runRow).toList();
+    /** Returns rows of runs, in the current language. */
+    private List<List<ResultCell>> runRows(int first, int end) {
+        return IntStream.range(first, end).mapToObj(results::runRow).toList();
+    }
+
+    /** Adds the next rows of runs, and the others when other events have been handled, because they may be many. */
+    private void addRows() {
+        int first = runTable.allRowCount();
+        int end = Math.min(results.size(), first + BLOCK);
+        runTable.addRows(runRows(first, end));
+        addingRows = end < results.size();
+        if (addingRows) {
+            EventQueue.invokeLater(this::addRows);
+        }
     }
 
     private void addTab(String key, JComponent view) {
@@ -82,8 +100,10 @@ final class ResultTabs {
     }
 
     /** Shows rows that were added to the results, and the newest cells. */
-    void update(int firstNewRun, List<CampaignCell> newCells) {
-        runTable.addRows(runRows(firstNewRun));
+    void update(List<CampaignCell> newCells) {
+        if (!addingRows) {
+            addRows();
+        }
         if (newCells != cells) {
             cells = newCells;
             cellTable.setRows(cells.stream().map(results::cellRow).toList());

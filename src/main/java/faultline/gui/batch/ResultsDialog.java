@@ -20,10 +20,8 @@ final class ResultsDialog extends RunsDialog {
         super(owner, actions);
         this.opened = opened;
         RefreshSteps.add(getRootPane(), root -> setTitle(Messages.get("batch.opened.title", opened.name())));
-        BatchResults results = opened.toResults();
-        showResults(results, new ControllerSelection("", jars));
-        // The table has its rows already.
-        resultTabsOrNull().update(results.size(), opened.cells());
+        showResults(opened.toResults(), new ControllerSelection("", jars));
+        resultTabsOrNull().update(opened.cells());
         progress().hideBar();
         progress().showStatus(opened::status);
         JButton close = button("dialog.close", this::close);

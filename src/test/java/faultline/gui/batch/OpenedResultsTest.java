@@ -115,7 +115,7 @@ class OpenedResultsTest {
         JTabbedPane tabs = callOnEdt(() -> {
             Theme.LIGHT.install();
             JTabbedPane pane = new JTabbedPane();
-            new ResultTabs(pane, results, row -> {}).update(results.size(), opened.cells());
+            new ResultTabs(pane, results, row -> {}).update(opened.cells());
             return pane;
         });
         JTable cells = table(tabs, 0);

@@ -11,6 +11,7 @@ import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
@@ -39,8 +40,8 @@ class ResultTabsTest {
         });
     }
 
-    @Test
-    void aChangeOfTheLanguageTranslatesTheResults() throws Exception {
+    /** Returns a finished batch of two runs. */
+    private static BatchRun twoRuns() throws Exception {
         Scenario yard = Scenario.load(Path.of("scenarios/yard.xml"));
         BatchRun run = new BatchRun(
                 new BatchPlan(
@@ -56,13 +57,19 @@ class ResultTabsTest {
                         List.of("left")),
                 1);
         assertEquals(2, run.make().made());
+        return run;
+    }
+
+    @Test
+    void aChangeOfTheLanguageTranslatesTheResults() throws Exception {
+        BatchRun run = twoRuns();
         runOnEdt(() -> {
             BatchResults results = new BatchResults(run.planOrNull());
             ResultTabs shown = new ResultTabs(tabs, results, row -> {});
             for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
                 results.add(row);
             }
-            shown.update(0, run.cells());
+            shown.update(run.cells());
         });
         run.delete();
         assertEquals(List.of("no fault", "no fault", "stuck"), List.of(text(0, 0, 0), text(1, 0, 2), text(1, 1, 2)));
@@ -73,5 +80,32 @@ class ResultTabsTest {
         assertEquals(
                 List.of("bez uszkodzenia", "bez uszkodzenia", "zacięty"),
                 List.of(text(0, 0, 0), text(1, 0, 2), text(1, 1, 2)));
+    }
+
+    @Test
+    void manyRowsAreAddedWhileOtherEventsAreHandled() throws Exception {
+        BatchRun run = twoRuns();
+        List<String> row = run.takeRow();
+        int count = 2 * ResultTabs.BLOCK + 1;
+        JTable runs = callOnEdt(() -> {
+            BatchResults results = new BatchResults(run.planOrNull());
+            for (int i = 0; i < count; i++) {
+                List<String> next = new ArrayList<>(row);
+                next.set(0, Integer.toString(i));
+                results.add(next);
+            }
+            new ResultTabs(tabs, results, index -> {}).update(run.cells());
+            JTable table = ComponentFinder.findAll(tabs.getComponentAt(1), JTable.class)
+                    .findFirst()
+                    .orElseThrow();
+            assertEquals(ResultTabs.BLOCK, table.getRowCount());
+            return table;
+        });
+        run.delete();
+        // Each block is an event of its own.
+        runOnEdt(() -> {});
+        runOnEdt(() -> {});
+        assertEquals(count, callOnEdt(runs::getRowCount));
+        assertEquals(Integer.toString(count - 1), callOnEdt(() -> String.valueOf(runs.getValueAt(count - 1, 0))));
     }
 }
