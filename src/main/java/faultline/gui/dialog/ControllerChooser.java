@@ -10,6 +10,7 @@ import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
+import faultline.gui.settings.RecentTexts;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
 import java.awt.Window;
@@ -27,7 +28,7 @@ import javax.swing.Timer;
  * Lets the user choose a controller for the runs of the window, or for a ghost: the scenario's own, one in Java, or a
  * command. Each restart loads it again, and a note says when one of its files has changed.
  */
-public final class ControllerChooser implements WorkspaceListener {
+public final class ControllerChooser implements WorkspaceListener, AutoCloseable {
 
     private static final int WATCH_MILLIS = 1000;
 
@@ -36,6 +37,7 @@ public final class ControllerChooser implements WorkspaceListener {
     private final RunController runController;
     private final ComparisonController comparison;
     private final Notes notes;
+    private final RecentTexts recentCommands;
     private final ErrorLines errorLines;
 
     private final UiAction scenarioController = UiAction.of("scenarioController", this::returnToScenarios);
@@ -61,18 +63,20 @@ public final class ControllerChooser implements WorkspaceListener {
     /** Read by the threads that start runs. */
     private volatile String scenarioName = "";
 
-    /** Creates a chooser for the runs of a workspace. */
+    /** Creates a chooser for the runs of a workspace, which offers the commands that were used last. */
     public ControllerChooser(
             Window owner,
             Workspace workspace,
             RunController runController,
             ComparisonController comparison,
-            Notes notes) {
+            Notes notes,
+            RecentTexts recentCommands) {
         this.owner = owner;
         this.workspace = workspace;
         this.runController = runController;
         this.comparison = comparison;
         this.notes = notes;
+        this.recentCommands = recentCommands;
         this.errorLines = new ErrorLines(notes);
         scenarioController.setEnabled(false);
         workspace.addListener(this);
@@ -110,7 +114,7 @@ public final class ControllerChooser implements WorkspaceListener {
     }
 
     private Optional<ControllerSelection> ask(String key, ControllerSelection now) {
-        return new ControllerDialog(key, now, workspace.file().orElse(null)).showDialog(owner);
+        return new ControllerDialog(key, now, workspace.file().orElse(null), recentCommands.texts()).showDialog(owner);
     }
 
     /** Restarts the run with a controller, which is also that of later runs if it can be started. */
@@ -194,6 +198,14 @@ public final class ControllerChooser implements WorkspaceListener {
                         }
                     },
                     failure -> {});
+            BackgroundTasks.run(
+                    chosen::startsProgram,
+                    program -> {
+                        if (program) {
+                            recentCommands.add(chosen.text());
+                        }
+                    },
+                    failure -> {});
         }
     }
 
@@ -202,18 +214,21 @@ public final class ControllerChooser implements WorkspaceListener {
         notes.show(Messages.get("chooseController.differs", NumberText.format("%.2f", time)));
     }
 
+    /** Stops watching the files of the controller. Called when the window is closed. */
+    @Override
+    public void close() {
+        started = ControllerSelection.SCENARIO;
+        watch.stop();
+    }
+
     /** Returns whether changes of the files of the session's controller are noted. */
     boolean isWatching() {
         return watch.isRunning();
     }
 
     private void checkFiles() {
-        if (owner.isDisplayable()) {
-            ControllerSelection chosen = started;
-            BackgroundTasks.run(() -> times(chosen.files()), this::compare, failure -> {});
-        } else {
-            watch.stop();
-        }
+        ControllerSelection chosen = started;
+        BackgroundTasks.run(() -> times(chosen.files()), this::compare, failure -> {});
     }
 
     private void compare(Map<Path, FileTime> now) {

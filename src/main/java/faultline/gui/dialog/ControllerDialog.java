@@ -46,6 +46,9 @@ final class ControllerDialog {
     private final String key;
 
     private final Path scenario;
+    /** The commands that were used last, the newest first. */
+    private final List<String> recent;
+
     private List<Path> jars;
     /** The number of times that names have been loaded; only the last ones are shown. */
     private int loads;
@@ -55,19 +58,21 @@ final class ControllerDialog {
     private Path awaited;
 
     /**
-     * Creates a dialog that shows a selection, given the open file, null for none. The key is {@code chooseController}
-     * for the controller of the run or {@code compareController} for that of a ghost.
+     * Creates a dialog that shows a selection, given the open file, null for none, and the commands used last. The key
+     * is {@code chooseController} for the controller of the run or {@code compareController} for that of a ghost.
      */
-    ControllerDialog(String key, ControllerSelection now, Path scenario) {
+    ControllerDialog(String key, ControllerSelection now, Path scenario, List<String> recent) {
         this.key = key;
         this.scenario = scenario;
+        this.recent = recent;
         this.jars = now.jars();
         // Its lines are as long as its sentences.
         help.setLineWrap(false);
         help.setRows(HELP_ROWS);
         showExample();
         field.setEditable(true);
-        field.setRenderer(NamedChoice.rendererOf(ControllerDialog::nameOf));
+        // A command may be wider than the list.
+        field.setRenderer(NamedChoice.rendererOf(ControllerDialog::nameOf, this::tipOf));
         field.setPrototypeDisplayValue(EXAMPLE.repeat(2));
         // The text has the focus, not the combo box.
         for (Component part : List.of(field, field.getEditor().getEditorComponent())) {
@@ -124,6 +129,9 @@ final class ControllerDialog {
         DefaultComboBoxModel<String> model = new DefaultComboBoxModel<>();
         model.addElement(Messages.get("chooseController.scenarios"));
         model.addAll(found.names());
+        model.addAll(recent.stream()
+                .filter(command -> !found.names().contains(command))
+                .toList());
         model.setSelectedItem(selected);
         field.setModel(model);
         if (found.problem() != null) {
@@ -142,6 +150,10 @@ final class ControllerDialog {
             case ControllerChoice.NONE -> Messages.get("controller.kind.NONE") + " (" + choice + ")";
             default -> String.valueOf(choice);
         };
+    }
+
+    private String tipOf(String choice) {
+        return recent.contains(choice) ? choice : null;
     }
 
     /** Shows the dialog and waits for the answer; empty if cancelled. */

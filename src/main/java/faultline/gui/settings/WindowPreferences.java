@@ -61,6 +61,11 @@ public final class WindowPreferences {
     }
 
     public RecentFiles recentFiles() {
-        return new RecentFiles(store);
+        return new RecentFiles(new RecentTexts(store, "recent"));
+    }
+
+    /** Returns the commands of controllers that were used most recently. */
+    public RecentTexts recentCommands() {
+        return new RecentTexts(store, "recentCommands");
     }
 }

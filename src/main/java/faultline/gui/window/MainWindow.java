@@ -72,8 +72,7 @@ public final class MainWindow extends JFrame {
     private final transient ComparisonController comparisonController =
             new ComparisonController(workspace, runController.navigator());
     private final transient Notes notes = new Notes(this::showNote, this::removeNote);
-    private final transient ControllerChooser controllerChooser =
-            new ControllerChooser(this, workspace, runController, comparisonController, notes);
+    private final transient ControllerChooser controllerChooser;
     private final transient UndoController undoController =
             new UndoController(runController::send, this::updateEditActions);
     private final transient ScenarioEditor scenarioEditor = new ScenarioEditor(runController, undoController);
@@ -82,8 +81,7 @@ public final class MainWindow extends JFrame {
     private final transient Dialogs dialogs = new Dialogs(this);
     private final transient FileController fileController =
             new FileController(this, workspace, this::commitPendingEdit);
-    private final transient BatchActions batchActions =
-            new BatchActions(this, fileController, controllerChooser, this::showNote);
+    private final transient BatchActions batchActions;
     private final SimulationCanvas canvas = new SimulationCanvas(undoController);
     private final transient ExportController exportController =
             new ExportController(this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote, notes);
@@ -108,18 +106,15 @@ public final class MainWindow extends JFrame {
     public MainWindow(WindowPreferences preferences) {
         assert EventQueue.isDispatchThread();
         this.preferences = preferences;
+        controllerChooser = new ControllerChooser(
+                this, workspace, runController, comparisonController, notes, preferences.recentCommands());
+        batchActions = new BatchActions(this, fileController, controllerChooser, this::showNote);
         themeAction = new ThemeAction(canvas, preferences);
         BoundedRangeModel speed =
                 new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
         runActions = new RunActions(runController, speed, now -> NumberDialog.TIME.ask(this, now));
         parts = new WindowParts(preferences);
-        obstacleActions = new ObstacleActions(
-                canvas.tools(),
-                undoController,
-                sensorActions,
-                notes,
-                now -> NumberDialog.MOTION_SPEED.ask(this, now),
-                preferences);
+        obstacleActions = createObstacleActions();
         addActions();
         mainPanel = new MainPanel(canvas, createEditors(), actionRegistry, speed, runController.navigator()::seek);
         comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun);
@@ -144,6 +139,16 @@ public final class MainWindow extends JFrame {
         workspace.addListener(new WorkspaceEvents());
         runPoller = createRunPoller();
         runPoller.start();
+    }
+
+    private ObstacleActions createObstacleActions() {
+        return new ObstacleActions(
+                canvas.tools(),
+                undoController,
+                sensorActions,
+                notes,
+                now -> NumberDialog.MOTION_SPEED.ask(this, now),
+                preferences);
     }
 
     private RunPoller createRunPoller() {
@@ -309,6 +314,7 @@ public final class MainWindow extends JFrame {
     public void dispose() {
         runPoller.stop();
         fileWatch.close();
+        controllerChooser.close();
         themeAction.close();
         workspace.close();
         super.dispose();

@@ -20,13 +20,22 @@ import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
+import faultline.gui.settings.WindowPreferences;
+import faultline.gui.settings.WindowPreferences.PreferenceStore;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -38,6 +47,9 @@ class ControllerChooserTest {
     private static final ControllerSelection MISSING = new ControllerSelection("no-such-controller", List.of());
 
     private final List<TaskKind> failures = new ArrayList<>();
+    private final Map<String, String> stored = new HashMap<>();
+    private final WindowPreferences preferences =
+            new WindowPreferences(new PreferenceStore(key -> stored.getOrDefault(key, ""), stored::put));
     private boolean opensWithoutChoice;
     private Workspace workspace;
     private DocumentStore store;
@@ -62,7 +74,8 @@ class ControllerChooserTest {
                     workspace,
                     run,
                     new ComparisonController(workspace, run.navigator()),
-                    new Notes(text -> {}, text -> {}));
+                    new Notes(text -> {}, text -> {}),
+                    preferences.recentCommands());
             store.open(OFFICE);
         });
         SessionFrames.awaitScenario(workspace);
@@ -70,7 +83,10 @@ class ControllerChooserTest {
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        runOnEdt(() -> {
+            chooser.close();
+            workspace.close();
+        });
     }
 
     @Test
@@ -113,6 +129,30 @@ class ControllerChooserTest {
         runOnEdt(() -> scenarios.actionPerformed(null));
         Await.until("the scenario's controller", () -> chooser.chosenText().isEmpty());
         assertFalse(callOnEdt(scenarios::isEnabled));
+    }
+
+    /** Drives the robot with a controller; returns when its run or a failure has been shown. */
+    private void tryOut(String text) {
+        int before = failures.size();
+        runOnEdt(() -> chooser.tryOut(new ControllerSelection(text, List.of())));
+        Await.until(text, () -> chooser.chosenText().equals(text) || failures.size() > before);
+        BackgroundThreads.awaitEnd();
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the program is a shell script")
+    void theCommandsThatHaveStartedAControllerAreRemembered(@TempDir Path folder) throws IOException {
+        Path program = Files.writeString(
+                folder.resolve("waiter.sh"),
+                "read hello; echo '{\"type\":\"ready\",\"protocol\":1,\"name\":\"waiter\"}'; cat");
+        tryOut("sh " + program + " older");
+        tryOut("sh " + program + " newer");
+        tryOut("none");
+        tryOut(MISSING.text());
+        assertEquals(List.of(TaskKind.RESTART), callOnEdt(() -> List.copyOf(failures)));
+        assertEquals(
+                List.of("sh " + program + " newer", "sh " + program + " older"),
+                callOnEdt(() -> preferences.recentCommands().texts()));
     }
 
     @Test

@@ -5,6 +5,7 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.BackgroundThreads;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -37,7 +38,7 @@ class ControllerDialogTest {
     }
 
     private Path startFolder(ControllerSelection now, Path scenario) {
-        return callOnEdt(() -> new ControllerDialog("chooseController", now, scenario)
+        return callOnEdt(() -> new ControllerDialog("chooseController", now, scenario, List.of())
                 .startFolder()
                 .toPath());
     }
@@ -82,7 +83,7 @@ class ControllerDialogTest {
             TextSize.LARGEST.install();
             Theme.LIGHT.install();
             return Stream.of("chooseController", "compareController")
-                    .map(key -> new ControllerDialog(key, ControllerSelection.SCENARIO, null))
+                    .map(key -> new ControllerDialog(key, ControllerSelection.SCENARIO, null, List.of()))
                     .mapToInt(dialog -> dialog.createPanel().getPreferredSize().width)
                     .max()
                     .orElseThrow();
@@ -92,9 +93,21 @@ class ControllerDialogTest {
 
     @Test
     void aGhostIsNotSaidToBeLoadedAgainByARestart() {
-        String help =
-                callOnEdt(() -> new ControllerDialog("compareController", ControllerSelection.SCENARIO, null).help());
+        String help = callOnEdt(
+                () -> new ControllerDialog("compareController", ControllerSelection.SCENARIO, null, List.of()).help());
         assertTrue(help.endsWith("The ghost is one run; to load a changed file, choose it again."), help);
+    }
+
+    @Test
+    void theListEndsWithTheCommandsThatWereUsedLast() {
+        List<String> recent = List.of("python3 newer.py", "python3 older.py");
+        ControllerDialog dialog =
+                callOnEdt(() -> new ControllerDialog("chooseController", ControllerSelection.SCENARIO, null, recent));
+        BackgroundThreads.awaitEnd();
+        List<String> names = callOnEdt(dialog::names);
+        assertEquals("As in the scenario", names.get(0));
+        assertTrue(names.contains("wall-follower"), names.toString());
+        assertEquals(recent, names.subList(names.size() - 2, names.size()));
     }
 
     @Test

@@ -51,8 +51,8 @@ class ControllerJarTest {
 
     @BeforeEach
     void create() {
-        dialog = callOnEdt(
-                () -> new ControllerDialog("chooseController", new ControllerSelection(COMMAND, List.of()), null));
+        dialog = callOnEdt(() ->
+                new ControllerDialog("chooseController", new ControllerSelection(COMMAND, List.of()), null, List.of()));
     }
 
     private Path jar(String name, String provider) throws IOException {
@@ -97,7 +97,7 @@ class ControllerJarTest {
     @Test
     void theDialogOpensWithAJarThatIsBrokenNow() throws IOException {
         ControllerSelection chosen = new ControllerSelection("turner", List.of(jar("broken.jar", "no.such.Turner")));
-        ControllerDialog reopened = callOnEdt(() -> new ControllerDialog("chooseController", chosen, null));
+        ControllerDialog reopened = callOnEdt(() -> new ControllerDialog("chooseController", chosen, null, List.of()));
         assertEquals("turner", callOnEdt(reopened::text));
         Await.until("the reason", () -> reopened.help().startsWith("a controller in Java cannot be loaded: "));
     }

@@ -19,7 +19,7 @@ class RecentFilesTest {
 
     private final Map<String, String> texts = new HashMap<>();
     private final RecentFiles recent =
-            new RecentFiles(new PreferenceStore(key -> texts.getOrDefault(key, ""), this::put));
+            new WindowPreferences(new PreferenceStore(key -> texts.getOrDefault(key, ""), this::put)).recentFiles();
 
     private void put(String key, String text) {
         assertTrue(text.length() <= Preferences.MAX_VALUE_LENGTH, "the preferences would refuse it");

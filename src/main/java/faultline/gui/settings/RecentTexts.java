@@ -1,0 +1,56 @@
+package faultline.gui.settings;
+
+import faultline.gui.settings.WindowPreferences.PreferenceStore;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/** The texts used most recently, such as names of files, newest first, under a key of the preferences. */
+public final class RecentTexts {
+
+    private static final int MAX_TEXTS = 8;
+    /** The longest value that a preference may have. */
+    private static final int MAX_VALUE_LENGTH = 8192;
+
+    private static final Pattern LINE_BREAK = Pattern.compile("[\\n\\r]");
+
+    private final PreferenceStore store;
+    private final String key;
+
+    RecentTexts(PreferenceStore store, String key) {
+        this.store = store;
+        this.key = key;
+    }
+
+    /** Returns the texts, newest first. */
+    public List<String> texts() {
+        return store.get(key).lines().filter(line -> !line.isBlank()).toList();
+    }
+
+    /** Adds a text as the newest one. One with a line break is not kept, because lines separate the texts. */
+    public void add(String text) {
+        if (!LINE_BREAK.matcher(text).find()) {
+            store(Stream.concat(Stream.of(text), texts().stream().filter(other -> !other.equals(text)))
+                    .limit(MAX_TEXTS)
+                    .toList());
+        }
+    }
+
+    void remove(String text) {
+        store(texts().stream().filter(other -> !other.equals(text)).toList());
+    }
+
+    void clear() {
+        store(List.of());
+    }
+
+    /** Stores as many of the newest texts as the preferences have room for. */
+    private void store(List<String> texts) {
+        String lines = String.join("\n", texts);
+        if (lines.length() > MAX_VALUE_LENGTH) {
+            store(texts.subList(0, texts.size() - 1));
+        } else {
+            store.put(key, lines);
+        }
+    }
+}
