@@ -6,14 +6,17 @@ import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
+import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
@@ -27,6 +30,7 @@ final class TemporaryFile {
 
     private static final String PREFIX = ".faultline-";
     private static final String SUFFIX = ".tmp";
+    private static final SplittableRandom NAMES = new SplittableRandom();
     private static final Set<PosixFilePermission> PRIVATE = PosixFilePermissions.fromString("rw-------");
     private static final Set<PosixFilePermission> PUBLIC = PosixFilePermissions.fromString("rw-rw-rw-");
 
@@ -177,16 +181,31 @@ final class TemporaryFile {
     private static TemporaryFile createRegistered(Path target) throws IOException {
         Path folder = target.getParent();
         if (!target.getFileSystem().supportedFileAttributeViews().contains("posix")) {
-            return register(new TemporaryFile(Files.createTempFile(folder, PREFIX, SUFFIX), Set.of()));
+            return register(new TemporaryFile(createFile(folder), Set.of()));
         }
         if (Files.exists(target)) {
-            Path path = Files.createTempFile(folder, PREFIX, SUFFIX);
+            Path path = createFile(folder, PosixFilePermissions.asFileAttribute(PRIVATE));
             return register(new TemporaryFile(path, Files.getPosixFilePermissions(target)));
         }
-        Path path = Files.createTempFile(folder, PREFIX, SUFFIX, PosixFilePermissions.asFileAttribute(PUBLIC));
+        Path path = createFile(folder, PosixFilePermissions.asFileAttribute(PUBLIC));
         TemporaryFile created = register(new TemporaryFile(path, Files.getPosixFilePermissions(path)));
         Files.setPosixFilePermissions(path, PRIVATE);
         return created;
+    }
+
+    /**
+     * Creates a file with a random name that no file or link has. Unlike {@link Files#createTempFile}, this loads no
+     * security provider, which takes a twentieth of the time of a short run.
+     */
+    private static Path createFile(Path folder, FileAttribute<?>... attributes) throws IOException {
+        while (true) {
+            String name = PREFIX + Long.toUnsignedString(NAMES.nextLong()) + SUFFIX;
+            try {
+                return Files.createFile(folder.resolve(name), attributes);
+            } catch (FileAlreadyExistsException e) {
+                // Another name will be free.
+            }
+        }
     }
 
     /** Deletes the files of processes that were killed, as far as that is possible. */
@@ -212,7 +231,12 @@ final class TemporaryFile {
     }
 
     private static DirectoryStream<Path> list(Path folder) throws IOException {
-        return Files.newDirectoryStream(folder, PREFIX + "*" + SUFFIX);
+        return Files.newDirectoryStream(folder, TemporaryFile::isTemporary);
+    }
+
+    private static boolean isTemporary(Path file) {
+        String name = file.getFileName().toString();
+        return name.startsWith(PREFIX) && name.endsWith(SUFFIX);
     }
 
     /** Deletes all temporary files in a folder, whatever their age. */
