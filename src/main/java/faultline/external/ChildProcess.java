@@ -17,7 +17,7 @@ import java.util.function.Consumer;
  * A child process with which lines are exchanged. The calling thread polls the child's output and never blocks in a
  * read, so a silent child, or a descendant that keeps the pipe open, cannot block it. A daemon thread drains the
  * child's standard error; another ends a child that does not read, which would block a write; a third detects whether a
- * silent child has closed its output.
+ * silent child has closed its output; a fourth closes the child.
  */
 final class ChildProcess implements AutoCloseable {
 
@@ -47,7 +47,10 @@ final class ChildProcess implements AutoCloseable {
     private final Deque<String> errorLines = new ArrayDeque<>();
     private final Thread errorReader;
     private final Thread writeGuard;
-    private final Thread exitHook;
+    /** Closes this child; not started before its end begins. */
+    private final Thread closer = daemon("faultline-child-close", this::end);
+
+    private final Thread exitHook = new Thread(this::endWithProgram);
     private final Consumer<String> errors;
     /** The time at which the write in progress began, or the maximum value if there is none. */
     private volatile long writeStart = Long.MAX_VALUE;
@@ -70,13 +73,12 @@ final class ChildProcess implements AutoCloseable {
         detached.follow(process);
         input = process.getOutputStream();
         output = new ChildOutput(process.getInputStream());
-        exitHook = new Thread(this::killTree);
-        endWithProgram();
+        addExitHook();
         errorReader = startDaemon("faultline-child-errors", this::drainErrors);
         writeGuard = startDaemon("faultline-child-guard", () -> guardWrites(writeSeconds));
     }
 
-    private void endWithProgram() throws IOException {
+    private void addExitHook() throws IOException {
         try {
             Runtime.getRuntime().addShutdownHook(exitHook);
         } catch (IllegalStateException ending) {
@@ -86,9 +88,14 @@ final class ChildProcess implements AutoCloseable {
     }
 
     static Thread startDaemon(String name, Runnable work) {
+        Thread thread = daemon(name, work);
+        thread.start();
+        return thread;
+    }
+
+    private static Thread daemon(String name, Runnable work) {
         Thread thread = new Thread(work, name);
         thread.setDaemon(true);
-        thread.start();
         return thread;
     }
 
@@ -238,9 +245,28 @@ final class ChildProcess implements AutoCloseable {
         LockSupport.parkNanos(Math.min(LONGEST_SLEEP, (long) waited / 8));
     }
 
-    /** Closes the child's input, waits, and then ends the child and its descendants if they are still alive. */
+    /**
+     * Closes the child's input, waits, and then ends the child and its descendants if they are still alive. A daemon
+     * thread does this, so that a child has its time to end also if the calling thread is interrupted, which then does
+     * not wait.
+     */
     @Override
     public void close() {
+        startCloser();
+        try {
+            closer.join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private synchronized void startCloser() {
+        if (closer.getState() == Thread.State.NEW) {
+            closer.start();
+        }
+    }
+
+    private void end() {
         List<ProcessHandle> descendants = process.descendants().toList();
         closeInput();
         if (!waitFor(GRACE_SECONDS)) {
@@ -261,15 +287,24 @@ final class ChildProcess implements AutoCloseable {
         }
     }
 
+    /** Leaves a child that is being closed its time to end, and kills any other. */
+    private void endWithProgram() {
+        if (closer.getState() == Thread.State.NEW) {
+            killTree();
+        } else {
+            close();
+        }
+    }
+
     private void closeInput() {
-        Thread closer = startDaemon("faultline-child-close", () -> {
+        Thread inputCloser = startDaemon("faultline-child-input", () -> {
             try {
                 input.close();
             } catch (IOException alreadyClosed) {
                 // The child has closed its end of the pipe.
             }
         });
-        joinBriefly(closer);
+        joinBriefly(inputCloser);
     }
 
     private boolean waitFor(long seconds) {

@@ -300,6 +300,16 @@ public final class Session implements SessionView, AutoCloseable {
         stopWaiting();
     }
 
+    /**
+     * Waits until the session has ended and its controller is closed.
+     *
+     * @param millis the maximum time to wait, milliseconds, positive
+     * @throws InterruptedException if the calling thread is interrupted
+     */
+    public void awaitEnd(long millis) throws InterruptedException {
+        thread.join(millis);
+    }
+
     /** Submits a task that runs on the simulation thread between two ticks. */
     private void submit(Runnable task) {
         requests.add(task);

@@ -24,6 +24,9 @@ import java.util.function.UnaryOperator;
  */
 public final class Workspace implements AutoCloseable {
 
+    /** The time for which the end of a run may keep the program from exiting, milliseconds. */
+    private static final long MAX_END_MILLIS = 10_000;
+
     private final List<WorkspaceListener> listeners = new ArrayList<>();
     private OpenDocument open;
     private volatile UnaryOperator<SimulationSetup> controllerChoice = UnaryOperator.identity();
@@ -260,12 +263,17 @@ public final class Workspace implements AutoCloseable {
                 .thenApplyAsync(journal -> JournalScenario.create(now.document().initial(), journal)));
     }
 
-    /** Ends the run and cancels the active task. */
+    /** Ends the run and cancels the active task. The program does not exit before a controller had its time to end. */
     @Override
     public void close() {
         fire(WorkspaceListener::workspaceClosing);
         cancelActiveTask();
+        openDocument().map(OpenDocument::session).ifPresent(Workspace::awaitEndBeforeExit);
         closeSession();
+    }
+
+    private static void awaitEndBeforeExit(Session session) {
+        BackgroundTasks.runBeforeExit(() -> session.awaitEnd(MAX_END_MILLIS), () -> {}, failure -> {});
     }
 
     private void closeSession() {
