@@ -1,9 +1,11 @@
 package faultline.studies;
 
 import faultline.control.PdGains;
+import faultline.control.wallfollower.WallFollower;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
 import faultline.world.World;
 import java.util.ArrayList;
 import java.util.List;
@@ -34,7 +36,6 @@ record PdLoop(PdGains gains, double distanceError, double heading) {
     private static final double SECONDS = 12;
     private static final double SETTLED_ERROR = 0.001;
     private static final double SETTLED_WINDOW = 2;
-    private static final double MIN_SPEED_SHARE = 0.3;
 
     /** Returns the distance errors of all ticks, metres, up to the contact with the wall. */
     List<Double> errors() {
@@ -51,10 +52,9 @@ record PdLoop(PdGains gains, double distanceError, double heading) {
             double rate = gains.proportionalTerm(error)
                     + gains.derivativeTerm(-SPEED * StrictMath.sin(world.pose().heading()));
             world.move(volts - half, volts + half);
-            double share = Math.max(MIN_SPEED_SHARE, Math.min(1, robot.turnRate() / Math.abs(rate)));
-            double held = Math.max(-robot.turnRate(), Math.min(robot.turnRate(), rate));
-            volts = robot.motor().voltageFor(share * SPEED);
-            half = robot.motor().voltageFor(held * robot.track() / 2);
+            Velocity next = WallFollower.onCurve(SPEED, rate, robot.spinRate());
+            volts = robot.motor().voltageFor(next.linear());
+            half = robot.motor().voltageFor(next.angular() * robot.track() / 2);
         }
         return errors;
     }

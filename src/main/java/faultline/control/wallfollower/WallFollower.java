@@ -59,6 +59,9 @@ public final class WallFollower implements Controller {
     /** The state in which the follower starts. */
     static final FollowerState INITIAL_STATE = SEARCH;
 
+    /** A curve that is too tight for the turn rate slows the robot down, but not below this share of its speed. */
+    private static final double MIN_SPEED_SHARE = 0.3;
+
     private ControllerSpec.WallFollowing spec;
     private final Odometer odometer;
     private final StateEstimate estimate;
@@ -146,6 +149,19 @@ public final class WallFollower implements Controller {
      */
     public static double wantedCentreDistance(ControllerSpec.WallFollowing spec, RobotSpec robot) {
         return StateEstimate.wantedCentreDistance(spec, robot);
+    }
+
+    /**
+     * {@return the velocity on a curve: more slowly where the robot cannot turn fast enough, so that the curve stays
+     * the same, but not below a share of the speed}
+     *
+     * @param speed the speed on a curve on which the robot can turn fast enough, metres per second
+     * @param rate the turn rate of the curve at that speed, radians per second, positive to the left
+     * @param maxRate the greatest turn rate of the robot, radians per second, positive
+     */
+    public static Velocity onCurve(double speed, double rate, double maxRate) {
+        double share = Math.max(MIN_SPEED_SHARE, Math.min(1, maxRate / Math.abs(rate)));
+        return new Velocity(share * speed, Math.max(-maxRate, Math.min(maxRate, rate)));
     }
 
     @Override

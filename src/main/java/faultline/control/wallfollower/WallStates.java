@@ -12,9 +12,6 @@ import faultline.robot.Velocity;
  */
 final class WallStates {
 
-    /** A bend too tight for the turn rate slows the robot down, but not below this share of its speed. */
-    private static final double MIN_SPEED_SHARE = 0.3;
-
     /** The distance error above which the robot is still approaching the wall, metres. */
     private static final double DISTANCE_TOLERANCE = 0.02;
 
@@ -128,14 +125,8 @@ final class WallStates {
         return estimate.robot().speed() / radius() + correctingTurnRate();
     }
 
-    /**
-     * Returns the velocity along a bend: at the robot's speed, or, if the bend is too tight for the turn rate, more
-     * slowly, so that the bend stays the same.
-     */
-    private Velocity alongBend(double rate) {
-        double most = estimate.turnRate();
-        double share = Math.max(MIN_SPEED_SHARE, Math.min(1, most / Math.abs(rate)));
-        return new Velocity(share * estimate.robot().speed(), Math.max(-most, Math.min(most, rate)));
+    private Velocity onCurve(double rate) {
+        return WallFollower.onCurve(estimate.robot().speed(), rate, estimate.turnRate());
     }
 
     boolean isWallAhead() {
@@ -206,7 +197,7 @@ final class WallStates {
 
         @Override
         public Velocity nextVelocity() {
-            return alongBend(correctingTurnRate());
+            return onCurve(correctingTurnRate());
         }
     }
 
@@ -225,7 +216,7 @@ final class WallStates {
         @Override
         public Velocity nextVelocity() {
             return isWallInSight()
-                    ? alongBend(cornerTurnRate())
+                    ? onCurve(cornerTurnRate())
                     : new Velocity(estimate.robot().speed() / 2, estimate.turnRate());
         }
     }

@@ -13,6 +13,7 @@ import faultline.control.Telemetry;
 import faultline.control.WallSide;
 import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
 import faultline.sensor.Reading;
 import java.util.EnumSet;
 import java.util.List;
@@ -214,6 +215,13 @@ class WallFollowerTest {
             assertEquals(List.of(one.leftVolts(), one.rightVolts()), List.of(other.rightVolts(), other.leftVolts()));
             assertEquals(one.telemetry(), other.telemetry());
         }
+    }
+
+    @Test
+    void aCurveThatIsTooTightForTheTurnRateIsDrivenMoreSlowly() {
+        assertEquals(new Velocity(0.5, -0.75), WallFollower.onCurve(0.5, -0.75, 1));
+        assertEquals(new Velocity(0.25, -1), WallFollower.onCurve(0.5, -2, 1), "the radius is 0.25 m");
+        assertEquals(new Velocity(0.3 * 0.5, 1), WallFollower.onCurve(0.5, 10, 1), "at least this share of the speed");
     }
 
     /** The standard sensors go round counter-clockwise from the front. */
