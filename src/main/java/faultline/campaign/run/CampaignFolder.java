@@ -129,18 +129,18 @@ public final class CampaignFolder {
      * @throws IOException if the folder cannot be read
      */
     public boolean isOfThisProgram(CampaignPlan plan) throws IOException {
-        Optional<String> manifest = readManifest();
+        Optional<CampaignManifest> manifest = readManifest();
         return manifest.isPresent()
-                && CampaignManifest.sameRuns(
-                        manifest.get(), CampaignManifest.text(plan, Shard.ALL), plan.controllerTypes());
+                && manifest.get().hasSameRuns(CampaignManifest.of(plan, Shard.ALL), plan.controllerTypes());
     }
 
-    /** Returns the text of the manifest, empty if there is none. */
-    Optional<String> readManifest() throws IOException {
+    /** Returns the manifest, empty if there is none. */
+    Optional<CampaignManifest> readManifest() throws IOException {
         requireReadable();
         // Bytes that are not text do not belong to this campaign.
         return Files.isRegularFile(manifest())
-                ? Optional.of(new String(Files.readAllBytes(manifest()), StandardCharsets.UTF_8))
+                ? Optional.of(
+                        CampaignManifest.parse(new String(Files.readAllBytes(manifest()), StandardCharsets.UTF_8)))
                 : Optional.empty();
     }
 
@@ -179,13 +179,13 @@ public final class CampaignFolder {
      * campaign.
      */
     void prepare(CampaignPlan plan, Shard shard, boolean resume) throws IOException {
-        String text = CampaignManifest.text(plan, shard);
-        Optional<String> earlier = readManifest();
+        CampaignManifest manifest = CampaignManifest.of(plan, shard);
+        Optional<CampaignManifest> earlier = readManifest();
         if (!resume && (earlier.isPresent() || Files.exists(runs()))) {
             throw new IOException(
                     folder + ": there is a campaign already; continue it with --resume, or use another folder");
         }
-        if (earlier.isPresent() && !CampaignManifest.sameCampaign(earlier.get(), text)) {
+        if (earlier.isPresent() && !manifest.isSameCampaign(earlier.get())) {
             throw new IOException(folder + ": the campaign there has another plan, or was made by another program"
                     + " or with another jar of a controller");
         }
@@ -202,12 +202,12 @@ public final class CampaignFolder {
         checkTables(inputs);
         removeTemporaryFiles();
         if (earlier.isEmpty()) {
-            write(plan, text);
+            write(plan, manifest);
         }
     }
 
     /** Writes the copy of the plan, and after it the manifest, which shows that the copy is complete. */
-    private void write(CampaignPlan plan, String manifest) throws IOException {
+    private void write(CampaignPlan plan, CampaignManifest manifest) throws IOException {
         Files.createDirectories(plan());
         List<Path> copies = plan.files().copies().keySet().stream()
                 .map(name -> plan().resolve(name))
@@ -219,13 +219,13 @@ public final class CampaignFolder {
         for (Map.Entry<String, byte[]> file : plan.files().copies().entrySet()) {
             AtomicFile.write(plan().resolve(file.getKey()), file.getValue());
         }
-        AtomicFile.write(manifest(), manifest.getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(manifest(), manifest.text().getBytes(StandardCharsets.UTF_8));
     }
 
     /** Writes the copy of the plan and the manifest of a whole campaign, given that of a part. */
-    void writeMerged(CampaignPlan plan, String part) throws IOException {
+    void writeMerged(CampaignPlan plan, CampaignManifest part) throws IOException {
         removeTemporaryFiles();
-        write(plan, CampaignManifest.ofWhole(part));
+        write(plan, part.with(Shard.ALL));
     }
 
     /**

@@ -3,6 +3,8 @@ package faultline.campaign.run;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.Column;
 import faultline.engine.ControllerProviders;
+import faultline.io.JsonException;
+import faultline.io.JsonParser;
 import faultline.io.JsonWriter;
 import faultline.io.ProgramVersion;
 import faultline.io.Sha256;
@@ -11,121 +13,178 @@ import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
- * The text of {@code campaign.json}: the plan, the program, and the meaning of the columns of the tables. Each member
- * is on a separate line, so that two campaigns can be compared line by line.
+ * The contents of {@code campaign.json}: the plan, the program, and the meaning of the columns of the tables.
+ *
+ * @param members the members in order, as {@link JsonParser} reads them; none if the file has other contents
  */
-final class CampaignManifest {
+record CampaignManifest(Map<String, Object> members) {
 
-    private static final String JAVA = "  \"java\": ";
-    private static final String CONTROLLERS = "  \"controllers\": ";
-    private static final String JAR_HASH = "\"jar_sha256\": ";
-    private static final String SHARD = "  \"shard\": ";
-    private static final Pattern SHARD_LINE = Pattern.compile("\"shard\": \"(\\d+/\\d+)\"");
+    private static final String JAVA = "java";
+    private static final String CONTROLLERS = "controllers";
+    private static final String NAME = "name";
+    private static final String SHARD = "shard";
 
-    private CampaignManifest() {}
+    CampaignManifest {
+        members = Collections.unmodifiableMap(new LinkedHashMap<>(members));
+    }
 
     /** Returns the manifest of a part of a campaign. Throws an exception if the jar of a controller cannot be read. */
-    static String text(CampaignPlan plan, Shard shard) throws IOException {
-        List<String> lines = new ArrayList<>();
-        lines.add("  \"format\": \"faultline-campaign-1\"");
-        lines.add("  \"program\": " + JsonWriter.quoted(ProgramVersion.text()));
-        lines.add("  \"program_sha256\": " + JsonWriter.quoted(programHash()));
-        lines.add(JAVA + JsonWriter.quoted(Runtime.version().toString()));
-        lines.add("  \"name\": " + JsonWriter.quoted(plan.header().name()));
-        lines.add("  \"description\": " + JsonWriter.quoted(plan.header().description()));
-        lines.add("  \"plan_sha256\": "
-                + JsonWriter.quoted(Sha256.hex(plan.files().plan())));
-        lines.add("  \"scenarios\": " + scenarios(plan.files().scenarios()));
-        List<String> controllers = controllers();
+    static CampaignManifest of(CampaignPlan plan, Shard shard) throws IOException {
+        Map<String, Object> members = new LinkedHashMap<>();
+        members.put("format", "faultline-campaign-1");
+        members.put("program", ProgramVersion.text());
+        members.put("program_sha256", programHash());
+        members.put(JAVA, Runtime.version().toString());
+        members.put(NAME, plan.header().name());
+        members.put("description", plan.header().description());
+        members.put("plan_sha256", Sha256.hex(plan.files().plan()));
+        members.put("scenarios", scenarios(plan.files().scenarios()));
+        List<Object> controllers = controllers();
         if (!controllers.isEmpty()) {
-            lines.add(CONTROLLERS + array(controllers));
+            members.put(CONTROLLERS, controllers);
         }
-        lines.add("  \"worlds\": " + plan.worldCount());
-        lines.add("  \"seeds\": " + plan.seedCount());
-        lines.add("  \"cells\": " + plan.cellCount());
-        lines.add("  \"runs\": " + plan.runCount());
-        lines.add(SHARD + JsonWriter.quoted(shard.toString()));
-        lines.add("  \"columns\": " + columns(ResultColumns.of(plan)));
-        lines.add("  \"timing_columns\": " + columns(RunTable.TIMING_COLUMNS));
-        return "{\n" + String.join(",\n", lines) + "\n}\n";
+        members.put("worlds", (double) plan.worldCount());
+        members.put("seeds", (double) plan.seedCount());
+        members.put("cells", (double) plan.cellCount());
+        members.put("runs", (double) plan.runCount());
+        members.put(SHARD, shard.toString());
+        members.put("columns", columns(ResultColumns.of(plan)));
+        members.put("timing_columns", columns(RunTable.TIMING_COLUMNS));
+        return new CampaignManifest(members);
     }
 
-    /** Returns the manifest of the whole campaign, given that of a part. */
-    static String ofWhole(String part) {
-        return SHARD_LINE.matcher(part).replaceFirst("\"shard\": \"" + Shard.ALL + "\"");
+    /** Returns the manifest with the contents of a file, whatever they are. */
+    @SuppressWarnings("unchecked")
+    static CampaignManifest parse(String text) {
+        try {
+            return new CampaignManifest(
+                    JsonParser.parse(text) instanceof Map<?, ?> members ? (Map<String, Object>) members : Map.of());
+        } catch (JsonException damaged) {
+            return new CampaignManifest(Map.of());
+        }
+    }
+
+    /** Returns the contents of the file: a line for each member, and for each item of a list. */
+    String text() {
+        return members.entrySet().stream()
+                .map(member -> "  " + member(member.getKey(), lines(member.getValue())))
+                .collect(Collectors.joining(",\n", "{\n", "\n}\n"));
+    }
+
+    private static String member(String name, String value) {
+        return JsonWriter.quoted(name) + ": " + value;
+    }
+
+    private static String lines(Object value) {
+        return value instanceof List<?> items && !items.isEmpty()
+                ? items.stream().map(CampaignManifest::line).collect(Collectors.joining(",\n    ", "[\n    ", "\n  ]"))
+                : line(value);
+    }
+
+    private static String line(Object value) {
+        if (value instanceof Map<?, ?> object) {
+            return object.entrySet().stream()
+                    .map(member -> member(member.getKey().toString(), line(member.getValue())))
+                    .collect(Collectors.joining(", ", "{", "}"));
+        }
+        if (value instanceof List<?> items) {
+            return items.stream().map(CampaignManifest::line).collect(Collectors.joining(", ", "[", "]"));
+        }
+        if (value instanceof String string) {
+            return JsonWriter.quoted(string);
+        }
+        return value instanceof Double number && number == Math.rint(number) && Math.abs(number) < 1L << 53
+                ? Long.toString(number.longValue())
+                : value.toString();
+    }
+
+    /** Returns this manifest for another part of the campaign. */
+    CampaignManifest with(Shard shard) {
+        Map<String, Object> changed = new LinkedHashMap<>(members);
+        changed.put(SHARD, shard.toString());
+        return new CampaignManifest(changed);
     }
 
     /**
-     * Returns whether two manifests belong to the same campaign, program and controllers; parts and Java versions may
-     * differ.
+     * Returns whether another manifest belongs to the same campaign, program and controllers; parts and Java versions
+     * may differ.
      */
-    static boolean sameCampaign(String one, String other) {
-        return comparable(one).equals(comparable(other));
+    boolean isSameCampaign(CampaignManifest other) {
+        return comparable().equals(other.comparable());
     }
 
     /**
-     * Returns whether two manifests belong to the same campaign, program and controllers, of which only some are used;
-     * the jars of others may differ.
+     * Returns whether another manifest belongs to the same campaign, program and controllers, of which only some are
+     * used; the jars of others may differ.
      */
-    static boolean sameRuns(String one, String other, List<String> used) {
-        return withControllers(one, used).equals(withControllers(other, used));
+    boolean hasSameRuns(CampaignManifest other, Collection<String> used) {
+        return comparable(used).equals(other.comparable(used));
     }
 
-    private static List<String> withControllers(String manifest, List<String> used) {
-        return comparable(manifest).stream()
-                .filter(line -> !line.equals(CONTROLLERS + "[") && !line.equals("  ],"))
-                .filter(line -> !line.contains(JAR_HASH)
-                        || used.stream().anyMatch(name -> line.contains("{\"name\": " + JsonWriter.quoted(name) + ",")))
-                .map(line -> line.replaceFirst(",$", ""))
-                .toList();
+    private Map<String, Object> comparable() {
+        Map<String, Object> comparable = new LinkedHashMap<>(members);
+        comparable.keySet().removeAll(List.of(JAVA, SHARD));
+        return comparable;
     }
 
-    private static List<String> comparable(String manifest) {
-        return manifest.lines()
-                .filter(line -> !line.startsWith(JAVA) && !line.startsWith(SHARD))
-                .toList();
+    private Map<String, Object> comparable(Collection<String> used) {
+        Map<String, Object> comparable = comparable();
+        List<Object> all = members.get(CONTROLLERS) instanceof List<?> listed ? new ArrayList<>(listed) : List.of();
+        comparable.put(
+                CONTROLLERS,
+                all.stream()
+                        .filter(jar -> jar instanceof Map<?, ?> object && used.contains(object.get(NAME)))
+                        .toList());
+        return comparable;
     }
 
-    /** Returns the part of a manifest, empty if it states none. */
-    static Optional<Shard> shard(String manifest) {
-        Matcher line = SHARD_LINE.matcher(manifest);
-        return line.find() ? Shard.parse(line.group(1)) : Optional.empty();
+    /** Returns the part, empty if the manifest states none. */
+    Optional<Shard> shard() {
+        return members.get(SHARD) instanceof String text ? Shard.parse(text) : Optional.empty();
     }
 
     /** Returns an object for each controller from a jar. The place of the jar may differ between two parts. */
-    private static List<String> controllers() throws IOException {
-        List<String> objects = new ArrayList<>();
+    private static List<Object> controllers() throws IOException {
+        List<Object> objects = new ArrayList<>();
         for (Map.Entry<String, Path> jar : ControllerProviders.jars().entrySet()) {
-            objects.add("    {\"name\": " + JsonWriter.quoted(jar.getKey()) + ", " + JAR_HASH
-                    + JsonWriter.quoted(Sha256.hex(Files.readAllBytes(jar.getValue()))) + "}");
+            Map<String, Object> object = new LinkedHashMap<>();
+            object.put(NAME, jar.getKey());
+            object.put("jar_sha256", Sha256.hex(Files.readAllBytes(jar.getValue())));
+            objects.add(object);
         }
         return objects;
     }
 
-    private static String scenarios(Map<String, byte[]> scenarios) {
-        List<String> objects = new ArrayList<>();
-        scenarios.forEach((name, bytes) -> objects.add("    {\"file\": " + JsonWriter.quoted(name) + ", \"sha256\": "
-                + JsonWriter.quoted(Sha256.hex(bytes)) + "}"));
-        return array(objects);
+    private static List<Object> scenarios(Map<String, byte[]> scenarios) {
+        List<Object> objects = new ArrayList<>();
+        scenarios.forEach((name, bytes) -> {
+            Map<String, Object> object = new LinkedHashMap<>();
+            object.put("file", name);
+            object.put("sha256", Sha256.hex(bytes));
+            objects.add(object);
+        });
+        return objects;
     }
 
-    private static String columns(List<Column> columns) {
-        return array(columns.stream()
-                .map(column -> "    {\"name\": " + JsonWriter.quoted(column.name()) + ", \"unit\": "
-                        + JsonWriter.quoted(column.unit()) + ", \"meaning\": " + JsonWriter.quoted(column.meaning())
-                        + "}")
-                .toList());
-    }
-
-    private static String array(List<String> objects) {
-        return objects.isEmpty() ? "[]" : "[\n" + String.join(",\n", objects) + "\n  ]";
+    private static List<Object> columns(List<Column> columns) {
+        List<Object> objects = new ArrayList<>();
+        for (Column column : columns) {
+            Map<String, Object> object = new LinkedHashMap<>();
+            object.put(NAME, column.name());
+            object.put("unit", column.unit());
+            object.put("meaning", column.meaning());
+            objects.add(object);
+        }
+        return objects;
     }
 
     /** Returns the hash of the program's jar, empty if it does not run from one. */

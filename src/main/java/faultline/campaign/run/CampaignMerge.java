@@ -23,7 +23,7 @@ public final class CampaignMerge {
     private final List<ShardFolder> parts;
     private final CampaignPlan plan;
     /** The manifest of a part. */
-    private final String manifest;
+    private final CampaignManifest manifest;
 
     /** A folder that holds a part. */
     private record ShardFolder(CampaignFolder folder, Shard shard) {}
@@ -39,12 +39,12 @@ public final class CampaignMerge {
         parts = new ArrayList<>();
         manifest = manifest(folders.get(0));
         for (CampaignFolder folder : folders) {
-            String part = manifest(folder);
-            if (!CampaignManifest.sameCampaign(manifest, part)) {
+            CampaignManifest part = manifest(folder);
+            if (!manifest.isSameCampaign(part)) {
                 throw new IOException(folder + ": this is of another campaign than " + folders.get(0)
                         + ", or was made by another program or with another jar of a controller");
             }
-            Shard shard = CampaignManifest.shard(part)
+            Shard shard = part.shard()
                     .orElseThrow(() -> new IOException(folder + ": campaign.json does not say which part this is"));
             parts.add(new ShardFolder(folder, shard));
         }
@@ -55,7 +55,7 @@ public final class CampaignMerge {
         checkWhole();
     }
 
-    private static String manifest(CampaignFolder folder) throws IOException {
+    private static CampaignManifest manifest(CampaignFolder folder) throws IOException {
         return folder.readManifest().orElseThrow(() -> new IOException(folder + ": there is no campaign"));
     }
 

@@ -343,6 +343,23 @@ class CampaignRunnerTest {
         assertEquals(earlier, Files.readString(folder.resolve("merged/campaign.json")));
     }
 
+    /** Tools that format JSON put each member on its own line, and some sort the members. */
+    @Test
+    void aPartWhoseManifestWasFormattedIsOfTheSameCampaign() throws Exception {
+        List<CampaignFolder> parts = List.of(part(1), part(2), part(3));
+        Path manifest = folder.resolve("part-2/campaign.json");
+        String formatted = Files.readString(manifest).replaceAll("([{\\[,]) *(?=[\\n{\"])", "$1\n\t");
+        Files.writeString(manifest, formatted);
+        assertArrayEquals(
+                Files.readAllBytes(parts.get(1).runs()), runs(folder.resolve("part-2"), new Shard(2, 3), 1, true));
+        assertEquals(formatted, Files.readString(manifest));
+        new CampaignMerge(List.of(parts.get(1), parts.get(0), parts.get(2)))
+                .writeTo(new CampaignFolder(folder.resolve("merged")));
+        assertEquals(
+                Files.readString(reference.resolve("campaign.json")),
+                Files.readString(folder.resolve("merged/campaign.json")));
+    }
+
     @Test
     void aPartWhoseManifestIsDamagedIsRefused() throws Exception {
         CampaignFolder one = part(1);
