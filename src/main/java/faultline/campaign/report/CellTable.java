@@ -161,7 +161,7 @@ final class CellTable {
     }
 
     private static String quantile(List<RunRow> rows, String column, double share) {
-        OptionalDouble value = FaultSections.quantile(rows, column, share);
+        OptionalDouble value = LowerQuantile.of(RunData.values(rows, column), share);
         return value.isPresent() ? fixed(value.getAsDouble()) : "";
     }
 

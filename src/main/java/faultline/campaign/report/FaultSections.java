@@ -10,7 +10,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
@@ -123,18 +122,8 @@ final class FaultSections {
 
     /** Returns a quantile of the delays of runs, of which at least one has a delay. */
     private static String seconds(List<RunRow> rows, double share) {
-        double value = quantile(rows, DELAY, share).orElseThrow();
+        double value = LowerQuantile.of(RunData.values(rows, DELAY), share).orElseThrow();
         return Html.format(value < 10 ? "%.2f" : "%.0f", value);
-    }
-
-    /**
-     * Returns a quantile of a column: the smallest value such that at least a given share of the values are not
-     * greater; empty if no run has a value.
-     */
-    static OptionalDouble quantile(List<RunRow> rows, String column, double share) {
-        double[] values = Arrays.stream(RunData.values(rows, column)).sorted().toArray();
-        int index = (int) Math.max(0, Math.ceil(share * values.length) - 1);
-        return values.length == 0 ? OptionalDouble.empty() : OptionalDouble.of(values[index]);
     }
 
     /** Returns the smallest sets of sensors with which the robot carries on, empty without masks. */

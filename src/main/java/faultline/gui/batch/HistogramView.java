@@ -1,5 +1,6 @@
 package faultline.gui.batch;
 
+import faultline.campaign.report.LowerQuantile;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.text.Messages;
@@ -96,7 +97,6 @@ final class HistogramView extends JPanel {
         HistogramQuantity quantity = choice.value();
         double[] found = Arrays.stream(values.apply(quantity))
                 .map(value -> value * quantity.scale)
-                .sorted()
                 .toArray();
         summary.setText(
                 found.length == 0
@@ -104,16 +104,17 @@ final class HistogramView extends JPanel {
                         : Messages.get(
                                 "batch.histogram.summary",
                                 Integer.toString(found.length),
-                                text(found[(found.length - 1) / 2]),
-                                text(found[0]),
-                                text(found[found.length - 1])));
+                                quantile(found, 0.5),
+                                quantile(found, 0),
+                                quantile(found, 1)));
         String name = Messages.get("batch.quantity." + quantity);
         canvas.chart = found.length == 0 ? null : Histogram.chart("", name, Messages.get("batch.runs"), found);
         canvas.getAccessibleContext().setAccessibleName(name + ": " + summary.getText());
         canvas.repaint();
     }
 
-    private static String text(double value) {
+    private static String quantile(double[] found, double share) {
+        double value = LowerQuantile.of(found, share).orElseThrow();
         return new BigDecimal(value).round(THREE_DIGITS).toPlainString();
     }
 

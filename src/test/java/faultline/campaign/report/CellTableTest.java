@@ -9,7 +9,6 @@ import faultline.campaign.plan.SamplePlan;
 import faultline.scenario.xml.ScenarioException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -149,26 +148,8 @@ class CellTableTest {
         addRun("carried_on", "1", "0", text, text, 0);
         addRun("carried_on", "1", "0", "0.5", "3", 0);
         assertArrayEquals(new double[] {0.5}, RunData.values(data().rows(), "coverage"));
-        assertEquals(OptionalDouble.of(3), delayQuantile(0.9));
+        assertArrayEquals(new double[] {3}, RunData.values(data().rows(), FaultSections.DELAY));
         String charts = new VariantSections(data()).distributions();
         assertTrue(charts.contains("coverage, n 1"), charts);
-    }
-
-    private OptionalDouble delayQuantile(double share) {
-        return FaultSections.quantile(data().rows(), FaultSections.DELAY, share);
-    }
-
-    @Test
-    void aQuantileIsTheSmallestValueThatEnoughValuesDoNotExceed() {
-        addRun("carried_on", "1", "0", "", "", 0);
-        assertEquals(OptionalDouble.empty(), delayQuantile(0.5));
-        addRun("carried_on", "1", "0", "", "6", 0);
-        assertEquals(OptionalDouble.of(6), delayQuantile(0.5));
-        assertEquals(OptionalDouble.of(6), delayQuantile(0.9));
-        addRun("carried_on", "1", "0", "", "4", 0);
-        assertEquals(OptionalDouble.of(4), delayQuantile(0.5));
-        assertEquals(OptionalDouble.of(6), delayQuantile(0.9));
-        addRun("carried_on", "1", "0", "", "6", 0);
-        assertEquals(OptionalDouble.of(6), delayQuantile(0.5));
     }
 }
