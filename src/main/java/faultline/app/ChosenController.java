@@ -22,7 +22,7 @@ record ChosenController(String choice, ProcessControllerSource.ChildSettings set
     /** Runs a setup with this controller, and sends the result to a child. */
     RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
         try (ProcessControllerSource source = new ProcessControllerSource(choice, settings).keepOpen()) {
-            SimulationSetup chosen = ControllerChoice.apply(choice, setup, source);
+            SimulationSetup chosen = ControllerChoice.withChosenController(choice, setup, source);
             if (!ControllerChoice.isCommand(choice)) {
                 return HeadlessRun.run(chosen, mode, observers);
             }

@@ -63,10 +63,11 @@ public final class ControllerChoice {
      * @param setup the setup with another controller
      * @param commands the function that makes the source for a command
      */
-    public static SimulationSetup apply(String choice, SimulationSetup setup, ControllerSource commands) {
+    public static SimulationSetup withChosenController(
+            String choice, SimulationSetup setup, ControllerSource commands) {
         ControllerSpec original = setup.controller();
         if (isBuiltIn(choice)) {
-            return name(choice, setup);
+            return withControllerNamed(choice, setup);
         }
         Optional<ControllerProvider> provider = ControllerProviders.find(choice);
         if (provider.isEmpty()) {
@@ -85,13 +86,13 @@ public final class ControllerChoice {
      * @param setup the setup with another controller
      * @param commands the function that makes the source for a command
      */
-    public static SimulationSetup apply(
+    public static SimulationSetup withChosenController(
             String choice, List<Path> jars, SimulationSetup setup, ControllerSource commands) {
         ControllerSpec original = setup.controller();
         return isInJars(choice, jars)
                 ? setup.withController(new ControllerSpec.Chosen(
                         original, new JarControllerSource(choice, jars, settings(choice, original))))
-                : apply(choice, setup, commands);
+                : withChosenController(choice, setup, commands);
     }
 
     /**
@@ -101,7 +102,7 @@ public final class ControllerChoice {
      * @param choice a name
      * @param setup the setup with another controller; it keeps its period, and its settings if it has the same name
      */
-    public static SimulationSetup name(String choice, SimulationSetup setup) {
+    public static SimulationSetup withControllerNamed(String choice, SimulationSetup setup) {
         ControllerSpec original = setup.controller();
         if (choice.equals(WALL_FOLLOWER)) {
             return original instanceof ControllerSpec.WallFollowing

@@ -78,7 +78,7 @@ final class ClusteredSample {
      * <p>The number is at least that of observations that are equal within their clusters, which is the number of
      * clusters if they are equally large. If no observations differ, it is the number of clusters.
      */
-    double independentCount() {
+    double effectiveSize() {
         int count = clusters.size();
         double squares = observations.values().stream()
                 .mapToDouble(observation -> square(observation.count * (observation.value - mean())))

@@ -92,9 +92,9 @@ final class Comparison {
         double neither = count(pairs, 0, 0);
         ClusteredSample gains = new ClusteredSample();
         pairs.forEach(pair -> pair.addTo(gains, pair.gain()));
-        double worth = gains.independentCount() / pairs.size();
-        Interval interval =
-                Interval.pairedDifference(worth * both, worth * onlySecond, worth * onlyFirst, worth * neither);
+        double sharePerPair = gains.effectiveSize() / pairs.size();
+        Interval interval = Interval.pairedDifference(
+                sharePerPair * both, sharePerPair * onlySecond, sharePerPair * onlyFirst, sharePerPair * neither);
         return Optional.of(new Difference((onlySecond - onlyFirst) / pairs.size(), interval, pairs.size()));
     }
 

@@ -21,7 +21,7 @@ public record Survival(int successes, int n, Interval interval) {
 
     /**
      * Returns the share of some runs. Runs in one world are not independent, and a run that repeats another one is no
-     * new observation; the interval uses the {@linkplain ClusteredSample#independentCount number of independent runs}.
+     * new observation; the interval uses the {@linkplain ClusteredSample#effectiveSize number of independent runs}.
      *
      * @param rows the runs; those without a verdict are ignored
      * @param result returns 1 for a run with the result, 0 for one without it, empty for one without a verdict
@@ -40,10 +40,10 @@ public record Survival(int successes, int n, Interval interval) {
         if (n == 0) {
             return new Survival(0, 0, new Interval(0, 1));
         }
-        double worth = sample.independentCount();
+        double effectiveSize = sample.effectiveSize();
         // All and none are exact, because their intervals end at 1 and 0.
         double share = (double) successes / n;
-        return new Survival(successes, n, Interval.wilson(worth * share, worth));
+        return new Survival(successes, n, Interval.wilson(effectiveSize * share, effectiveSize));
     }
 
     /**

@@ -51,12 +51,12 @@ record BatchController(ControllerOrigin origin, ControllerSelection selection) {
     /** Returns whether a built-in controller is that of the scenario. One from a jar may be another than there. */
     private static boolean isSame(String choice, SimulationSetup setup) {
         return ControllerChoice.isBuiltIn(choice)
-                && ControllerChoice.name(choice, setup).equals(setup);
+                && ControllerChoice.withControllerNamed(choice, setup).equals(setup);
     }
 
     /** Returns a setup whose runs are driven by it. */
     SimulationSetup applyTo(SimulationSetup setup) {
-        return selection.isScenarios() ? setup : ControllerChoice.name(selection.text(), setup);
+        return selection.isScenarios() ? setup : ControllerChoice.withControllerNamed(selection.text(), setup);
     }
 
     /** Returns its origin and its name, given the setup that it is applied to. */

@@ -50,7 +50,7 @@ public record ControllerSelection(String text, List<Path> jars) {
         }
         ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 ProgramVersion.text(), scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
-        return ControllerChoice.apply(text, jars, setup, new ProcessControllerSource(text, settings));
+        return ControllerChoice.withChosenController(text, jars, setup, new ProcessControllerSource(text, settings));
     }
 
     /**

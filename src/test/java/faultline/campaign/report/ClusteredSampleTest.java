@@ -28,7 +28,7 @@ class ClusteredSampleTest {
         addCluster("c", 1, 1, 1, 1, 1, 1, 0, 0, 0, 0);
         addCluster("d", 1, 1, 1, 1, 0, 0, 0, 0, 0, 0);
         double certainty = Math.pow(1.959963985 / 3.182446305, 2);
-        assertEquals(36 * certainty, sample.independentCount(), 1e-6);
+        assertEquals(36 * certainty, sample.effectiveSize(), 1e-6);
     }
 
     @Test
@@ -36,7 +36,7 @@ class ClusteredSampleTest {
         for (String cluster : new String[] {"a", "b", "c"}) {
             addCluster(cluster, 1, 0, 1, 0, 1, 0, 1, 0);
         }
-        assertEquals(24 * Math.pow(1.959963985 / 4.302652730, 2), sample.independentCount(), 1e-6);
+        assertEquals(24 * Math.pow(1.959963985 / 4.302652730, 2), sample.effectiveSize(), 1e-6);
     }
 
     @Test
@@ -44,7 +44,7 @@ class ClusteredSampleTest {
         addCluster("a", 1, 1);
         addCluster("b", 1, 1);
         addCluster("c", 0, 0);
-        assertEquals(3, sample.independentCount(), 1e-12);
+        assertEquals(3, sample.effectiveSize(), 1e-12);
     }
 
     /** If all observations of a cluster are equal, the variance is that of weights of 4/6, 1/6 and 1/6. */
@@ -53,27 +53,27 @@ class ClusteredSampleTest {
         addCluster("a", 1, 1, 1, 1);
         addCluster("b", 0);
         addCluster("c", 0);
-        assertEquals(36 / 18.0, sample.independentCount(), 1e-12);
+        assertEquals(36 / 18.0, sample.effectiveSize(), 1e-12);
     }
 
     @Test
     void ifNoObservationsDifferEachClusterIsWorthOne() {
         addCluster("a", 1, 1);
         addCluster("b", 1, 1, 1);
-        assertEquals(2, sample.independentCount());
+        assertEquals(2, sample.effectiveSize());
     }
 
     @Test
     void theObservationsOfOneClusterAreWorthOne() {
         addCluster("a", 1, 0, 1, 1);
-        assertEquals(1, sample.independentCount());
+        assertEquals(1, sample.effectiveSize());
     }
 
     @Test
     void singleObservationsOfClustersAreIndependent() {
         addCluster("a", 1);
         addCluster("b", 0);
-        assertEquals(2, sample.independentCount(), 1e-12);
+        assertEquals(2, sample.effectiveSize(), 1e-12);
     }
 
     @Test
@@ -81,12 +81,12 @@ class ClusteredSampleTest {
         for (String cluster : new String[] {"a", "b", "c"}) {
             sample.add("one", cluster, 1);
         }
-        assertEquals(1, sample.independentCount());
+        assertEquals(1, sample.effectiveSize());
         assertArrayEquals(new double[] {1}, sample.clusterMeans());
         sample.add("another", "d", 0);
         assertEquals(4, sample.size());
         assertEquals(0.75, sample.mean());
         // Weights of 3/4 and 1/4.
-        assertEquals(16 / 10.0, sample.independentCount(), 1e-12);
+        assertEquals(16 / 10.0, sample.effectiveSize(), 1e-12);
     }
 }

@@ -102,15 +102,16 @@ class BatchControllerTest {
     void theFileOfTheScenarioNamesTheController() {
         ControllerSpec.Provided own = new ControllerSpec.Provided("mine", 0.05, Map.of("distance", "0.3"));
         SimulationSetup setup = with(yard.setup(), own);
-        assertEquals(own, ControllerChoice.name("mine", setup).controller(), "with its settings");
+        assertEquals(own, ControllerChoice.withControllerNamed("mine", setup).controller(), "with its settings");
         assertEquals(
                 new ControllerSpec.Provided("other", 0.05, Map.of()),
-                ControllerChoice.name("other", setup).controller());
+                ControllerChoice.withControllerNamed("other", setup).controller());
         assertEquals(
                 ControllerSpec.WallFollowing.DEFAULT,
-                ControllerChoice.name("wall-follower", setup).controller());
+                ControllerChoice.withControllerNamed("wall-follower", setup).controller());
         assertEquals(
-                new ControllerSpec.None(), ControllerChoice.name("none", setup).controller());
+                new ControllerSpec.None(),
+                ControllerChoice.withControllerNamed("none", setup).controller());
     }
 
     @Test

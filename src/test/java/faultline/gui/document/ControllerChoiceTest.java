@@ -106,8 +106,8 @@ class ControllerChoiceTest {
         ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         runOnEdt(() -> {
-            workspace.setControllerChoice(
-                    setup -> ControllerChoice.apply(command, setup, new ProcessControllerSource(command, settings)));
+            workspace.setControllerChoice(setup -> ControllerChoice.withChosenController(
+                    command, setup, new ProcessControllerSource(command, settings)));
             run.restart();
         });
     }

@@ -102,7 +102,8 @@ class HangingControllerTest {
         String command = "sh '" + Files.writeString(folder.resolve(programs + ".sh"), text) + "'";
         ProcessControllerSource.ChildSettings settings =
                 new ProcessControllerSource.ChildSettings("test", "Yard", LONG, false, line -> {});
-        return setup -> ControllerChoice.apply(command, setup, new ProcessControllerSource(command, settings));
+        return setup ->
+                ControllerChoice.withChosenController(command, setup, new ProcessControllerSource(command, settings));
     }
 
     private Path pidFile() {
