@@ -32,6 +32,14 @@ record CampaignManifest(Map<String, Object> members) {
     private static final String CONTROLLERS = "controllers";
     private static final String NAME = "name";
     private static final String SHARD = "shard";
+    private static final String COLUMNS = "columns";
+    private static final String TIMING_COLUMNS = "timing_columns";
+
+    /**
+     * The members that may differ within a campaign. The plan and the program determine the columns, and the tables
+     * name them, so a better description of a column makes no other campaign.
+     */
+    private static final List<String> NOT_COMPARED = List.of(JAVA, SHARD, COLUMNS, TIMING_COLUMNS);
 
     CampaignManifest {
         members = Collections.unmodifiableMap(new LinkedHashMap<>(members));
@@ -57,8 +65,8 @@ record CampaignManifest(Map<String, Object> members) {
         members.put("cells", (double) plan.cellCount());
         members.put("runs", (double) plan.runCount());
         members.put(SHARD, shard.toString());
-        members.put("columns", columns(ResultColumns.of(plan)));
-        members.put("timing_columns", columns(RunTable.TIMING_COLUMNS));
+        members.put(COLUMNS, columns(ResultColumns.of(plan)));
+        members.put(TIMING_COLUMNS, columns(RunTable.TIMING_COLUMNS));
         return new CampaignManifest(members);
     }
 
@@ -115,8 +123,8 @@ record CampaignManifest(Map<String, Object> members) {
     }
 
     /**
-     * Returns whether another manifest belongs to the same campaign, program and controllers; parts and Java versions
-     * may differ.
+     * Returns whether another manifest belongs to the same campaign, program and controllers; parts, Java versions and
+     * descriptions of columns may differ.
      */
     boolean isSameCampaign(CampaignManifest other) {
         return comparable().equals(other.comparable());
@@ -132,7 +140,7 @@ record CampaignManifest(Map<String, Object> members) {
 
     private Map<String, Object> comparable() {
         Map<String, Object> comparable = new LinkedHashMap<>(members);
-        comparable.keySet().removeAll(List.of(JAVA, SHARD));
+        NOT_COMPARED.forEach(comparable::remove);
         return comparable;
     }
 

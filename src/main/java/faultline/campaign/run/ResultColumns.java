@@ -40,7 +40,8 @@ public final class ResultColumns {
                     "carried_on",
                     "",
                     "1 if there was no contact and 0.80 of the wall was passed within 0.15 m of the wanted path in"
-                            + " the time of two laps after the fault, 0 if not, empty if undecided",
+                            + " the time of two laps after the fault, each its length divided by the robot's speed plus"
+                            + " 10 s for its corners; 0 if not, empty if undecided",
                     run -> carriedOn(run.result(), run.carry())),
             new ResultColumn(
                     "collided",

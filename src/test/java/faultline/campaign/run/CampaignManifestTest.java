@@ -45,9 +45,10 @@ class CampaignManifestTest {
     }
 
     @Test
-    void partsAndJavaVersionsMayDiffer() {
+    void partsJavaVersionsAndDescriptionsOfColumnsMayDiffer() {
         assertTrue(MANIFEST.isSameCampaign(with("17.0.9+9", "21")));
         assertTrue(MANIFEST.isSameCampaign(with("2/4", "1/2")));
+        assertTrue(MANIFEST.isSameCampaign(with("number, from 0", "number of the run")));
         assertFalse(MANIFEST.isSameCampaign(with("1000000", "1000001")));
         assertFalse(MANIFEST.isSameCampaign(with("\"program_sha256\": \"", "\"program_sha256\": \"abc")));
         assertFalse(MANIFEST.isSameCampaign(with("\"22\"", "\"23\"")));

@@ -49,6 +49,16 @@ class ResultColumnsTest {
         }
     }
 
+    @Test
+    void theTimeOfALapIncludesItsCorners() throws Exception {
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", "<worlds><scenario file=\"room.xml\"/></worlds>"));
+        Column carriedOn = ResultColumns.of(plan).stream()
+                .filter(column -> column.name().equals("carried_on"))
+                .findFirst()
+                .orElseThrow();
+        assertTrue(carriedOn.meaning().contains("10 s for its corners"), carriedOn.meaning());
+    }
+
     private static Map<String, String> cells(CampaignPlan plan, String row) {
         List<String> names = Csv.cells(ResultColumns.header(plan).strip());
         List<String> cells = Csv.cells(row.strip());
