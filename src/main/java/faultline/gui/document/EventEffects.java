@@ -5,6 +5,7 @@ import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 
@@ -47,6 +48,22 @@ final class EventEffects {
             other(),
             other());
 
+    /** What ends a part of a state; empty for the switch of a sensor, which another state replaces. */
+    private static final CommandCases<Optional<Command>> ENDS = new CommandCases<>(
+            switchSensor -> Optional.empty(),
+            other(),
+            inject -> Optional.of(new Command.ClearFault(inject.sensor(), inject.fault())),
+            other(),
+            other(),
+            inject -> Optional.of(new Command.ClearMotorFault(inject.motor(), inject.fault())),
+            other(),
+            other(),
+            other(),
+            other(),
+            other(),
+            other(),
+            other());
+
     private EventEffects() {}
 
     /** What an event changes: a property of a sensor or of a side. */
@@ -68,10 +85,10 @@ final class EventEffects {
         List<CommandResult> kept = new ArrayList<>();
         List<List<Command>> states = new ArrayList<>();
         List<Command> state = new ArrayList<>();
-        events.get(0).inverse().forEach(command -> command.match(CHANGES).accept(state));
+        events.get(0).inverse().forEach(command -> change(state, command));
         states.add(List.copyOf(state));
         for (CommandResult event : events) {
-            event.command().match(CHANGES).accept(state);
+            change(state, event.command());
             int before = states.indexOf(state);
             if (before < 0) {
                 states.add(List.copyOf(state));
@@ -82,5 +99,36 @@ final class EventEffects {
             }
         }
         return kept;
+    }
+
+    private static void change(List<Command> state, Command event) {
+        event.match(CHANGES).accept(state);
+    }
+
+    /**
+     * Returns the commands that undo an event after other events of its subject. They lead to the state that the others
+     * would have led to without it; after others, faults may be in another order.
+     */
+    static List<Command> undo(CommandResult event, List<Command> others) {
+        List<Command> without = new ArrayList<>();
+        event.inverse().forEach(command -> change(without, command));
+        List<Command> with = new ArrayList<>(without);
+        change(with, event.command());
+        for (Command other : others) {
+            change(without, other);
+            change(with, other);
+        }
+        List<Command> steps = new ArrayList<>();
+        difference(with, without).forEach(ended -> ended.match(ENDS).ifPresent(steps::add));
+        steps.addAll(difference(without, with));
+        steps.forEach(step -> change(with, step));
+        return others.isEmpty() && !with.equals(without) ? event.inverse() : steps;
+    }
+
+    /** Returns the elements of a list that another one lacks, each as often as it lacks it. */
+    private static List<Command> difference(List<Command> list, List<Command> other) {
+        List<Command> rest = new ArrayList<>(list);
+        other.forEach(rest::remove);
+        return rest;
     }
 }

@@ -153,6 +153,16 @@ public final class RunController implements WorkspaceListener {
         });
     }
 
+    /**
+     * Returns the commands of the run's timeline that are executed after a tick and before a command that is sent now.
+     */
+    public List<Command> plannedSince(long tick) {
+        return workspace
+                .openDocument()
+                .map(open -> open.document().planned(tick + 1, navigator.currentTick() + 1))
+                .orElse(List.of());
+    }
+
     private void commandsExecuted(OpenDocument open, List<CommandResult> results) {
         open.document().commandsAnswered();
         if (results.stream().anyMatch(result -> result.refusal().isEmpty())) {

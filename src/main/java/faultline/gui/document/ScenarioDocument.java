@@ -3,11 +3,13 @@ package faultline.gui.document;
 import faultline.control.ControllerState;
 import faultline.engine.ControllerFactory;
 import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -132,6 +134,20 @@ final class ScenarioDocument {
     /** Returns the setup at the start of the run, and the commands executed since then or still ahead. */
     Journal journal(long ticks) {
         return new Journal(initial.setup(), editor.entries(), ticks);
+    }
+
+    /** Returns the commands of the run's timeline from one tick to another, both included, in their order. */
+    List<Command> planned(long from, long to) {
+        SimulationSetup setup = initial.setup();
+        return setup.timeline().stream()
+                .filter(planned -> isBetween(setup.tickAt(planned.time()), from, to))
+                .sorted(Comparator.comparingLong(planned -> setup.tickAt(planned.time())))
+                .map(SimulationSetup.TimedCommand::command)
+                .toList();
+    }
+
+    private static boolean isBetween(long tick, long from, long to) {
+        return from <= tick && tick <= to;
     }
 
     /** Returns whether the file holds another scenario than the edited one, or none. */

@@ -49,6 +49,18 @@ public final class TimelineEvents {
         return events.stream().filter(kept::contains).toList();
     }
 
+    /**
+     * Returns the commands that undo an event after planned commands. What these have changed remains: a fault that
+     * would have ended does not return, and one that has begun continues.
+     */
+    public static List<Command> undo(CommandResult event, List<Command> planned) {
+        EventEffects.Subject subject = EventEffects.subject(event.command());
+        List<Command> others = planned.stream()
+                .filter(other -> isEvent(other) && EventEffects.subject(other).equals(subject))
+                .toList();
+        return EventEffects.undo(event, others);
+    }
+
     /** Returns a scenario whose timeline lacks some events; of equal ones, it lacks the last. */
     public static Scenario without(Scenario scenario, List<TimedCommand> events) {
         List<TimedCommand> timeline = new ArrayList<>(scenario.setup().timeline());

@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.LongFunction;
 
 /** An edit made by commands. All commands of one gesture form one edit. */
 final class CommandEdit implements Edit {
@@ -77,11 +78,19 @@ final class CommandEdit implements Edit {
         ahead = newAhead;
     }
 
-    /** Returns the commands that undo the edit. */
-    List<Command> undoCommands() {
+    /** Returns the commands that undo the edit, given the commands of the timeline since a tick. */
+    List<Command> undoCommands(LongFunction<List<Command>> plannedSince) {
         List<CommandResult> backwards = new ArrayList<>(results.values());
         Collections.reverse(backwards);
-        return backwards.stream().flatMap(result -> result.inverse().stream()).toList();
+        return backwards.stream()
+                .flatMap(result -> undo(result, plannedSince).stream())
+                .toList();
+    }
+
+    private static List<Command> undo(CommandResult result, LongFunction<List<Command>> plannedSince) {
+        return TimelineEvents.isEvent(result.command())
+                ? TimelineEvents.undo(result, plannedSince.apply(result.tick()))
+                : result.inverse();
     }
 
     /** Returns the commands that redo the edit. */

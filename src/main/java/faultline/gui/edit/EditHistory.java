@@ -32,8 +32,20 @@ final class EditHistory {
     /** The number of changes that the run has passed. */
     private int passed;
 
-    /** An edit that was done or undone at the start of a tick; {@code first} if it was done for the first time. */
-    private record Change(long tick, CommandEdit edit, boolean done, boolean first) {}
+    /**
+     * An edit that was done or undone at the start of a tick, and the commands that redid or undid it; none if it was
+     * done for the first time.
+     */
+    private record Change(long tick, CommandEdit edit, boolean done, List<Command> commands) {
+        boolean isFirst() {
+            return done && commands.isEmpty();
+        }
+
+        Change renamed(SensorRename rename) {
+            return new Change(
+                    tick, edit, done, commands.stream().map(rename::rename).toList());
+        }
+    }
 
     /**
      * Adds an edit that is done. One of the same gesture as the last edit is merged into it; one without effect is
@@ -51,7 +63,7 @@ final class EditHistory {
         edits.subList(0, Math.max(0, edits.size() - MAX_EDITS)).clear();
         cursor = edits.size();
         if (edit instanceof SetupEdit setup) {
-            ahead.forEach(later -> setup.renames().forEach(later::rename));
+            ahead.forEach(later -> setup.renames().forEach(rename -> rename(later, rename)));
         }
         edits.addAll(ahead);
         return edits.contains(edit);
@@ -118,17 +130,22 @@ final class EditHistory {
             Collections.reverse(passed);
             passed.replaceAll(SensorRename::inverse);
         }
-        passed.forEach(edit::rename);
+        passed.forEach(rename -> rename(edit, rename));
+    }
+
+    private void rename(CommandEdit edit, SensorRename rename) {
+        edit.rename(rename);
+        changes.replaceAll(change -> change.edit() == edit ? change.renamed(rename) : change);
     }
 
     /** Records that a new edit was done at a tick, after all other changes. */
     void addExecution(long tick, CommandEdit edit) {
-        addChange(new Change(tick, edit, true, true));
+        addChange(new Change(tick, edit, true, List.of()));
     }
 
-    /** Records that an edit was redone or undone at a tick, after all other changes. */
-    void addChange(long tick, CommandEdit edit, boolean done) {
-        addChange(new Change(tick, edit, done, false));
+    /** Records that an edit was redone or undone by commands at a tick, after all other changes. */
+    void addChange(long tick, CommandEdit edit, boolean done, List<Command> commands) {
+        addChange(new Change(tick, edit, done, commands));
     }
 
     private void addChange(Change change) {
@@ -208,12 +225,11 @@ final class EditHistory {
     private List<Journal.Entry> executed(CommandEdit edit) {
         List<Journal.Entry> executed = new ArrayList<>();
         for (Change change : changes) {
-            if (change.edit() == edit && change.first()) {
+            if (change.edit() == edit && change.isFirst()) {
                 // The commands of a gesture may have been executed at several ticks.
                 executed.addAll(edit.executed());
             } else if (change.edit() == edit) {
-                List<Command> commands = change.done() ? edit.redoCommands() : edit.undoCommands();
-                commands.forEach(command -> executed.add(new Journal.Entry(change.tick(), command)));
+                change.commands().forEach(command -> executed.add(new Journal.Entry(change.tick(), command)));
             }
         }
         return executed;

@@ -19,6 +19,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
+import java.util.function.LongFunction;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
@@ -51,6 +52,7 @@ public final class UndoController {
     private final EditHistory history = new EditHistory();
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
+    private LongFunction<List<Command>> plannedSince = tick -> List.of();
     private int gestureId;
     private boolean gestureActive;
     private int generation;
@@ -87,6 +89,11 @@ public final class UndoController {
     /** Sets the listener that is called when an edit is undone, with the tick at which it was first done. */
     public void setUndoListener(LongConsumer listener) {
         undoListener = listener;
+    }
+
+    /** Sets what returns the commands of the timeline that were executed after a tick. */
+    public void setPlan(LongFunction<List<Command>> newPlannedSince) {
+        plannedSince = newPlannedSince;
     }
 
     /** Sends one command. */
@@ -200,7 +207,10 @@ public final class UndoController {
 
     /** Sends the commands that redo or undo an edit. */
     void submit(CommandEdit edit, boolean done) {
-        submit(done ? edit.redoCommands() : edit.undoCommands(), results -> commandsExecuted(edit, done, results));
+        List<Command> commands = done ? edit.redoCommands() : edit.undoCommands(plannedSince);
+        if (!commands.isEmpty()) {
+            submit(commands, results -> commandsExecuted(edit, done, results));
+        }
     }
 
     private void commandsExecuted(CommandEdit edit, boolean done, List<CommandResult> results) {
@@ -209,7 +219,11 @@ public final class UndoController {
             if (!done) {
                 undoListener.accept(history.firstTick(edit));
             }
-            history.addChange(results.get(0).tick(), edit, done);
+            history.addChange(
+                    results.get(0).tick(),
+                    edit,
+                    done,
+                    results.stream().map(CommandResult::command).toList());
         } else if (results.isEmpty() || !results.stream().allMatch(UndoController::isAboutNothing)) {
             // The world refused the command, or the run has died, so the edit does not change.
             history.mark(edit, !done);

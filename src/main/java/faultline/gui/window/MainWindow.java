@@ -190,6 +190,7 @@ public final class MainWindow extends JFrame {
     private void installEditNotifier() {
         EditNotifier editNotifier = new EditNotifier(workspace, actionRegistry, this::showNote);
         undoController.setForkListener(editNotifier::timelineForked);
+        undoController.setPlan(runController::plannedSince);
         undoController.setUndoListener(editNotifier::editUndone);
     }
 

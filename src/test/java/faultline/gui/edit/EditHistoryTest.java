@@ -86,6 +86,11 @@ class EditHistoryTest {
         return edit;
     }
 
+    private void markUndone(long tick, CommandEdit edit) {
+        history.mark(edit, false);
+        history.addChange(tick, edit, false, edit.undoCommands(since -> List.of()));
+    }
+
     @Test
     void severalCommandsAreUndoneInReverse() {
         Command off = new Command.SwitchSensor("left", false);
@@ -97,7 +102,7 @@ class EditHistoryTest {
                         new CommandResult.Executed(1, off, List.of(on)),
                         new CommandResult.Executed(1, platform, List.of(platform))));
         assertEquals(List.of(off, platform), edit.redoCommands());
-        assertEquals(List.of(platform, on), edit.undoCommands());
+        assertEquals(List.of(platform, on), edit.undoCommands(tick -> List.of()));
         assertFalse(edit.isNoOp());
     }
 
@@ -137,8 +142,7 @@ class EditHistoryTest {
     @Test
     void anEditThatWasUndoneDuringTheRunIsDoneAtEarlierTicks() {
         CommandEdit only = execute(10, "box");
-        history.mark(only, false);
-        history.addChange(20, only, false);
+        markUndone(20, only);
         assertDoneAndUndone(null, only);
         assertEquals(List.of(), history.editsAhead());
         assertTrue(moveTo(19));
@@ -223,13 +227,11 @@ class EditHistoryTest {
         switchOff(10, "front");
         CommandEdit moved = execute(20, "box");
         CommandEdit undone = switchOff(25, "rear");
-        history.mark(undone, false);
-        history.addChange(27, undone, false);
+        markUndone(27, undone);
         CommandEdit redone = switchOff(30, "left");
-        history.mark(redone, false);
-        history.addChange(40, redone, false);
+        markUndone(40, redone);
         history.mark(redone, true);
-        history.addChange(50, redone, true);
+        history.addChange(50, redone, true, redone.redoCommands());
         List<List<Long>> ticks = new ArrayList<>();
         assertTrue(history.moveTo(5, (edit, executed) -> replacement(ticks, executed)));
         assertEquals(List.of(List.of(10L), List.of(30L, 40L, 50L)), ticks);
@@ -266,7 +268,7 @@ class EditHistoryTest {
     }
 
     private static List<String> sensors(CommandEdit edit) {
-        return Stream.concat(edit.redoCommands().stream(), edit.undoCommands().stream())
+        return Stream.concat(edit.redoCommands().stream(), edit.undoCommands(tick -> List.of()).stream())
                 .flatMap(command -> SensorReference.in(command).stream())
                 .distinct()
                 .toList();

@@ -15,6 +15,7 @@ public final class UndoForwarder implements WorkspaceListener {
     public UndoForwarder(RunController run, UndoController undo) {
         this.run = run;
         this.undo = undo;
+        undo.setPlan(run::plannedSince);
     }
 
     @Override
