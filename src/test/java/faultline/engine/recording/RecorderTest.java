@@ -285,6 +285,12 @@ class RecorderTest {
                     tally.transitions().stream()
                             .mapToLong(StateTally.TransitionCount::count)
                             .sum());
+            assertEquals(
+                    1 + frame.telemetry().transitions(),
+                    tally.states().stream()
+                            .mapToLong(StateTally.StateVisits::visits)
+                            .sum(),
+                    "the start and each transition is a visit");
             List<Moment> moments = moments(room, (int) frame.snapshot().tick());
             long inFollow = moments.stream()
                     .filter(moment -> moment.tick() > 0 && moment.state() == FollowerState.FOLLOW)
@@ -332,6 +338,8 @@ class RecorderTest {
                     1022, recorder.view().frameAt(1023).orElseThrow().snapshot().tick());
             assertEquals(
                     1024, recorder.view().frameAt(1025).orElseThrow().snapshot().tick());
+            assertEquals(
+                    1024, recorder.view().frameAt(9999).orElseThrow().snapshot().tick(), "the newest frame");
             assertNotEquals(early.size(), recorder.view().size());
         }
     }

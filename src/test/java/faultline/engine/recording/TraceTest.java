@@ -129,6 +129,7 @@ class TraceTest {
         assertSame(trace.levels().get(0), trace.levelFor(99_000, 100_000, 1000));
         assertSame(trace.levels().get(1), trace.levelFor(99_000, 100_000, 999));
         assertSame(trace.levels().get(2), trace.levelFor(0, 1000, 1000), "the finer ones have forgotten tick 0");
+        assertSame(trace.levels().get(2), trace.levelFor(10_000, 11_000, 1000), "the finer ones begin later");
         assertSame(trace.levels().get(4), trace.levelFor(0, 100_000, 1000));
     }
 
