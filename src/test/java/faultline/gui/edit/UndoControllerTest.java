@@ -9,6 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.Threshold;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
@@ -17,6 +20,7 @@ import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.Snapshot;
+import faultline.world.WaypointPath;
 import faultline.world.World;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
@@ -332,6 +336,66 @@ class UndoControllerTest {
                         .map(sensor -> sensor.spec().id())
                         .sorted()
                         .toList());
+    }
+
+    /** Returns the name of the edit that commands make. */
+    private String nameOfEdit(Command... commands) {
+        now += 5000;
+        runOnEdt(() -> controller.send(List.of(commands)));
+        return undoName().orElseThrow();
+    }
+
+    @Test
+    void anEditOfASensorOrMotorIsNamedByWhatItChanges() {
+        SensorSpec turned = FRONT.withBearing(0.1);
+        SensorSpec moved = turned.withMountPosition(new Vector2(0.1, 0.02));
+        SensorSpec noisy = moved.withNoise(0.01);
+        MotorFault.Weak weak = new MotorFault.Weak(0.5);
+        assertEquals("Bearing of front", nameOfEdit(new Command.ConfigureSensor(turned)));
+        assertEquals("Position of front", nameOfEdit(new Command.ConfigureSensor(moved)));
+        assertEquals("Noise of front", nameOfEdit(new Command.ConfigureSensor(noisy)));
+        assertEquals("Settings of front", nameOfEdit(new Command.ConfigureSensor(FRONT.withRange(0.5))));
+        assertEquals("Switch left off", nameOfEdit(new Command.SwitchSensor("left", false)));
+        assertEquals("Switch left on", nameOfEdit(new Command.SwitchSensor("left", true)));
+        assertEquals("Fault in left", nameOfEdit(new Command.InjectFault("left", new Fault.Dead())));
+        assertEquals("Repair left", nameOfEdit(new Command.ClearFault("left", new Fault.Dead())));
+        assertEquals("Fault in right motors", nameOfEdit(new Command.InjectMotorFault(MotorSide.RIGHT, weak)));
+        assertEquals("Repair right motors", nameOfEdit(new Command.ClearMotorFault(MotorSide.RIGHT, weak)));
+        assertEquals("Fault in left motors", nameOfEdit(new Command.InjectMotorFault(MotorSide.LEFT, weak)));
+        assertEquals("Repair left motors", nameOfEdit(new Command.ClearMotorFaults(MotorSide.LEFT)));
+        assertEquals("Change linear velocity", nameOfEdit(new Command.SetPlatform(0.25, 0.2, 0.2)));
+        assertEquals("Change platform", nameOfEdit(new Command.SetPlatform(0.3, 0.2, 0.2)));
+    }
+
+    @Test
+    void anEditOfObstaclesIsNamedByWhatItChanges() {
+        Obstacle slow = LAMP.withMotion(new WaypointPath(0.1, true, List.of(new Vector2(5, 1), new Vector2(5, 3))));
+        Obstacle fast = slow.withMotion(slow.motion().withSpeed(0.2));
+        Obstacle elsewhere = slow.withMotion(new WaypointPath(0.1, true, List.of(new Vector2(5, 2))));
+        Obstacle wide = new Obstacle("desk", new ObstacleShape.RectangleShape(0.6, 0.5), DESK.pose());
+        Pose rotated = new Pose(5, 3, 1);
+        assertEquals("Add lamp", nameOfEdit(new Command.PlaceObstacle(LAMP)));
+        assertEquals("Change lamp", nameOfEdit(new Command.PlaceObstacle(slow)));
+        assertEquals("Speed of lamp", nameOfEdit(new Command.PlaceObstacle(fast)));
+        assertEquals("Change lamp", nameOfEdit(new Command.PlaceObstacle(elsewhere)));
+        assertEquals(
+                "Change lamp",
+                nameOfEdit(new Command.PlaceObstacle(elsewhere.withShape(new ObstacleShape.CircleShape(0.2)))));
+        assertEquals(
+                "Change 2 obstacles", nameOfEdit(new Command.PlaceObstacle(LAMP), new Command.PlaceObstacle(wide)));
+        assertEquals(
+                "Move 2 obstacles", nameOfEdit(moveTo(4.1), new Command.MoveObstacle("lamp", new Pose(5, 3.2, 0))));
+        assertEquals(
+                "Rotate 2 obstacles",
+                nameOfEdit(
+                        new Command.MoveObstacle("lamp", rotated),
+                        new Command.MoveObstacle("desk", new Pose(4.1, 2, 1))));
+        assertEquals(
+                "Delete 2 obstacles",
+                nameOfEdit(new Command.RemoveObstacle("lamp"), new Command.RemoveObstacle("desk")));
+        assertEquals("Add 2 obstacles", nameOfEdit(new Command.PlaceObstacle(LAMP), new Command.PlaceObstacle(DESK)));
+        assertEquals(
+                "2 changes", nameOfEdit(new Command.RemoveObstacle("desk"), new Command.SwitchSensor("left", false)));
     }
 
     @Test
