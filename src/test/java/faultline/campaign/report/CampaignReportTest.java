@@ -71,6 +71,8 @@ class CampaignReportTest {
                         "Columns of runs.csv"),
                 headings(html));
         assertTrue(html.contains("<th scope=\"row\">stuck</th>"));
+        Pattern varied = Pattern.compile("<td>controller_distance_m [\\d.]+, robot_speed_m_s [\\d.]+, fault_kind ");
+        assertTrue(varied.matcher(html).find(), "the worst runs say what varies");
         assertTrue(html.contains("java -jar target/faultline.jar " + folder.resolve("replays/run-")));
     }
 
@@ -78,7 +80,9 @@ class CampaignReportTest {
     void theSummaryNamesScenariosWithFaultsOfTheirOwn() throws Exception {
         String elements = "<worlds><scenario file=\"a.xml\"/></worlds><faults><healthy/></faults>";
         String sentence = "Scenarios with such faults: a.";
-        assertFalse(reportOf(elements).contains(sentence));
+        String without = reportOf(elements);
+        assertFalse(without.contains(sentence));
+        assertTrue(without.contains("All runs are in one world"), without);
         folder = folder.resolve("faulty");
         String fault = "<timeline><fault at=\"1\" sensor=\"front\" kind=\"off\"/></timeline></scenario>";
         String html = reportOf(elements, SamplePlan.ROOM.replace("</scenario>", fault));
@@ -192,6 +196,8 @@ class CampaignReportTest {
     void oneOfAThingIsSingular() throws Exception {
         String html = report("<seeds count=\"1\"/><set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
         assertTrue(html.contains("4 of 4 runs: 2 worlds, 1 seed each, 2 combinations in each."), html);
+        assertTrue(html.contains("Runs in one world are correlated"), html);
+        assertTrue(html.contains("With only 2 worlds, the correlation of runs is uncertain"), html);
         assertEquals("1 pair", Html.count(1, "pair"));
     }
 
@@ -212,6 +218,20 @@ class CampaignReportTest {
                 DoubleStream.of(0, 0.125, 0.9, 0.901, 0.999, 1)
                         .mapToObj(share -> Html.percent(share).replace("&thinsp;%", ""))
                         .toList());
+    }
+
+    /** The colour is the deeper the further the share is from a half, at most 0.45. */
+    @Test
+    void aCellHasItsShareAndAColourThatSaysWhetherItIsMoreThanAHalf() {
+        Interval interval = new Interval(0.1, 0.95);
+        String most = Html.survivalCell(new Survival(9, 10, interval));
+        assertTrue(most.startsWith("<td style=\"background:rgba(0,150,160,0.36)\"><b>90&thinsp;%</b><svg"), most);
+        assertTrue(most.endsWith("<small>10&ndash;95.0; n 10</small></td>"), most);
+        String few = Html.survivalCell(new Survival(2, 10, interval));
+        assertTrue(few.startsWith("<td style=\"background:rgba(225,110,0,0.27)\"><b>20&thinsp;%</b>"), few);
+        Survival none = new Survival(0, 0, new Interval(0, 1));
+        assertEquals("<td class=\"empty\">&ndash;</td>", Html.survivalCell(none));
+        assertEquals("&ndash;", Html.survival(none));
     }
 
     @Test

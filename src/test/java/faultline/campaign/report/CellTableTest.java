@@ -108,6 +108,24 @@ class CellTableTest {
     }
 
     @Test
+    void eachRungHasARowForAllFaultsAndOneForHealthyRuns() {
+        lines.clear();
+        lines.add(List.of("run", "block", "fault_kind", "fault_sensor", "final_rung", "outcome", "carried_on"));
+        lines.add(List.of("0", "0", "none", "", "ALL", "carried_on", "1"));
+        lines.add(List.of("1", "0", "off", "front", "THREE", "carried_on", "1"));
+        lines.add(List.of("2", "1", "off", "front", "THREE", "lost", "0"));
+        lines.add(List.of("3", "2", "off", "front", "", "lost", "0"));
+        List<String> rungs = new CellTable(data())
+                .csv()
+                .lines()
+                .skip(1)
+                .map(row -> String.join(",", List.of(row.split(",")).subList(0, 5)))
+                .filter(row -> !row.split(",")[2].equals("all"))
+                .toList();
+        assertEquals(List.of("none,,ALL,1,1", "all,all,THREE,2,1"), rungs);
+    }
+
+    @Test
     void aCellHasTheMeansOfThoseRunsThatHaveNumbers() {
         addTenRuns();
         CampaignCell cell = CampaignCell.allOf(plan, lines).get(0);

@@ -1,6 +1,7 @@
 package faultline.campaign.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
@@ -9,6 +10,8 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.geometry.Pose;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
 import java.util.Arrays;
 import java.util.List;
@@ -81,6 +84,22 @@ class ComparisonChartTest {
                 "failing", List.of(second), List.of(new ControllerRuns.FailedRun(first.seed(), "it broke")));
         assertEquals(1, thickLines(ComparisonChart.paths(first, List.of(whole))));
         assertEquals(0, thickLines(ComparisonChart.paths(first, List.of(failing))), "its first seed has no path");
+    }
+
+    @Test
+    void thePathsAreInAPlanOfTheWorldWithTheRobotAtItsStartAndEndInDots() {
+        List<ControllerRuns> controllers = List.of(
+                new ControllerRuns("whole", List.of(run(1), run(ROOM.withSeed(7).withDuration(1))), List.of()));
+        Obstacle desk = new Obstacle("desk", new ObstacleShape.RectangleShape(0.4, 0.4), new Pose(2, 1, 0));
+        String empty = ComparisonChart.paths(ROOM, controllers);
+        WorldSpec furnished = new WorldSpec(3, 2, true, 0, List.of(desk));
+        assertNotEquals(
+                empty, ComparisonChart.paths(SimulationSetup.of(furnished, ROOM.start()), controllers), "the desk");
+        assertNotEquals(
+                empty,
+                ComparisonChart.paths(SimulationSetup.of(ROOM.world(), new Pose(0.6, 1.2, 1)), controllers),
+                "the robot");
+        assertEquals(2, places(DOT, empty).size(), "the ends");
     }
 
     private static long thickLines(String svg) {

@@ -153,6 +153,19 @@ class ComparisonTest {
         assertTrue(intervalWidth("0", "1", "1") > 1.1 * intervalWidth("011", "011", "011"));
     }
 
+    /** In each world, the robot carries on in the first or in the second run of half of the pairs. */
+    @Test
+    void pairsThatDifferInBothDirectionsAreMoreThanOneObservationOfAWorld() {
+        for (int block = 0; block < 36; block++) {
+            String world = List.of("a", "b", "c").get(block / 12);
+            addRun(block, world, SLOW, "front", Integer.toString(block % 2), 0);
+            addRun(block, world, FAST, "front", Integer.toString(1 - block % 2), 0);
+        }
+        Interval found = survivalDifference().orElseThrow().interval();
+        Interval ofThreePairs = Interval.pairedDifference(0, 1.5, 1.5, 0);
+        assertTrue(found.high() < 0.9 * ofThreePairs.high(), found + " is not within " + ofThreePairs);
+    }
+
     private List<String> groups(int sensors) {
         IntStream.range(0, sensors).forEach(sensor -> addRun(sensor, "a", SLOW, "s" + sensor, "1", 0));
         return List.copyOf(comparison().faultGroups().keySet());

@@ -9,6 +9,7 @@ import faultline.campaign.plan.SamplePlan;
 import faultline.scenario.xml.ScenarioException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -93,6 +94,27 @@ class FaultSectionsTest {
         assertTrue(matrix.contains("<th scope=\"col\">second_kind</th><th scope=\"col\">left</th>"), matrix);
         assertTrue(matrix.contains("<th scope=\"row\">stuck</th><td"), matrix);
         assertTrue(matrix.contains("Healthy runs have none."), matrix);
+    }
+
+    @Test
+    void theTableEndsWithARowOfAllFaults() {
+        addRun("front", "ALL", "2");
+        addRun("left", "ALL", "");
+        String half = "<small>" + Html.percent(0.5) + "</small>";
+        Pattern last = Pattern.compile(
+                "<th scope=\"row\">all faults</th><td>.*" + Html.percent(1) + ".*</td><td>&ndash;</td><td>.*" + half);
+        assertTrue(last.matcher(delays()).find(), delays());
+    }
+
+    @Test
+    void aFaultWithALabelHasARowOfThatName() throws ScenarioException {
+        plan = SamplePlan.read(SamplePlan.text("", PLAN.replace("kind=\"off\"", "label=\"cut\" kind=\"off\"")));
+        lines.clear();
+        lines.add(List.of("run", "block", "fault_kind", "fault_sensor", "fault_label", "carried_on"));
+        lines.add(List.of("0", "0", "off", "front", "cut", "1"));
+        String matrix = new FaultSections(new RunData(plan, lines)).matrix();
+        assertTrue(matrix.contains("<th scope=\"row\">cut</th>"), matrix);
+        assertFalse(matrix.contains("<th scope=\"row\">off</th>"), matrix);
     }
 
     @Test

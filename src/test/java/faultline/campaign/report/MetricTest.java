@@ -40,6 +40,8 @@ class MetricTest {
     @Test
     void aMeanHasTheIntervalOfStudent() {
         assertEquals("2.00 [-10.71, 14.71]", Metric.PATH.summary(new double[] {1, 3}));
+        // The deviation is 1, and half the interval is 4.303 divided by the square root of 3.
+        assertEquals("2.00 [-0.48, 4.48]", Metric.PATH.summary(new double[] {1, 2, 3}));
         assertEquals("3.00", Metric.PATH.summary(new double[] {3}));
         assertEquals("none", Metric.PATH.summary(new double[] {}));
     }

@@ -67,6 +67,15 @@ class SensorSetsTest {
     }
 
     @Test
+    void setsOfFewerSensorsComeFirstThenThoseOfGreaterShares() {
+        addRuns("front left", 20, 20);
+        addRuns("rear", 17, 20);
+        addRuns("right", 18, 20);
+        assertTrue(section().indexOf(row("right")) < section().indexOf(row("rear")), section());
+        assertTrue(section().indexOf(row("rear")) < section().indexOf(row("front left")), section());
+    }
+
+    @Test
     void withoutASufficientSetTheReportSaysSo() {
         addRuns("none", 0, 20);
         assertTrue(section().contains("No set is sufficient."), section());

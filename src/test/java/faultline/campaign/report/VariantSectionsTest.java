@@ -1,6 +1,5 @@
 package faultline.campaign.report;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -23,8 +22,11 @@ class VariantSectionsTest {
         return SamplePlan.read(SamplePlan.text("", ONE_WORLD + factors));
     }
 
-    private void addRun(int block, String value, String carriedOn) {
-        lines.add(List.of(Integer.toString(lines.size() - 1), Integer.toString(block), "a", value, carriedOn));
+    private void addRun(int block, String value, String carriedOn, String... numbers) {
+        List<String> cells = new ArrayList<>(
+                List.of(Integer.toString(lines.size() - 1), Integer.toString(block), "a", value, carriedOn));
+        cells.addAll(List.of(numbers));
+        lines.add(cells);
     }
 
     /** Returns the comparison of two speeds, with which the robot carries on in some of ten blocks each. */
@@ -46,6 +48,31 @@ class VariantSectionsTest {
         assertTrue(comparison(5, 6).contains("<td>+10<br><small>-"), comparison(5, 6));
         assertFalse(comparison(5, 6).contains("<b>+10</b>"), comparison(5, 6));
         assertTrue(comparison(5, 5).contains("<td>0<br><small>-"), comparison(5, 5));
+        String header = "<th scope=\"col\">runs</th><th scope=\"col\">0.2</th><th scope=\"col\">0.3</th>"
+                + "<th scope=\"col\">difference</th>";
+        assertTrue(comparison(5, 6).contains(header), comparison(5, 6));
+        assertTrue(comparison(5, 6).contains("<title>speed 0.3 less 0.2, percentage points</title>"), "a chart");
+    }
+
+    /**
+     * The differences of the coverage are 0.1 and 0.3 in turn, those of the laps 1 and -1. Half an interval is 2.262 by
+     * the deviation, which is the expected distance from the mean by the square root of 10 / 9, by 1 / sqrt(10).
+     */
+    @Test
+    void numbersAreComparedByTheirMeansAndPairedDifferences() throws ScenarioException {
+        lines.add(List.of("run", "block", "world", "speed", "carried_on", "coverage", "laps"));
+        for (int block = 0; block < 10; block++) {
+            boolean odd = block % 2 == 1;
+            addRun(block, "0.2", "1", "0.5", "2");
+            addRun(block, "0.3", "1", odd ? "0.8" : "0.6", odd ? "3" : "1");
+        }
+        CampaignPlan plan = plan("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
+        String section = new VariantSections(new RunData(plan, lines)).comparisons();
+        assertTrue(section.contains("<th scope=\"col\">difference of 0.3</th>"), section);
+        String coverage = "<th scope=\"row\">coverage</th><td>0.5 <small>n 10</small></td>"
+                + "<td>0.7 <small>n 10</small></td><td><b>+0.2</b><br><small>0.125 to 0.275; 10 pairs</small></td>";
+        assertTrue(section.contains(coverage), section);
+        assertTrue(section.contains("<td>0<br><small>-0.754 to 0.754; 10 pairs</small></td>"), section);
     }
 
     /** Of ten parts of the range from 0 to 0.8, runs are in the first two; the greatest value is in the last one. */
@@ -58,6 +85,6 @@ class VariantSectionsTest {
         addRun(13, "0.8", "0");
         CampaignPlan plan = plan("<faults><fault kind=\"stuck\" sensor=\"front\" value=\"0..0.8\" at=\"1\"/></faults>");
         String chart = new VariantSections(new RunData(plan, lines)).responses();
-        assertEquals(3, chart.split("<circle ", -1).length - 1, chart);
+        ReportChartsTest.assertPlaces(chart, ReportChartsTest.DOT, 0.05, 1, 0.15, 1, 0.95, 0);
     }
 }
