@@ -70,6 +70,8 @@ class ProblemsTest {
             <motion speed="0.2" points="5,3 5,1"/> | <motor/> | 10:15: <circle> must not contain <motor>; expected motion
             <motion speed="0.2" points="5,3 5,1"/> | <motion speed="0.2" points="5,3 5,1"/><motion speed="0" points="5,3"/> | 10:77: <circle> contains a second <motion>; expected one
             <motion speed="0.2" points="5,3 5,1"/> | <motion speed="0.2" points="5,3 5,1"><stop/></motion> | 10:51: <motion> must not contain <stop>; expected nothing
+            <expect collision="false"/> | <expect collision="false"><lens/></expect> | 29:36: <expect> must not contain <lens>; expected nothing
+            <description>      | <description lang="en"> | 2:26: <description> has no attribute "lang"; expected none
             <remove at="42" obstacle="extra"/> | <remove at="42" obstacle="extra"><circle/></remove> | 26:47: <remove> must not contain <circle>; expected nothing
             <circle id="extra" x="4" y="1" radius="0.1"/> | <motor/> | 25:18: <put> contains 0 obstacles; expected one of rectangle, circle, ellipse, polygon, wall, plan
             <circle id="extra" x="4" y="1" radius="0.1"/> | <circle id="extra" x="4" y="1" radius="0.1"/><circle id="two" x="5" y="1" radius="0.1"/> | 25:18: <put> contains 2 obstacles; expected one of rectangle, circle, ellipse, polygon, wall, plan

@@ -2,11 +2,54 @@ package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class RunSummaryTest {
+
+    @Test
+    void everyLineHasTheValueOfItsKey() {
+        assertEquals(
+                List.of(
+                        "ticks: 250",
+                        "simulated_s: 2.5",
+                        "real_time_factor: 12.3",
+                        "state: FOLLOW",
+                        "states: SEARCH FOLLOW",
+                        "collision: 1.500000000,0.250000000 at 2.250000000",
+                        "collided_with: pole",
+                        "coverage: 0.7500",
+                        "distance_rms_m: 0.003000",
+                        "follow_rms_m: 0.004500",
+                        "trajectory_hash: 00000000000000ff",
+                        "seed: 7",
+                        "rung: THREE",
+                        "rung_changes: THREE at 0.75",
+                        "health_changes: left OFF at 0.5, left trusted at 2"),
+                RunSummary.lines(SampleResults.eventful()));
+    }
+
+    @Test
+    void aMissingValueIsNone() {
+        List<String> missing = RunSummary.lines(SampleResults.uneventful()).stream()
+                .filter(line -> line.endsWith(": none"))
+                .map(line -> line.substring(0, line.indexOf(':')))
+                .toList();
+        assertEquals(
+                List.of(
+                        "real_time_factor",
+                        "collision",
+                        "collided_with",
+                        "coverage",
+                        "distance_rms_m",
+                        "follow_rms_m",
+                        "rung",
+                        "rung_changes",
+                        "health_changes"),
+                missing);
+    }
 
     @Test
     void numbersAreRoundedAsAFormatterRoundsThem() {

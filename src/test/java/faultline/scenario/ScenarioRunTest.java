@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
+import faultline.engine.metrics.Expectation;
 import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Reading;
 import java.nio.file.Path;
@@ -27,6 +28,15 @@ class ScenarioRunTest {
         assertTrue(run.collision().isEmpty()
                 && run.states().contains("FOLLOW")
                 && run.coverage().orElse(0) > 0.9);
+    }
+
+    @Test
+    void anExpectationThatTheRunDoesNotMeetIsNamed() throws ScenarioException {
+        Scenario room = Scenario.load(Path.of("scenarios/collision-on-purpose.xml"));
+        Expectation none = new Expectation(List.of(new Expectation.Collides(false)));
+        List<String> unmet = room.withExpectation(none).run().unmetExpectations();
+        assertEquals(1, unmet.size());
+        assertTrue(unmet.get(0).contains("pole"), unmet.get(0));
     }
 
     @Test
