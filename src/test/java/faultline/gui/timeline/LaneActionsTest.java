@@ -16,6 +16,8 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.KeyBindings;
+import faultline.robot.MotorFaultKind;
+import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -318,6 +320,101 @@ class LaneActionsTest {
             actions.move(-1, 0);
         });
         assertEquals(END, times().get(1));
+    }
+
+    @Test
+    void arrowKeysMoveTheEndOrTheStartOrBothByAStep() {
+        runOnEdt(() -> {
+            editor.replace(0, editor.model().items().get(0).withTimes(10, 20));
+            updateView();
+            view.select(0, 0);
+            double step = actions.step();
+            assertMoved(KeyEvent.VK_RIGHT, InputEvent.SHIFT_DOWN_MASK, 10, 20 + step);
+            assertMoved(KeyEvent.VK_RIGHT, InputEvent.ALT_DOWN_MASK, 10 + step, 20 + step);
+            assertMoved(KeyEvent.VK_RIGHT, KeyBindings.menuMask(), 10 + 2 * step, 20 + 2 * step);
+            assertMoved(KeyEvent.VK_LEFT, KeyBindings.menuMask(), 10 + step, 20 + step);
+            assertMoved(KeyEvent.VK_LEFT, InputEvent.SHIFT_DOWN_MASK, 10 + step, 20);
+            assertMoved(KeyEvent.VK_LEFT, InputEvent.ALT_DOWN_MASK, 10, 20);
+        });
+    }
+
+    private void assertMoved(int key, int modifiers, double start, double end) {
+        assertTrue(press(key, modifiers));
+        TimelineItem moved = view.selectedItem().orElseThrow();
+        assertEquals(start, moved.start(), 1e-9);
+        assertEquals(end, moved.end(), 1e-9);
+        assertEquals(List.of(moved.start(), moved.end()), lanes.times());
+    }
+
+    @Test
+    void arrowKeysSelectLanesAndItemsUpToTheLastAndBackspaceDeletes() {
+        runOnEdt(() -> {
+            actions.duplicate();
+            updateView();
+            view.select(0, LaneLayout.NONE);
+            press(KeyEvent.VK_LEFT, 0);
+            assertEquals(1, view.selection(), "the last one");
+            press(KeyEvent.VK_LEFT, 0);
+            press(KeyEvent.VK_LEFT, 0);
+            assertEquals(0, view.selection());
+            press(KeyEvent.VK_RIGHT, 0);
+            press(KeyEvent.VK_RIGHT, 0);
+            assertEquals(1, view.selection());
+            view.select(0, LaneLayout.NONE);
+            press(KeyEvent.VK_RIGHT, 0);
+            assertEquals(0, view.selection(), "the first one");
+            press(KeyEvent.VK_BACK_SPACE, 0);
+            assertEquals(2, lanes.times().size());
+            for (int lane : new int[] {1, 1}) {
+                press(KeyEvent.VK_DOWN, 0);
+                assertEquals(lane, view.lane());
+            }
+            for (int lane : new int[] {0, 0}) {
+                press(KeyEvent.VK_UP, 0);
+                assertEquals(lane, view.lane());
+            }
+        });
+    }
+
+    @Test
+    void aStartThatIsMovedBehindTheEndStaysATickBeforeIt() {
+        runOnEdt(() -> {
+            TimelineItem item = view.selectedItem().orElseThrow().withTimes(10, 20);
+            TimelineItem moved = actions.withEnds(item, 25, 20);
+            assertEquals(List.of(19.99, 20.0), List.of(moved.start(), moved.end()));
+            moved = actions.withEnds(item, 10, 5);
+            assertEquals(List.of(10.0, 10.01), List.of(moved.start(), moved.end()));
+        });
+    }
+
+    @Test
+    void aNewFaultIsLikeTheLastOneOfItsKindOfLane() {
+        runOnEdt(() -> {
+            actions.copy();
+            actions.paste(20);
+            TimelineItem item = actions.newFault(30, 35).orElseThrow();
+            assertEquals(new Command.InjectFault("left", STUCK), item.command());
+            Lane motors = new Lane.MotorLane(MotorSide.RIGHT);
+            view.update(List.of(motors, Lane.OTHER), view.axis(), 0);
+            view.select(0, LaneLayout.NONE);
+            double weak = MotorFaultKind.WEAK.defaultValue();
+            assertEquals(
+                    new Command.InjectMotorFault(MotorSide.RIGHT, MotorFaultKind.WEAK.createFault(weak)),
+                    actions.newFault(30, 35).orElseThrow().command());
+        });
+    }
+
+    @Test
+    void theMenuOffersWhatTheLaneAndTheItemAllow() {
+        assertEquals(List.of(true, true, true, false, true, true, false, true, true), enabledMenuItems());
+        runOnEdt(() -> view.select(1, LaneLayout.NONE));
+        assertEquals(List.of(false, false, false, true, false, false, false, false, false), enabledMenuItems());
+    }
+
+    private List<Boolean> enabledMenuItems() {
+        return callOnEdt(() -> ComponentFinder.findAll(actions.createMenu(0), JMenuItem.class)
+                .map(JMenuItem::isEnabled)
+                .toList());
     }
 
     @ParameterizedTest

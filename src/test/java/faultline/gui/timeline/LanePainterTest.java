@@ -21,6 +21,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -28,7 +29,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The label of a bar in lanes of several heights, without a display. */
+/** The lanes of several heights as pictures, without a display. */
 @ExtendWith(EdtChecker.class)
 class LanePainterTest {
 
@@ -37,11 +38,12 @@ class LanePainterTest {
     private static final int LABEL_WIDTH = 110;
 
     private Workspace workspace;
+    private RunController run;
     private LaneView view;
 
     @BeforeEach
     void openWithOneLongFault() {
-        RunController run = callOnEdt(() -> {
+        run = callOnEdt(() -> {
             Theme.LIGHT.install();
             workspace = new Workspace();
             RunController created = new RunController(workspace);
@@ -116,6 +118,65 @@ class LanePainterTest {
 
         runOnEdt(() -> view.select(0, 0));
         assertEquals(accent, picture(17).getRGB(left - 1, middle), "a handle");
+    }
+
+    /** Returns how many pixels of a rectangle differ from the one at its upper left corner. */
+    private static long paintedPixels(BufferedImage picture, int left, int top, int width, int height) {
+        int ground = picture.getRGB(left, top);
+        return IntStream.range(0, width * height)
+                .filter(i -> picture.getRGB(left + i % width, top + i / width) != ground)
+                .count();
+    }
+
+    @Test
+    void lanesHaveTheirNamesAndColoursAndTheRulerHasTimes() {
+        runOnEdt(() -> view.update(List.of(new Lane.SensorLane("left"), Lane.OTHER), new TimeAxis(100, WIDTH, 60), 50));
+        BufferedImage picture = picture(17);
+        assertEquals(
+                Theme.LIGHT.palette().sensorColours(0).fill().getRGB(), picture.getRGB(9, RULER + 8), "the swatch");
+        assertTrue(paintedPixels(picture, 20, RULER + 2, 70, 14) > 10, "the name of the sensor");
+        assertTrue(paintedPixels(picture, 20, RULER + 19, 70, 14) > 10, "the name of the other lane");
+        assertTrue(paintedPixels(picture, 105, 1, 600, RULER - 2) > 10, "the times");
+        assertNotEquals(picture.getRGB(50, RULER), picture.getRGB(50, RULER + 1), "the line between the lanes");
+    }
+
+    @Test
+    void aMarkIsADiamondThatTheSelectionColours() {
+        List<TimedCommand> mark = List.of(new TimedCommand(35, new Command.SetPlatform(0.25, 0.2, 0.3)));
+        runOnEdt(() -> {
+            run.change(old -> old.withSetup(old.setup().withTimeline(mark)));
+            view.update(List.of(new Lane.SensorLane("left"), Lane.OTHER), new TimeAxis(0, WIDTH, 60), 0);
+        });
+        BufferedImage picture = picture(17);
+        Rectangle2D bounds = callOnEdt(() -> view.lanes().bounds(0));
+        int left = (int) bounds.getMinX();
+        int top = (int) bounds.getMinY();
+        int size = (int) bounds.getWidth();
+        assertTrue(paintedPixels(picture, left - 1, top, size + 2, size / 2) > 10, "the upper half");
+        assertTrue(paintedPixels(picture, left - 1, top + size / 2 + 2, size + 2, size / 2 - 2) > 8, "the lower half");
+        int accent = Theme.LIGHT.colours().accent().getRGB();
+        int middle = (int) bounds.getCenterY();
+        assertNotEquals(accent, picture.getRGB(left, middle));
+        runOnEdt(() -> view.select(1, 0));
+        assertEquals(accent, picture(17).getRGB(left, middle));
+    }
+
+    @Test
+    void theTimesOfADraggedItemAreInTheRuler() {
+        runOnEdt(() -> {
+            view.select(0, 0);
+            view.setPreview(view.selectedItem().orElseThrow().withTimes(20, 30));
+        });
+        BufferedImage picture = picture(17);
+        int accent = Theme.LIGHT.colours().accent().getRGB();
+        int middle = WIDTH * 25 / 60;
+        assertTrue(
+                IntStream.range(middle - 15, middle + 15)
+                                .filter(x -> picture.getRGB(x, 2) == accent)
+                                .count()
+                        > 20,
+                "the label is in the middle of the item");
+        assertNotEquals(picture.getRGB(WIDTH * 21 / 60, RULER + 26), picture.getRGB(WIDTH * 19 / 60, RULER + 26));
     }
 
     @ParameterizedTest

@@ -37,6 +37,13 @@ class LaneZoomTest {
     }
 
     @Test
+    void withoutTheTimeInViewTheMiddleStays() {
+        show(10, 20);
+        zoom.zoomAbout(1, 90);
+        assertShown(11, 19);
+    }
+
+    @Test
     void theSmallestPartIsTwentyTicks() {
         zoom.zoom(100, 500);
         assertEquals(0.2, zoom.axis().length(), 1e-9);
