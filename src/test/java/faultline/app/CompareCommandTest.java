@@ -133,6 +133,7 @@ class CompareCommandTest {
         assertEquals(0, result.code, result.err);
         assertTrue(result.out.startsWith("truth: given to the controllers in child processes\n"), result.out);
         assertTrue(Files.readString(page()).contains("Controllers in child processes were given the ground truth."));
+        assertFalse(result.out.contains("\nwindow: "), "the window does not give it to them");
         CommandResult none = compare("--controller", "none", "--controller", "wall-follower", "--truth");
         assertEquals(2, none.code, none.out);
         assertEquals("faultline: --truth needs --controller COMMAND (see faultline --help)\n", none.err);

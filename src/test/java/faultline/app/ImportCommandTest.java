@@ -78,6 +78,33 @@ class ImportCommandTest {
         assertTrue(out.toString(StandardCharsets.UTF_8).contains("solid_cells: 0\n"));
     }
 
+    /** A column of twenty grey cells is neither free nor occupied. */
+    @Test
+    void unknownCellsAreFreeOrWallsAsWanted() throws Exception {
+        String row = "255 255 255 128 " + "255 ".repeat(26) + "\n";
+        Path map = Files.writeString(folder.resolve("grey.pgm"), "P2 30 20 255\n" + row.repeat(20));
+        for (String unknown : List.of("free", "wall")) {
+            out.reset();
+            String target = folder.resolve(unknown + ".xml").toString();
+            String[] command = {
+                "import",
+                map.toString(),
+                "--out",
+                target,
+                "--resolution",
+                "0.1",
+                "--unknown",
+                unknown,
+                "--start",
+                "1.5,1,0"
+            };
+            assertEquals(0, commandLine().run(command), err::toString);
+            List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
+            assertEquals("cells: 30 x 20", lines.get(1));
+            assertEquals("solid_cells: " + (unknown.equals("wall") ? 20 : 0), lines.get(2));
+        }
+    }
+
     @Test
     void theResolutionOfAYamlFileIsItsOwn() throws Exception {
         importMap("--out", "x.xml");
@@ -121,6 +148,8 @@ class ImportCommandTest {
             --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1"; expected a whole number from 0 to 999999999
             --out x.xml --resolution 1 --smooth -1 | --smooth is "-1"; expected a number of cells from 0 to 100000
             --out x.xml --resolution 1 --start 1,2 | --start is "1,2"; expected x,y,heading in metres and degrees
+            --out x.xml --resolution 1 --start 1,2,3,4 | --start is "1,2,3,4"; expected x,y,heading in metres and degrees
+            --out x.xml --resolution 1 --start -100001,2,3 | --start is "-100001,2,3"; expected x,y,heading in metres and degrees
             --out x.xml --resolution 1 --start 1,2,1e999 | --start is "1,2,1e999"; expected x,y,heading in metres and degrees
             """)
     void badUsageIsReported(String arguments, String sentence) throws Exception {

@@ -98,6 +98,7 @@ class TraceFormatTest {
         assertEquals("stuck=0.3", word(rows, 16.0, "right.faults"));
         assertEquals("", word(rows, 14.9, "left_motor_faults"));
         assertEquals("weak=0.9", word(rows, 15.1, "left_motor_faults"));
+        assertEquals("", word(rows, 15.1, "right_motor_faults"));
         assertEquals("1", word(rows, 13.9, "front.answers"));
         assertEquals("0", word(rows, 14.1, "front.answers"));
         assertEquals("", word(rows, 14.1, "front.reading"));
@@ -105,6 +106,10 @@ class TraceFormatTest {
         assertFalse(word(rows, 18.0, "rung").equals("ALL"));
         assertEquals("distrusted", word(rows, 18.0, "front.trust"));
         assertEquals("off", word(rows, 18.0, "front.finding"));
+        assertEquals("trusted", word(rows, 1, "front.trust"));
+        assertEquals("none", word(rows, 1, "front.finding"));
+        assertEquals("0.0", word(rows, 1, "front.evidence"));
+        assertEquals("1.0", word(rows, 18.0, "right.evidence"));
     }
 
     /** The true wheels follow the volts by the closed form of a first-order lag; the left side is 3 % faster. */
@@ -118,6 +123,10 @@ class TraceFormatTest {
                 double goal = 0.1 * (side.equals("left") ? 1.03 : 1) * number(rows, i, side + "_volts");
                 assertEquals(goal + (before - goal) * decay, number(rows, i, side + "_v"), 1e-12, side + " " + i);
             }
+            double left = number(rows, i, "left_v");
+            double right = number(rows, i, "right_v");
+            assertEquals((left + right) / 2, number(rows, i, "v"), 1e-12);
+            assertEquals((right - left) / 0.18, number(rows, i, "omega"), 1e-9);
         }
     }
 
@@ -136,6 +145,14 @@ class TraceFormatTest {
         assertEquals(0.25, number(rows, follow + 20, "wanted_m"));
         // The decision that acts in a tick was made on the readings of the tick before.
         assertEquals(number(rows, follow + 19, "left.reading"), number(rows, follow + 20, "measured_m"));
+        // At first there is no change of the distance to control; the terms together turn the robot.
+        assertTrue(number(rows, follow, "p_rad_s") > 0, "the wall is too far away");
+        assertEquals(0, number(rows, follow, "d_rad_s"), 1e-12);
+        assertTrue(number(rows, follow + 20, "d_rad_s") < 0, "the robot approaches it");
+        for (int row : new int[] {follow, follow + 20}) {
+            double turnRate = 0.1 * (number(rows, row, "right_volts") - number(rows, row, "left_volts")) / 0.18;
+            assertEquals(turnRate, number(rows, row, "p_rad_s") + number(rows, row, "d_rad_s"), 1e-9);
+        }
     }
 
     @Test
