@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.campaign.RandomRoom;
+import faultline.campaign.RoomRules;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.scenario.Scenario;
@@ -40,6 +42,8 @@ class CampaignPlanTest {
                 .forEach(run -> different.add(List.of(run.world(), run.seed() + "", run.cells() + "")));
         assertEquals(36, different.size());
         assertEquals(List.of("10", "off", "left", "", "1", ""), plan.run(35).cells());
+        assertEquals(
+                List.of("10", "off", "front", "", "1", ""), plan.run(4).cells(), "the last factor changes fastest");
         assertEquals("b", plan.run(35).world());
         assertEquals(7, plan.run(35).seed());
     }
@@ -53,6 +57,18 @@ class CampaignPlanTest {
                 plan.scenario(plan.run(0)).setup().controller());
         assertEquals(
                 new ControllerSpec.None(), plan.scenario(plan.run(1)).setup().controller());
+    }
+
+    @Test
+    void roomsHaveConsecutiveNumbers() throws ScenarioException {
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", "<worlds><rooms first=\"5\" count=\"2\"/></worlds>"));
+        for (int index = 0; index < 2; index++) {
+            RandomRoom room = RandomRoom.ofSeed(5 + index, RoomRules.DEFAULT);
+            Scenario scenario = plan.scenario(plan.run(index));
+            assertEquals("room-" + (5 + index), plan.run(index).world());
+            assertEquals(room.start(), scenario.setup().start());
+            assertEquals(room.world(), scenario.setup().world());
+        }
     }
 
     @Test

@@ -48,6 +48,8 @@ class PlanReaderTest {
             <set attribute="robot/@x" value="4"/> | plan.xml:3:38: <robot> starts at 4,1.2 outside of the enclosed world; expected x from 0 to 3 and y from 0 to 2 (in room)
             <faults/> | plan.xml:3:10: <faults> contains no fault; expected one or more <fault> or <healthy>
             <fault sensor="front"/> | plan.xml:3:24: <campaign> must not contain <fault>; expected description, worlds, seeds, set, variants, faults, masks; did you mean "faults"?
+            <seeds count="1"/><seeds count="2"/> | plan.xml:3:37: <campaign> contains a second <seeds>; expected one
+            <seeds count="10000000"/><set attribute="robot/@speed" value="0.1 0.2"/> | plan.xml:1:57: the plan has 20000000 runs; expected 10000000 or fewer
             <seeds count="0"/> | plan.xml:3:19: count of <seeds> is "0"; expected a whole number from 1 to 10000000
             <set attribute="robot/@speed" value="0.1 0.2" name="run"/> | plan.xml:1:57: two columns of runs.csv would have the name "run"; expected unique names (set another with the attribute name)
             <set attribute="@tick" value="0.1"/><set attribute="scenario/@tick" value="0.2"/> | plan.xml:3:82: the attribute "@tick" is set twice; expected one element that sets it
