@@ -1,6 +1,7 @@
 package faultline.engine;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
@@ -23,6 +24,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Motors that fail, and a drive that differs from what the controller believes, in runs of a large empty room. */
 class FaultyDriveTest {
@@ -47,6 +50,31 @@ class FaultyDriveTest {
 
     private static TimedCommand breaking(double at, MotorSide motor, MotorFault fault) {
         return new TimedCommand(at, new Command.InjectMotorFault(motor, fault));
+    }
+
+    /** A file may have its commands in any order. */
+    @Test
+    void commandsAreExecutedAtTheirTimesNotInTheOrderOfTheList() {
+        MotorFault weak = new MotorFault.Weak(0.5);
+        TimedCommand repair = new TimedCommand(2, new Command.ClearMotorFault(MotorSide.LEFT, weak));
+        try (Simulation simulation = run(ROBOT, 3, 3, repair, breaking(1, MotorSide.LEFT, weak))) {
+            runTo(simulation, 1.5);
+            assertEquals(
+                    List.of(weak), simulation.frame().snapshot().motorFaults().left());
+            runTo(simulation, 2.5);
+            assertEquals(List.of(), simulation.frame().snapshot().motorFaults().left());
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void thePathOfARobotWithAFaultyMotorIsMarked(MotorSide side) {
+        try (Simulation simulation = run(ROBOT, 3, 3, breaking(1, side, new MotorFault.Weak(0.5)))) {
+            runTo(simulation, 2);
+            RobotPath path = simulation.frame().path();
+            assertFalse(PathTag.isFaulty(path.tag(1)));
+            assertTrue(PathTag.isFaulty(path.tag(path.size() - 1)));
+        }
     }
 
     @Test

@@ -3,9 +3,15 @@ package faultline.engine.metrics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.control.Decision;
+import faultline.control.Telemetry;
 import faultline.control.WallSide;
+import faultline.engine.CommandListener;
 import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -139,6 +145,34 @@ class WallFollowingMetricsTest {
                 .withDuration(100));
         assertEquals(Optional.empty(), result.collision());
         assertTrue(result.coverage().orElse(-1) > 0.96, () -> "coverage " + result.coverage());
+    }
+
+    /**
+     * Returns what is measured of a robot that drives along a wall for 3 s, 0.03 m farther away than it should, in a
+     * state of a controller from outside.
+     */
+    private static WallFollowingMetrics alongAWallIn(String state) {
+        SimulationSetup setup = setup(new ControllerSpec.Recorded(0.25, 0, List.of()), 3)
+                .withStart(new Pose(1, 0.25 + RobotSpec.DEFAULT.width() / 2 + 0.03, 0));
+        Telemetry telemetry = Telemetry.ofState(ControllerState.of(state));
+        Controller controller = observation -> new Decision(3, 3, telemetry);
+        WallFollowingMetrics metrics = new WallFollowingMetrics(setup);
+        try (Simulation simulation = new Simulation(setup, controller, ControllerMode.DIRECT, CommandListener.NONE)) {
+            while (simulation.ticks() < setup.ticks()) {
+                simulation.tick();
+                metrics.observe(simulation);
+            }
+        }
+        return metrics;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"FOLLOW, true, true", "GLIDE, true, true", "ROUND, true, false", "SEARCH, false, false"})
+    void aControllerFromOutsideFollowsInItsOwnStates(String state, boolean passes, boolean follows) {
+        WallFollowingMetrics metrics = alongAWallIn(state);
+        assertEquals(passes, metrics.coverage().isPresent());
+        assertEquals(follows, metrics.followRms().isPresent());
+        metrics.followRms().ifPresent(error -> assertEquals(0.03, error, 1e-9));
     }
 
     @Test

@@ -99,6 +99,20 @@ class ChartPainterTest {
         assertArrayEquals(new long[] {3, 0, 1, 0, 3}, counts);
     }
 
+    /** The bars of five values from 0 to 10, of which four are in the first and one in the last of five bars. */
+    @Test
+    void theBarsOfAHistogramAreAsHighAsTheirCountsAndTouch() {
+        Chart chart = Histogram.chart("", "time (s)", "runs", new double[] {0, 0.5, 1, 1.5, 10});
+        assertEquals(0, chart.x().low());
+        assertEquals(10, chart.x().high());
+        List<Vector2> upper = ((Series.Band) chart.series().get(0)).upper();
+        for (int bar = 0; bar < 5; bar++) {
+            int count = bar == 0 ? 4 : bar == 4 ? 1 : 0;
+            assertEquals(new Vector2(2.0 * bar, count), upper.get(2 * bar));
+            assertEquals(new Vector2(2.0 * (bar + 1), count), upper.get(2 * bar + 1));
+        }
+    }
+
     @Test
     void theFirstSixteenSeriesDifferInColourOrDashes() {
         assertEquals(
