@@ -115,6 +115,12 @@ class ForeignChangeTest {
         assertEquals(callOnEdt(workspace::scenario).orElseThrow(), Scenario.load(file));
     }
 
+    @Test
+    void aSaveDoesNotAskIfTheFileAlreadyHoldsTheEditedScenario() throws Exception {
+        callOnEdt(() -> workspace.scenario().orElseThrow()).save(file);
+        assertNull(save());
+    }
+
     /** A restart copies what the file holds to another document. */
     @Test
     void aSaveAsksAgainAfterARestart() throws Exception {

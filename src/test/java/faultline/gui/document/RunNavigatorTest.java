@@ -27,6 +27,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -111,6 +112,31 @@ class RunNavigatorTest {
         edit(new Command.SwitchSensor("left", false));
         assertEquals(FIRST, pole(), "a new edit comes after it");
         assertEquals(List.of(1), forks, "only the edit at tick 20 is ahead");
+    }
+
+    @Test
+    void aStepBackFromTheFirstTickEndsAtTheStart() {
+        seek(1);
+        runOnEdt(run.navigator()::stepBack);
+        Await.until("the start", () -> workspace.task().isEmpty() && SessionFrames.tick(workspace) == 0);
+    }
+
+    @Test
+    void allOfARecordedRunCanBeReachedUntilACommandChangesIt() throws Exception {
+        Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
+        Scenario recorded = new Scenario(
+                office.name(), office.description(), true, office.setup().withDuration(2), office.expectation());
+        Path file = folder.resolve("recorded.xml");
+        recorded.save(file);
+        OpenDocument before = callOnEdt(() -> workspace.openDocument().orElseThrow());
+        assertEquals(OptionalLong.empty(), callOnEdt(run.navigator()::replayEnd));
+        runOnEdt(() -> documentStore.open(file));
+        Await.until("the record", () -> workspace.openDocument().orElseThrow() != before);
+        assertEquals(OptionalLong.of(200), callOnEdt(run.navigator()::replayEnd));
+        assertEquals(200, callOnEdt(run.navigator()::furthestTick));
+        edit(new Command.SwitchSensor("left", false));
+        assertEquals(OptionalLong.empty(), callOnEdt(run.navigator()::replayEnd));
+        assertEquals(0, callOnEdt(run.navigator()::furthestTick));
     }
 
     @Test

@@ -118,6 +118,25 @@ class SetupEditorTest {
                         new Command.SwitchSensor("left", true)));
     }
 
+    /** One of two faults is repaired, so the other one is still there. */
+    @Test
+    void commandsOfOneTickThatLeaveAFaultStay() {
+        Fault stuck = new Fault.Stuck(0.4);
+        MotorFault weak = new MotorFault.Weak(0.5);
+        List<Command> commands = List.of(
+                new Command.InjectFault("front", stuck),
+                new Command.InjectFault("front", new Fault.Bias(0.02)),
+                new Command.ClearFault("front", stuck),
+                new Command.InjectMotorFault(MotorSide.LEFT, weak),
+                new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.DeadBand(0.5)),
+                new Command.ClearMotorFault(MotorSide.LEFT, weak));
+        assertEquals(
+                commands,
+                after(commands.toArray(Command[]::new)).timeline().stream()
+                        .map(TimedCommand::command)
+                        .toList());
+    }
+
     /** The sensor was switched off before, by the timeline or by another command. */
     @Test
     void aSwitchToThePresentStateIsNotAddedToTheTimeline() {
@@ -225,6 +244,31 @@ class SetupEditorTest {
                 BUSY.withTimeline(List.of(MOVE_BOX, changed, MOVE_POLE, REMOVE_POLE, PUT_POLE_AGAIN)), editor.setup());
         add(editor, 6000, new Command.RemoveObstacle("pole"));
         assertEquals(BUSY.withTimeline(List.of(MOVE_BOX, changed, MOVE_POLE, REMOVE_POLE)), editor.setup());
+    }
+
+    @Test
+    void ofTwoPlacementsInOneTickAChangeIsOfTheLast() {
+        TimedCommand remove = new TimedCommand(20, REMOVE_POLE.command());
+        SimulationSetup base = BASE.withTimeline(List.of(PUT_POLE, remove, PUT_POLE));
+        Pose there = new Pose(1, 3, 0);
+        TimedCommand changed = new TimedCommand(20, new Command.PlaceObstacle(POLE.withPose(there)));
+        for (long tick : new long[] {2000, 2500}) {
+            SetupEditor editor = new SetupEditor(base);
+            add(editor, tick, new Command.MoveObstacle("pole", there));
+            assertEquals(List.of(PUT_POLE, remove, changed), editor.setup().timeline(), "tick " + tick);
+        }
+    }
+
+    @Test
+    void anEditedPlacementIsUndoneAlsoAfterAnotherChangeOfTheScenario() {
+        SetupEditor editor = new SetupEditor(BUSY);
+        Command there = new Command.MoveObstacle("pole", new Pose(1, 3, 0));
+        Command back = new Command.MoveObstacle("pole", POLE.pose());
+        add(editor, 2500, there, back);
+        SetupEditor rebased = editor.rebased(editor.setup().withDuration(90));
+        assertEquals(editor.setup().withDuration(90), rebased.setup());
+        add(rebased, 2600, back, there);
+        assertEquals(BUSY.withDuration(90), rebased.setup());
     }
 
     @Test
