@@ -70,6 +70,7 @@ class ProblemsTest {
             <motion speed="0.2" points="5,3 5,1"/> | <motor/> | 10:15: <circle> must not contain <motor>; expected motion
             <motion speed="0.2" points="5,3 5,1"/> | <motion speed="0.2" points="5,3 5,1"/><motion speed="0" points="5,3"/> | 10:77: <circle> contains a second <motion>; expected one
             <motion speed="0.2" points="5,3 5,1"/> | <motion speed="0.2" points="5,3 5,1"><stop/></motion> | 10:51: <motion> must not contain <stop>; expected nothing
+            <controller type="wall-follower" distance="0.25"/> | <controller type="wall-follower"><lens/></controller> | 18:43: <controller> must not contain <lens>; expected nothing
             <expect collision="false"/> | <expect collision="false"><lens/></expect> | 29:36: <expect> must not contain <lens>; expected nothing
             <description>      | <description lang="en"> | 2:26: <description> has no attribute "lang"; expected none
             <remove at="42" obstacle="extra"/> | <remove at="42" obstacle="extra"><circle/></remove> | 26:47: <remove> must not contain <circle>; expected nothing
@@ -112,6 +113,16 @@ class ProblemsTest {
     void oneMistakeIsReportedInOneSentence(String piece, String other, String problem) {
         List<String> problems = SampleScenario.problems(SampleScenario.withReplacement(piece, other));
         assertEquals("room.xml:" + problem, problems.isEmpty() ? "none" : problems.get(0));
+    }
+
+    /** They may be those that it needs. */
+    @Test
+    void theElementsOfAnUnknownControllerAreNotReported() {
+        String unknown = "<controller type=\"mine\"><setting name=\"a\" value=\"b\"/></controller>";
+        List<String> problems = SampleScenario.problems(
+                SampleScenario.withReplacement("<controller type=\"wall-follower\" distance=\"0.25\"/>", unknown));
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains("type of <controller> is \"mine\""), problems::toString);
     }
 
     @Test
