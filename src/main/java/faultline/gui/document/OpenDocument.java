@@ -4,6 +4,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 
 /**
@@ -18,6 +19,13 @@ record OpenDocument(ScenarioDocument document, Session session, boolean ownContr
         SimulationSetup setup = document.initial().setup();
         Session session = Session.start(ownController ? setup : workspace.withChosenController(setup));
         return new OpenDocument(document, session, ownController);
+    }
+
+    /**
+     * Returns the ids of the sensors of the run, which are earlier ones if the simulation of a renaming was cancelled.
+     */
+    List<String> sensorIds() {
+        return session.frame().snapshot().robot().sensorIds();
     }
 
     /**

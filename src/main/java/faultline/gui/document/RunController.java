@@ -129,7 +129,8 @@ public final class RunController implements WorkspaceListener {
 
     /**
      * Sends commands, which are executed in order at the start of the same tick. {@code onExecuted} receives their
-     * results on the event dispatch thread, none if the run has died; it is not called without a run.
+     * results on the event dispatch thread, none if the run has died; it is not called without a run. Commands may name
+     * sensors by earlier ids or by those of the edited scenario, which the results have.
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
         submit(open -> {
@@ -137,16 +138,17 @@ public final class RunController implements WorkspaceListener {
                 EventQueue.invokeLater(() -> onExecuted.accept(List.of()));
                 return;
             }
-            open.document().commandsSent();
+            ScenarioDocument document = open.document();
+            document.commandsSent();
+            List<String> ids = open.sensorIds();
             open.session()
                     .send(
                             commands.stream()
-                                    .map(open.document()::withPresentId)
+                                    .map(command -> document.named(command, ids))
                                     .toList(),
                             results -> EventQueue.invokeLater(() -> {
-                                List<CommandResult> named = results.stream()
-                                        .map(open.document()::withPresentId)
-                                        .toList();
+                                List<CommandResult> named =
+                                        results.stream().map(document::named).toList();
                                 commandsExecuted(open, named);
                                 onExecuted.accept(named);
                             }));

@@ -9,10 +9,12 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 
 /**
  * A scenario that is being edited, its file, and what the file holds. It is edited by the results of commands, so it
@@ -99,27 +101,46 @@ final class ScenarioDocument {
         change(rename::rename);
     }
 
-    /** Returns the rest of a sensor's changes of ids, for a command that may have the id from before some of them. */
-    private List<SensorRename> laterRenames(Command command) {
-        return SensorReference.isOn(edited().setup().robot(), command) ? List.of() : renames;
+    /**
+     * Returns what a sensor is called in a list of the ids of a robot, given an id that it has, had before or will have
+     * there: a session may have the ids from before a renaming. The id itself if the list lacks the sensor.
+     */
+    String presentId(String id, List<String> ids) {
+        List<SensorRename> back = new ArrayList<>(renames);
+        Collections.reverse(back);
+        back.replaceAll(SensorRename::inverse);
+        return Stream.of(renames, back)
+                .map(changes -> renamedUntilIn(ids, id, changes))
+                .filter(ids::contains)
+                .findFirst()
+                .orElse(id);
     }
 
-    /** Returns a command with the present id of its sensor, if it was meant for an earlier one. */
-    Command withPresentId(Command command) {
-        Command result = command;
-        for (SensorRename rename : laterRenames(command)) {
-            result = rename.rename(result);
+    private static String renamedUntilIn(List<String> ids, String id, List<SensorRename> changes) {
+        String result = id;
+        for (SensorRename change : changes) {
+            result = ids.contains(result) ? result : change.rename(result);
         }
         return result;
     }
 
-    /** Returns the result of a command with the present id of its sensor, if the command had an earlier one. */
-    CommandResult withPresentId(CommandResult executed) {
-        CommandResult result = executed;
-        for (SensorRename rename : laterRenames(executed.command())) {
-            result = rename.rename(result);
-        }
-        return result;
+    /** Returns a command with the id that its sensor has in a list of the ids of a robot. */
+    Command named(Command command, List<String> ids) {
+        return renameFor(command, ids).map(rename -> rename.rename(command)).orElse(command);
+    }
+
+    /** Returns the result of a command with the id that its sensor has in the edited scenario. */
+    CommandResult named(CommandResult result) {
+        return renameFor(result.command(), edited().setup().robot().sensorIds())
+                .map(rename -> rename.rename(result))
+                .orElse(result);
+    }
+
+    /** Returns the change of the id of a command's sensor to that in a list; empty if there is nothing to change. */
+    private Optional<SensorRename> renameFor(Command command, List<String> ids) {
+        return SensorReference.in(command)
+                .filter(id -> !ids.contains(id))
+                .map(id -> new SensorRename(id, presentId(id, ids)));
     }
 
     /** Returns a scenario as the record of a run again, if the file holds one with this setup. */

@@ -26,7 +26,7 @@ public record SensorRename(String before, String after) {
     }
 
     /** Returns the id of a sensor after this change, given the one before. */
-    private String rename(String id) {
+    String rename(String id) {
         return id.equals(before) ? after : id;
     }
 

@@ -381,6 +381,35 @@ class SensorEditorTest {
         assertEquals(original.robot(), setup().robot());
     }
 
+    /** The run still has the old id, so what the window shows can be used, and what was done before can be undone. */
+    @Test
+    void aSensorCanBeUsedAfterTheSimulationOfItsRenamingWasCancelled() {
+        SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
+        send(new Command.ConfigureSensor(farther));
+        runOnEdt(() -> {
+            sensors.rename("left", "middle");
+            sensors.rename("middle", "port");
+            workspace.cancelTask();
+        });
+        assertEquals("left", idsInTheRun().get(2));
+        send(FAULT);
+        assertEquals(Optional.of("Fault in port"), callOnEdt(edits::undoName));
+        send(new Command.SwitchSensor("port", false));
+        assertFalse(sensorInTheRun("left").on());
+        List<TimedCommand> timeline = setup().timeline();
+        assertEquals(
+                List.of(
+                        new Command.InjectFault("port", new Fault.Stuck(0.13)),
+                        new Command.SwitchSensor("port", false)),
+                timeline.subList(original.timeline().size(), timeline.size()).stream()
+                        .map(TimedCommand::command)
+                        .toList());
+        seek(TICKS);
+        assertFalse(sensorInTheRun("port").on());
+        undoAllEdits();
+        assertEquals(original, setup());
+    }
+
     private SensorSpec sensorInTheRun(String id) {
         return callOnEdt(() ->
                 SessionFrames.frame(workspace).snapshot().robot().sensor(id).orElseThrow());
