@@ -115,6 +115,14 @@ public final class RunController implements WorkspaceListener {
         });
     }
 
+    /** Returns whether a change would change the edited scenario. */
+    public boolean isChangedBy(UnaryOperator<Scenario> change) {
+        return workspace
+                .scenario()
+                .filter(now -> !change.apply(now).equals(now))
+                .isPresent();
+    }
+
     /**
      * Changes the id of a sensor in the edited scenario and in the commands that the run was sent. The run is simulated
      * again up to the present tick as by {@link #change}. A command that has the earlier id gets the new one.

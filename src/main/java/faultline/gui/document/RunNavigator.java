@@ -151,7 +151,7 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     @Override
-    public void runRepositioned(long tick, SimulationSetup setup) {
+    public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
         endResimulationAndResume();
     }
 

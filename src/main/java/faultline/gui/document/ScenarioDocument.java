@@ -29,6 +29,8 @@ final class ScenarioDocument {
     private Scenario edited;
     /** The number of times that commands were sent whose results are not known yet. */
     private int unanswered;
+    /** Whether all events of the run have become commands of the timeline since it was moved last. */
+    private boolean eventsOnTimeline;
     /** The changes of ids so far, with their reverses, in order. */
     private final List<SensorRename> renames = new ArrayList<>();
 
@@ -201,12 +203,17 @@ final class ScenarioDocument {
     void prepareMoveTo(long tick) {
         if (editor.hasEventsAfter(tick + 1)) {
             editor = editor.withEventsOnTimeline();
+            eventsOnTimeline = true;
             initial = initial.withSetup(initial.setup().withTimeline(editor.initialTimeline()));
         }
     }
 
-    void runRepositioned(long tick) {
+    /** Follows the run to a tick; returns whether all events of the run have become commands of the timeline. */
+    boolean runRepositioned(long tick) {
         editor.moveTo(tick);
+        boolean onTimeline = eventsOnTimeline;
+        eventsOnTimeline = false;
+        return onTimeline;
     }
 
     /** Returns what a save may replace without a question; empty for nothing. */

@@ -48,6 +48,10 @@ final class SetupEditor {
     private final Map<Command, Consumer<SetupEditor>> baseReversals;
     /** The number of entries that the run has executed. */
     private int position;
+    /**
+     * The latest tick of the events that changes of the setup have removed from the entries; another may restore them.
+     */
+    private long lastRemovedEvent = Long.MIN_VALUE;
 
     private EditedObstacles obstacles;
     private RobotSpec robot;
@@ -100,6 +104,7 @@ final class SetupEditor {
         this.obstacles = other.obstacles.copy();
         this.robot = other.robot;
         this.controller = other.controller;
+        this.lastRemovedEvent = other.lastRemovedEvent;
     }
 
     private void reset() {
@@ -182,12 +187,17 @@ final class SetupEditor {
     SetupEditor rebased(SimulationSetup newSetup) {
         List<TimedCommand> timeline = new ArrayList<>(obstacles.withoutEdits(newSetup.timeline()));
         Set<CommandResult> events = takeEvents(timeline);
-        return rebased(newSetup, timeline, events);
+        SetupEditor result = rebased(newSetup, timeline, events);
+        result.lastRemovedEvent = TimelineEvents.in(entries).stream()
+                .filter(event -> !events.contains(event))
+                .mapToLong(CommandResult::tick)
+                .reduce(lastRemovedEvent, Math::max);
+        return result;
     }
 
-    /** Returns whether an event of the run is later than a tick. */
+    /** Returns whether an event of the run is, or was before a change of the setup, later than a tick. */
     boolean hasEventsAfter(long tick) {
-        return TimelineEvents.in(entries).stream().anyMatch(event -> event.tick() > tick);
+        return lastRemovedEvent > tick || TimelineEvents.in(entries).stream().anyMatch(event -> event.tick() > tick);
     }
 
     /** Returns an editor of the same setup in which all events of the run are commands of the timeline. */

@@ -183,9 +183,9 @@ public final class Workspace implements AutoCloseable {
             fire(listener -> listener.scenarioRestarted(setup));
         } else {
             long tick = open.session().frame().snapshot().tick();
-            open.document().runRepositioned(tick);
-            fire(listener ->
-                    listener.runRepositioned(tick, open.document().initial().setup()));
+            boolean eventsOnTimeline = open.document().runRepositioned(tick);
+            SimulationSetup setup = open.document().initial().setup();
+            fire(listener -> listener.runRepositioned(tick, setup, eventsOnTimeline));
         }
     }
 

@@ -15,10 +15,10 @@ public interface WorkspaceListener {
     default void scenarioRestarted(SimulationSetup before) {}
 
     /**
-     * The run of a setup has been moved to the end of another tick; later edits are still ahead. Followed by
-     * {@link #sessionStarted}.
+     * The run of a setup has been moved to the end of another tick; later edits are still ahead, unless all events of
+     * the run, such as faults, have become commands of the timeline. Followed by {@link #sessionStarted}.
      */
-    default void runRepositioned(long tick, SimulationSetup setup) {}
+    default void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {}
 
     /** The user moves the run to a tick; {@link #runRepositioned} follows when it is there. */
     default void seekStarted(long tick) {}

@@ -91,9 +91,13 @@ final class EditHistory {
                 .toList();
     }
 
-    /** Returns the edit that is undone next. */
+    /** Returns the edit that is undone next: the last one of those that are done whose undo has an effect. */
     Optional<Edit> nextUndo() {
-        return cursor > 0 ? Optional.of(edits.get(cursor - 1)) : Optional.empty();
+        int index = cursor - 1;
+        while (index >= 0 && !edits.get(index).isEffective()) {
+            index--;
+        }
+        return index >= 0 ? Optional.of(edits.get(index)) : Optional.empty();
     }
 
     /** Returns the edit that is redone next. */
@@ -174,11 +178,12 @@ final class EditHistory {
     }
 
     /**
-     * Follows the run to another tick; returns whether that undoes or redoes an edit. If an event is later than the
-     * tick, all events are on the timeline now, and the edits of those that are done are replaced.
+     * Follows the run to another tick; returns whether that undoes or redoes an edit. If all events of the run have
+     * become commands of the timeline, the edits of those that are done are replaced.
      */
-    boolean moveTo(long tick, BiFunction<CommandEdit, List<Journal.Entry>, SetupEdit> replacement) {
-        if (changes.stream().filter(IS_EVENT).anyMatch(change -> change.tick() > tick)) {
+    boolean moveTo(
+            long tick, boolean eventsOnTimeline, BiFunction<CommandEdit, List<Journal.Entry>, Edit> replacement) {
+        if (eventsOnTimeline) {
             replaceEvents(replacement);
             passed -= (int) changes.subList(0, passed).stream().filter(IS_EVENT).count();
             changes.removeIf(IS_EVENT);
@@ -206,14 +211,14 @@ final class EditHistory {
      * Includes all edits in a restarted run, also those that were ahead, without their ticks. Edits of events that are
      * done are replaced, as by {@link #moveTo}.
      */
-    void restart(BiFunction<CommandEdit, List<Journal.Entry>, SetupEdit> replacement) {
+    void restart(BiFunction<CommandEdit, List<Journal.Entry>, Edit> replacement) {
         advanceTo(Long.MAX_VALUE);
         replaceEvents(replacement);
         forgetChanges();
     }
 
     /** Replaces the edits of events that are done, given what was executed when they were done, undone and redone. */
-    private void replaceEvents(BiFunction<CommandEdit, List<Journal.Entry>, SetupEdit> replacement) {
+    private void replaceEvents(BiFunction<CommandEdit, List<Journal.Entry>, Edit> replacement) {
         for (int i = 0; i < cursor; i++) {
             if (edits.get(i) instanceof CommandEdit edit && edit.hasOnlyEvents()) {
                 edits.set(i, replacement.apply(edit, executed(edit)));

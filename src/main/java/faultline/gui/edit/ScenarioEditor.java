@@ -46,7 +46,7 @@ public final class ScenarioEditor {
     /** Moves the robot's start, which restarts the run, given the setup of the run. */
     public void moveStart(SimulationSetup setup, Pose after) {
         Pose before = setup.start();
-        undo.runRestarted(setup, run::change);
+        undo.runRestarted(setup, run);
         undo.addSetupEdit(
                 () -> Messages.get("edit.start"), after, () -> run.restartAt(before), () -> run.restartAt(after));
         run.restartAt(after);

@@ -3,10 +3,9 @@ package faultline.gui.edit;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.document.RunController;
 import faultline.gui.document.SensorRename;
-import faultline.gui.document.TimelineEvents;
 import faultline.gui.text.Messages;
-import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
@@ -22,7 +21,6 @@ import java.util.function.LongConsumer;
 import java.util.function.LongFunction;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
-import java.util.function.UnaryOperator;
 
 /**
  * Sends the user's commands to the run and records the results as edits that can be undone and redone. Undo and redo
@@ -35,9 +33,6 @@ public final class UndoController {
 
     /** The kind of the targets of setup edits. */
     private static final String SETUP = "setup";
-
-    /** The gesture of edits that are not merged with others. */
-    private static final int NO_GESTURE = -1;
 
     private static final Set<Refusal.Reason> MISSING = EnumSet.of(
             Refusal.Reason.UNKNOWN_OBSTACLE,
@@ -240,19 +235,22 @@ public final class UndoController {
 
     /**
      * Follows the run to another tick, where the commands for the next one have been executed; later edits can be
-     * redone, and are redone automatically when the run reaches them. If there are later events, such as faults, all
-     * events are on the timeline of the scenario now, where they are undone.
+     * redone, and are redone automatically when the run reaches them.
      *
      * @param tick the tick
      * @param setup the setup of the run
-     * @param scenarioChange changes the scenario
+     * @param eventsOnTimeline whether all events of the run, such as faults, have become commands of the timeline,
+     *     where they are undone
+     * @param run changes the scenario
      */
-    public void runRepositioned(long tick, SimulationSetup setup, Consumer<UnaryOperator<Scenario>> scenarioChange) {
+    public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline, RunController run) {
         // A change of the setup repositions the run itself, and the next one may continue it.
         if (!lastTargets.stream().allMatch(target -> target.kind().equals(SETUP))) {
             endEdit();
         }
-        if (history.moveTo(tick + 1, (edit, executed) -> timelineEdit(edit, executed, setup, scenarioChange))) {
+        boolean changed = history.moveTo(
+                tick + 1, eventsOnTimeline, (edit, executed) -> timelineEdit(edit, executed, setup, run));
+        if (changed || eventsOnTimeline) {
             onStateChange.run();
         }
     }
@@ -269,28 +267,21 @@ public final class UndoController {
      * the scenario now, where they are undone.
      *
      * @param before the setup of the run before
-     * @param scenarioChange changes the scenario
+     * @param run changes the scenario
      */
-    public void runRestarted(SimulationSetup before, Consumer<UnaryOperator<Scenario>> scenarioChange) {
+    public void runRestarted(SimulationSetup before, RunController run) {
         endEdit();
-        history.restart((edit, executed) -> timelineEdit(edit, executed, before, scenarioChange));
+        history.restart((edit, executed) -> timelineEdit(edit, executed, before, run));
         onStateChange.run();
     }
 
     /** Returns the edit of events that are on the timeline of a setup. */
-    private static SetupEdit timelineEdit(
-            CommandEdit edit,
-            List<Journal.Entry> executed,
-            SimulationSetup setup,
-            Consumer<UnaryOperator<Scenario>> scenarioChange) {
+    private static EventEdit timelineEdit(
+            CommandEdit edit, List<Journal.Entry> executed, SimulationSetup setup, RunController run) {
         List<TimedCommand> events = executed.stream()
                 .map(entry -> new TimedCommand(setup.timeOf(entry.tick()), entry.command()))
                 .toList();
-        return new SetupEdit(
-                edit::name,
-                NO_GESTURE,
-                () -> scenarioChange.accept(now -> TimelineEvents.without(now, events)),
-                () -> scenarioChange.accept(now -> TimelineEvents.with(now, events)));
+        return new EventEdit(edit, events, run);
     }
 
     /** Starts a gesture: all commands until it ends form one edit. */

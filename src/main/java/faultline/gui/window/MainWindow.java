@@ -401,12 +401,12 @@ public final class MainWindow extends JFrame {
 
         @Override
         public void scenarioRestarted(SimulationSetup before) {
-            undoController.runRestarted(before, runController::change);
+            undoController.runRestarted(before, runController);
         }
 
         @Override
-        public void runRepositioned(long tick, SimulationSetup setup) {
-            undoController.runRepositioned(tick, setup, runController::change);
+        public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
+            undoController.runRepositioned(tick, setup, eventsOnTimeline, runController);
         }
 
         @Override

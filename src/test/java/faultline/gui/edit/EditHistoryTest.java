@@ -108,7 +108,7 @@ class EditHistoryTest {
 
     /** Follows a run without events. */
     private boolean moveTo(long tick) {
-        return history.moveTo(tick, (edit, executed) -> fail());
+        return history.moveTo(tick, false, (edit, executed) -> fail());
     }
 
     private void assertDoneAndUndone(Edit done, Edit undone) {
@@ -233,7 +233,7 @@ class EditHistoryTest {
         history.mark(redone, true);
         history.addChange(50, redone, true, redone.redoCommands());
         List<List<Long>> ticks = new ArrayList<>();
-        assertTrue(history.moveTo(5, (edit, executed) -> replacement(ticks, executed)));
+        assertTrue(history.moveTo(5, true, (edit, executed) -> replacement(ticks, executed)));
         assertEquals(List.of(List.of(10L), List.of(30L, 40L, 50L)), ticks);
         assertEquals("edit 2", history.nextUndo().orElseThrow().name());
         assertEquals(List.of(moved), history.editsAhead());

@@ -25,12 +25,12 @@ public final class UndoForwarder implements WorkspaceListener {
 
     @Override
     public void scenarioRestarted(SimulationSetup before) {
-        undo.runRestarted(before, run::change);
+        undo.runRestarted(before, run);
     }
 
     @Override
-    public void runRepositioned(long tick, SimulationSetup setup) {
-        undo.runRepositioned(tick, setup, run::change);
+    public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
+        undo.runRepositioned(tick, setup, eventsOnTimeline, run);
     }
 
     @Override

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -12,6 +13,7 @@ import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
+import faultline.gui.document.TimelineEvents;
 import faultline.gui.document.Workspace;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
@@ -20,6 +22,7 @@ import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -273,6 +276,90 @@ class UndoneEventsTest {
         undo();
         assertEquals(
                 List.of(FAULT), timeline().stream().map(TimedCommand::command).toList());
+        undo();
+        assertEquals(original, scenario());
+    }
+
+    private static final Command OFF = new Command.SwitchSensor("left", false);
+    private static final Command ON = new Command.SwitchSensor("left", true);
+
+    private void assertUndone(String name) {
+        assertEquals(Optional.ofNullable(name), callOnEdt(edits::undoName));
+    }
+
+    /** Both are still commands of the run, which are executed and redone when it gets there. */
+    @Test
+    void eventsOfOneTickThatCancelOutCanBeUndoneWhenTheRunHasReachedThemAgain() {
+        send(OFF);
+        send(ON);
+        advance(5);
+        seek(3);
+        assertUndone(null);
+        assertEquals(original, scenario());
+        advance(20);
+        assertUndone("Switch left on");
+        undo();
+        assertTimes(0.24);
+        assertFalse(isLeftOn());
+        undo();
+        assertEquals(original, scenario());
+        assertTrue(isLeftOn());
+    }
+
+    private boolean isLeftOn() {
+        return SessionFrames.frame(workspace)
+                .snapshot()
+                .robot()
+                .sensor("left")
+                .orElseThrow()
+                .on();
+    }
+
+    /** The timeline has neither of them, so undoing one would have no effect. */
+    @Test
+    void eventsOfOneTickThatCancelOutCannotBeUndoneOnTheTimeline() {
+        Command move = new Command.SwitchSensor("front", false);
+        send(move);
+        send(OFF);
+        send(ON);
+        send(FAULT);
+        send(new Command.ClearFaults("left"));
+        assertUndone("Repair left");
+        restart();
+        assertUndone("Switch front off");
+        undo();
+        assertEquals(original, scenario());
+        assertUndone(null);
+        redo();
+        assertTimes(0.11);
+        assertUndone("Switch front off");
+    }
+
+    @Test
+    void eventsOfOneTickThatCancelOutCannotBeUndoneBeforeALaterEvent() {
+        send(OFF);
+        send(ON);
+        advance(5);
+        send(FAULT);
+        seek(3);
+        assertUndone("Fault in left");
+        undo();
+        assertEquals(original, scenario());
+        assertUndone(null);
+    }
+
+    @Test
+    void anEventThatIsPutOnTheTimelineAgainIsUndoneThere() {
+        send(FAULT);
+        advance(5);
+        List<TimedCommand> events = timeline();
+        runOnEdt(() -> run.change(now -> TimelineEvents.without(now, events)));
+        rest();
+        runOnEdt(() -> run.change(now -> TimelineEvents.with(now, events)));
+        rest();
+        assertTimes(0.11);
+        seek(3);
+        assertUndone("Fault in left");
         undo();
         assertEquals(original, scenario());
     }

@@ -1,0 +1,41 @@
+package faultline.gui.edit;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.document.RunController;
+import faultline.gui.document.TimelineEvents;
+import faultline.scenario.Scenario;
+import java.util.List;
+
+/**
+ * An edit of events, such as faults, that have become commands of the timeline, where they are undone and redone.
+ *
+ * @param edit the edit as it was made during the run
+ * @param events what was executed when the edit was done, undone and redone
+ * @param run changes the scenario
+ */
+record EventEdit(CommandEdit edit, List<TimedCommand> events, RunController run) implements Edit {
+
+    EventEdit {
+        events = List.copyOf(events);
+    }
+
+    @Override
+    public String name() {
+        return edit.name();
+    }
+
+    /** Returns whether the timeline has an event of the edit: it lacks those of one tick that cancelled each other. */
+    @Override
+    public boolean isEffective() {
+        return run.isChangedBy(this::removedFrom);
+    }
+
+    private Scenario removedFrom(Scenario scenario) {
+        return TimelineEvents.without(scenario, events);
+    }
+
+    @Override
+    public void apply(UndoController controller, boolean redone) {
+        run.change(redone ? now -> TimelineEvents.with(now, events) : this::removedFrom);
+    }
+}
