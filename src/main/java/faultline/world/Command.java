@@ -108,13 +108,38 @@ public sealed interface Command {
         }
     }
 
+    /** A command about one sensor. */
+    sealed interface SensorCommand extends Command
+            permits SwitchSensor, ConfigureSensor, InjectFault, ClearFault, ClearFaults {
+
+        /** {@return the id of the sensor} */
+        String sensorId();
+
+        /**
+         * {@return the same command about a sensor with another id}
+         *
+         * @param id the other id
+         */
+        SensorCommand withSensorId(String id);
+    }
+
     /**
      * Switches a sensor on or off.
      *
      * @param sensor the sensor's id
      * @param on the new state
      */
-    record SwitchSensor(String sensor, boolean on) implements Command {
+    record SwitchSensor(String sensor, boolean on) implements SensorCommand {
+        @Override
+        public String sensorId() {
+            return sensor;
+        }
+
+        @Override
+        public SensorCommand withSensorId(String id) {
+            return new SwitchSensor(id, on);
+        }
+
         @Override
         public <R> R match(CommandCases<R> cases) {
             return cases.switchSensor.apply(this);
@@ -133,7 +158,17 @@ public sealed interface Command {
      *
      * @param sensor the new values; its id names the sensor
      */
-    record ConfigureSensor(SensorSpec sensor) implements Command {
+    record ConfigureSensor(SensorSpec sensor) implements SensorCommand {
+        @Override
+        public String sensorId() {
+            return sensor.id();
+        }
+
+        @Override
+        public SensorCommand withSensorId(String id) {
+            return new ConfigureSensor(sensor.withId(id));
+        }
+
         @Override
         public <R> R match(CommandCases<R> cases) {
             return cases.configureSensor.apply(this);
@@ -151,7 +186,17 @@ public sealed interface Command {
      * @param sensor the sensor's id
      * @param fault the fault, which acts after those that the sensor already has
      */
-    record InjectFault(String sensor, Fault fault) implements Command {
+    record InjectFault(String sensor, Fault fault) implements SensorCommand {
+        @Override
+        public String sensorId() {
+            return sensor;
+        }
+
+        @Override
+        public SensorCommand withSensorId(String id) {
+            return new InjectFault(id, fault);
+        }
+
         @Override
         public <R> R match(CommandCases<R> cases) {
             return cases.injectFault.apply(this);
@@ -164,7 +209,17 @@ public sealed interface Command {
      * @param sensor the sensor's id
      * @param fault the fault; the oldest one equal to it is removed
      */
-    record ClearFault(String sensor, Fault fault) implements Command {
+    record ClearFault(String sensor, Fault fault) implements SensorCommand {
+        @Override
+        public String sensorId() {
+            return sensor;
+        }
+
+        @Override
+        public SensorCommand withSensorId(String id) {
+            return new ClearFault(id, fault);
+        }
+
         @Override
         public <R> R match(CommandCases<R> cases) {
             return cases.clearFault.apply(this);
@@ -176,7 +231,17 @@ public sealed interface Command {
      *
      * @param sensor the sensor's id
      */
-    record ClearFaults(String sensor) implements Command {
+    record ClearFaults(String sensor) implements SensorCommand {
+        @Override
+        public String sensorId() {
+            return sensor;
+        }
+
+        @Override
+        public SensorCommand withSensorId(String id) {
+            return new ClearFaults(id);
+        }
+
         @Override
         public <R> R match(CommandCases<R> cases) {
             return cases.clearFaults.apply(this);

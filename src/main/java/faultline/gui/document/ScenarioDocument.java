@@ -14,6 +14,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -105,13 +106,17 @@ final class ScenarioDocument {
 
     /**
      * Returns what a sensor is called in a list of the ids of a robot, given an id that it has, had before or will have
-     * there: a session may have the ids from before a renaming. The id itself if the list lacks the sensor.
+     * there: a session may have the ids from before a renaming. Of an id that several sensors had, the last one counts.
+     * The id itself if the list lacks the sensor.
      */
     String presentId(String id, List<String> ids) {
+        int count = renames.size();
         List<SensorRename> back = new ArrayList<>(renames);
         Collections.reverse(back);
         back.replaceAll(SensorRename::inverse);
-        return Stream.of(renames, back)
+        return Stream.concat(
+                        IntStream.rangeClosed(0, count).mapToObj(last -> renames.subList(count - last, count)),
+                        Stream.of(back))
                 .map(changes -> renamedUntilIn(ids, id, changes))
                 .filter(ids::contains)
                 .findFirst()
@@ -128,21 +133,17 @@ final class ScenarioDocument {
 
     /** Returns a command with the id that its sensor has in a list of the ids of a robot. */
     Command named(Command command, List<String> ids) {
-        return renameFor(command, ids).map(rename -> rename.rename(command)).orElse(command);
+        return SensorReference.in(command)
+                .map(id -> new SensorRename(id, presentId(id, ids)).rename(command))
+                .orElse(command);
     }
 
     /** Returns the result of a command with the id that its sensor has in the edited scenario. */
     CommandResult named(CommandResult result) {
-        return renameFor(result.command(), edited().setup().robot().sensorIds())
-                .map(rename -> rename.rename(result))
+        List<String> ids = edited().setup().robot().sensorIds();
+        return SensorReference.in(result.command())
+                .map(id -> new SensorRename(id, presentId(id, ids)).rename(result))
                 .orElse(result);
-    }
-
-    /** Returns the change of the id of a command's sensor to that in a list; empty if there is nothing to change. */
-    private Optional<SensorRename> renameFor(Command command, List<String> ids) {
-        return SensorReference.in(command)
-                .filter(id -> !ids.contains(id))
-                .map(id -> new SensorRename(id, presentId(id, ids)));
     }
 
     /** Returns a scenario as the record of a run again, if the file holds one with this setup. */

@@ -6,11 +6,8 @@ import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
-import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.List;
-import java.util.Optional;
-import java.util.stream.IntStream;
 
 /**
  * A change of the id of a sensor, which keeps its place in the robot's list.
@@ -47,48 +44,27 @@ public record SensorRename(String before, String after) {
 
     /** Returns a command about the sensor with its new id; a command about something else itself. */
     public Command rename(Command command) {
-        return SensorReference.in(command).filter(before::equals).isEmpty()
-                ? command
-                : command.match(new CommandCases<>(
-                        switchSensor -> new Command.SwitchSensor(after, switchSensor.on()),
-                        configureSensor -> new Command.ConfigureSensor(rename(configureSensor.sensor())),
-                        injectFault -> new Command.InjectFault(after, injectFault.fault()),
-                        clearFault -> new Command.ClearFault(after, clearFault.fault()),
-                        clearFaults -> new Command.ClearFaults(after),
-                        motors -> motors,
-                        motors -> motors,
-                        motors -> motors,
-                        obstacle -> obstacle,
-                        obstacle -> obstacle,
-                        obstacle -> obstacle,
-                        platform -> platform,
-                        controller -> controller));
-    }
-
-    /** Returns the result of a command with the new id in the command and in what undoes it. */
-    public CommandResult rename(CommandResult result) {
-        return result.refusal()
-                .<CommandResult>map(
-                        reason -> new CommandResult.Refused(result.tick(), rename(result.command()), reason))
-                .orElseGet(() -> new CommandResult.Executed(
-                        result.tick(),
-                        rename(result.command()),
-                        result.inverse().stream().map(this::rename).toList()));
+        return command instanceof Command.SensorCommand about
+                        && !after.equals(before)
+                        && about.sensorId().equals(before)
+                ? about.withSensorId(after)
+                : command;
     }
 
     /**
-     * Returns what a sensor is called in a newer list of all ids: its id, or the new one if the only difference between
-     * the lists is another id at its place; empty if there is no such sensor.
+     * Returns the result of a command about the sensor with the new id in the command and in what undoes it; the result
+     * of a command about something else itself.
      */
-    public static Optional<String> follow(String id, List<String> ids, List<String> newer) {
-        if (newer.contains(id)) {
-            return Optional.of(id);
+    public CommandResult rename(CommandResult result) {
+        Command command = rename(result.command());
+        if (command == result.command()) {
+            return result;
         }
-        int place = ids.indexOf(id);
-        boolean renamed = place >= 0
-                && newer.size() == ids.size()
-                && IntStream.range(0, ids.size())
-                        .allMatch(i -> i == place || ids.get(i).equals(newer.get(i)));
-        return renamed ? Optional.of(newer.get(place)) : Optional.empty();
+        return result.refusal()
+                .<CommandResult>map(reason -> new CommandResult.Refused(result.tick(), command, reason))
+                .orElseGet(() -> new CommandResult.Executed(
+                        result.tick(),
+                        command,
+                        result.inverse().stream().map(this::rename).toList()));
     }
 }

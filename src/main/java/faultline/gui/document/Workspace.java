@@ -215,6 +215,14 @@ public final class Workspace implements AutoCloseable {
         return scenario().map(now -> ObstacleOrigins.idsIn(now.setup())).orElse(Set.of());
     }
 
+    /**
+     * Returns what a sensor is called in a list of the ids of a robot, given an id that it has, had before or will have
+     * there; the id itself if the list lacks the sensor.
+     */
+    public String presentId(String id, List<String> ids) {
+        return document().map(now -> now.presentId(id, ids)).orElse(id);
+    }
+
     /** Returns whether the scenario has the sensor or the obstacle that a command is about. */
     public boolean hasSubjectOf(Command command) {
         return scenario().filter(now -> hasSubject(now.setup(), command)).isPresent();

@@ -12,6 +12,7 @@ import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
+import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
@@ -66,6 +67,12 @@ public final class InstrumentDock extends JTabbedPane {
             newestFrame = frame;
             update();
         }
+    }
+
+    /** Gives the sensors the ids that they have in the next frame, which is shown at once. */
+    public void renameSensors(UnaryOperator<String> presentId) {
+        chart.renameSensors(presentId);
+        skippedFrames = FRAMES_PER_UPDATE;
     }
 
     /** Shows in the event log where the run differs from the reference run, null for nowhere. */

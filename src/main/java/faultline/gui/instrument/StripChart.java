@@ -4,7 +4,6 @@ import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.action.ContextMenu;
 import faultline.gui.action.ScrolledMenuLayout;
-import faultline.gui.document.SensorRename;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.RefreshSteps;
@@ -217,14 +216,19 @@ public final class StripChart extends JPanel {
         return view.content();
     }
 
+    /** Gives the sensors the ids that they have in the next frame, as returned for the present ones. */
+    void renameSensors(UnaryOperator<String> presentId) {
+        sensors = sensors.stream().map(presentId).toList();
+        setGroups(presentId);
+    }
+
     /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         List<String> present = frame.snapshot().robot().sensorIds();
         if (!present.equals(sensors)) {
-            List<String> before = sensors;
             sensors = present;
-            setGroups(id -> SensorRename.follow(id, before, present).orElse(id));
+            setGroups(UnaryOperator.identity());
         }
         view.setFrame(frame);
     }

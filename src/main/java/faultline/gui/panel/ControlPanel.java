@@ -27,6 +27,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.Action;
@@ -288,6 +289,12 @@ public final class ControlPanel extends JPanel {
     /** Returns the panel of the run with the health of the sensors. */
     public JComponent runPanel() {
         return run;
+    }
+
+    /** Gives the selected sensor the id that it has in the next snapshot, as returned for the present one. */
+    public void renameSensors(UnaryOperator<String> presentId) {
+        sensors.renameSensors(presentId);
+        sensorDetails.renameSensors(presentId);
     }
 
     public void setSnapshot(Snapshot world) {

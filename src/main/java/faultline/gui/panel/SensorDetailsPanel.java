@@ -1,6 +1,5 @@
 package faultline.gui.panel;
 
-import faultline.gui.document.SensorRename;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.UiText;
@@ -18,6 +17,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -170,16 +170,24 @@ public final class SensorDetailsPanel extends JPanel {
 
     /** Prepares for another scenario, whose first sensor will be selected. */
     void startScenario() {
-        setIds(List.of());
+        setIds(List.of(), UnaryOperator.identity());
+        showSensor();
     }
 
-    /** Sets the ids of the sensors. The selected one remains selected if it still exists, also with another id. */
-    private void setIds(List<String> newIds) {
+    /**
+     * Gives the sensors the ids that they have in the next snapshot, as returned for the present ones. The fields are
+     * those of the present one until then.
+     */
+    void renameSensors(UnaryOperator<String> presentId) {
+        setIds(ids.stream().map(presentId).toList(), presentId);
+    }
+
+    /** Sets the ids of the sensors. The selected one remains selected if there is one with its present id. */
+    private void setIds(List<String> newIds, UnaryOperator<String> presentId) {
         DefaultComboBoxModel<String> model = new DefaultComboBoxModel<>(newIds.toArray(String[]::new));
-        selectedSensor().flatMap(id -> SensorRename.follow(id, ids, newIds)).ifPresent(model::setSelectedItem);
+        selectedSensor().map(presentId).filter(newIds::contains).ifPresent(model::setSelectedItem);
         ids = newIds;
         sensorChoice.setModel(model);
-        showSensor();
     }
 
     /** Shows the sensors and their faults, in the robot's order. */
@@ -188,8 +196,9 @@ public final class SensorDetailsPanel extends JPanel {
         List<String> now =
                 sensors.stream().map(snapshot -> snapshot.spec().id()).toList();
         if (!now.equals(ids)) {
-            setIds(now);
+            setIds(now, UnaryOperator.identity());
         }
+        showSensor();
         inject.setEnabled(!now.isEmpty());
         removeSensor.setEnabled(!now.isEmpty());
         mountFields.update();

@@ -1,6 +1,5 @@
 package faultline.gui.panel;
 
-import faultline.gui.document.SensorRename;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
@@ -15,6 +14,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import javax.swing.JPanel;
 
 /** The controls of all sensors, one row each. */
@@ -41,15 +41,17 @@ public final class SensorsPanel extends JPanel {
         assert EventQueue.isDispatchThread();
         List<String> now = sensors.stream().map(sensor -> sensor.spec().id()).toList();
         if (!now.equals(ids)) {
-            selected = Optional.ofNullable(selected)
-                    .flatMap(id -> SensorRename.follow(id, ids, now))
-                    .orElse(selected);
             ids = now;
             rebuild(sensors);
         }
         for (int i = 0; i < rows.size(); i++) {
             rows.get(i).setSnapshot(sensors.get(i));
         }
+    }
+
+    /** Gives the highlighted sensor the id that it has in the next snapshot, as returned for the present one. */
+    void renameSensors(UnaryOperator<String> presentId) {
+        selected = selected == null ? null : presentId.apply(selected);
     }
 
     /** Highlights the row of a sensor, null for none. */

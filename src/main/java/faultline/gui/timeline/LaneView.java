@@ -144,22 +144,12 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         TimelineModel newest = editor.model();
         if (newest != model) {
             Optional<TimelineItem> wanted = selectedItem();
-            boolean sameCount = newest.items().size() == model.items().size();
             mouse.cancelDrag();
             model = newest;
-            selection = wanted.map(item -> sameCount ? indexNow(item, selection) : indexOf(item))
-                    .orElse(LaneLayout.NONE);
+            selection = wanted.map(editor::presentItem).map(this::indexOf).orElse(LaneLayout.NONE);
             countRows();
             repaint();
         }
-    }
-
-    /**
-     * Returns the index of an item of an earlier timeline of as many items, given its index there, also if its sensor
-     * has another id now; {@link LaneLayout#NONE} if the timeline does not contain it.
-     */
-    private int indexNow(TimelineItem item, int before) {
-        return item.isSameButForId(model.items().get(before)) ? before : indexOf(item);
     }
 
     /** Asks for a new fault of a sensor that starts at the present time, as soon as the lanes show. */

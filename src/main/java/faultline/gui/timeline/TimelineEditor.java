@@ -102,6 +102,16 @@ public final class TimelineEditor {
         return Optional.ofNullable(clipboard);
     }
 
+    /** Returns an item of an earlier timeline with the present id of its sensor. */
+    TimelineItem presentItem(TimelineItem item) {
+        return item.command() instanceof Command.SensorCommand about
+                ? new TimelineItem(
+                        about.withSensorId(workspace.presentId(about.sensorId(), robot().sensorIds())),
+                        item.start(),
+                        item.end())
+                : item;
+    }
+
     /** Returns whether the scenario has the sensor or the obstacle that an item is about. */
     boolean hasSubjectOf(TimelineItem item) {
         return workspace.hasSubjectOf(item.command());

@@ -1,13 +1,10 @@
 package faultline.gui.timeline;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.document.SensorReference;
-import faultline.gui.document.SensorRename;
 import faultline.paint.surface.Palette;
 import faultline.paint.surface.SensorColours;
 import faultline.world.Command;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * An item of the time line: a fault or a sensor that is switched off, for an interval, or a command at one moment.
@@ -55,17 +52,6 @@ public record TimelineItem(Command command, double start, double end) {
     /** Returns this item with other times; those of a moment are equal. */
     TimelineItem withTimes(double newStart, double newEnd) {
         return new TimelineItem(command, newStart, isInterval() ? newEnd : newStart);
-    }
-
-    /** Returns whether another item equals this one, except that their sensors have different ids. */
-    boolean isSameButForId(TimelineItem other) {
-        Optional<String> id = SensorReference.in(command);
-        return SensorReference.in(other.command)
-                .filter(otherId -> id.filter(ownId -> !ownId.equals(otherId)).isPresent())
-                .map(otherId -> new SensorRename(id.orElseThrow(), otherId).rename(command))
-                .filter(other.command::equals)
-                .filter(same -> start == other.start && end == other.end)
-                .isPresent();
     }
 
     /** Returns this item in another lane, or an equal one if it cannot be there. */

@@ -29,6 +29,7 @@ import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
+import java.util.function.UnaryOperator;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
@@ -157,6 +158,14 @@ final class MainPanel extends JPanel {
             setPanelWidth((int) Math.round(growth * panelWidth()));
             setDockHeight((int) Math.round(growth * dockHeight()));
         }
+    }
+
+    /** Gives what is selected the ids that sensors have in the next frame, as returned for the present ones. */
+    void renameSensors(UnaryOperator<String> presentId) {
+        // The canvas selects its sensor in the control panel, too, which must have the new id before.
+        controlPanel.renameSensors(presentId);
+        canvas.tools().renameSensors(presentId);
+        instruments.renameSensors(presentId);
     }
 
     /** Shows a frame; the canvas is repainted only if the frame is new. */

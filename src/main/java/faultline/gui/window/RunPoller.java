@@ -24,6 +24,8 @@ final class RunPoller implements WorkspaceListener {
     private final EndNotifier endNotifier;
     private final List<BiConsumer<SessionFrame, SessionStatus>> listeners = new ArrayList<>();
     private final PollTimer timer = new PollTimer(this::poll);
+    /** The ids of the sensors in the last frame. */
+    private List<String> sensors = List.of();
     /** The status at the last poll; null before the first. */
     private SessionStatus polledStatus;
 
@@ -101,6 +103,11 @@ final class RunPoller implements WorkspaceListener {
         // Status before frame: if the status says paused, the frame is the one at which the run is paused.
         SessionStatus status = session.status();
         SessionFrame frame = session.frame();
+        List<String> present = frame.snapshot().robot().sensorIds();
+        if (!present.equals(sensors)) {
+            sensors = present;
+            mainPanel.renameSensors(id -> workspace.presentId(id, present));
+        }
         mainPanel.setFrame(frame, status);
         replayNotifier.update(frame.frame());
         workspace.scenario().ifPresent(open -> {

@@ -3,6 +3,7 @@ package faultline.gui.document;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
@@ -93,6 +94,39 @@ class ScenarioDocumentTest {
 
     private static CommandResult executed(long tick, Command command) {
         return new CommandResult.Executed(tick, command, List.of());
+    }
+
+    @Test
+    void anIdOfASensorIsFoundInAnEarlierAndInALaterRobot() throws ScenarioException {
+        Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
+        ScenarioDocument document = new ScenarioDocument(null, null, office);
+        document.rename(new SensorRename("left", "port"));
+        document.rename(new SensorRename("port", "left"));
+        document.rename(new SensorRename("left", "larboard"));
+        for (String id : List.of("left", "port", "larboard")) {
+            assertEquals("larboard", document.presentId(id, List.of("front", "larboard")));
+            assertEquals("left", document.presentId(id, List.of("front", "left")));
+            assertEquals("port", document.presentId(id, List.of("front", "port")));
+            assertEquals(id, document.presentId(id, List.of("front")), "removed");
+        }
+        assertEquals("front", document.presentId("front", List.of("front", "larboard")));
+        document.rename(new SensorRename("rear", "left"));
+        document.rename(new SensorRename("left", "rear"));
+        assertEquals("rear", document.presentId("left", List.of("larboard", "rear")), "the last one with this id");
+    }
+
+    @Test
+    void theResultOfACommandAboutAnotherSensorIsNotCopied() {
+        SensorRename rename = new SensorRename("left", "port");
+        CommandResult other = executed(1, new Command.SwitchSensor("right", false));
+        assertSame(other, rename.rename(other));
+        assertEquals(
+                executed(1, new Command.SwitchSensor("port", false)),
+                rename.rename(executed(1, new Command.SwitchSensor("left", false))));
+        Command about = new Command.SwitchSensor("right", false);
+        CommandResult refused =
+                new CommandResult.Refused(1, about, new Refusal(Refusal.Reason.UNKNOWN_SENSOR, "right"));
+        assertSame(refused, rename.rename(refused));
     }
 
     /** In this scenario the timeline moves a crate, and places and removes a parcel. */

@@ -31,7 +31,9 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
@@ -138,32 +140,28 @@ class StripChartTest {
         assertEquals(List.of("Sensor rear, reported", "reported", "true"), shownLines());
     }
 
-    /** Returns a frame of a robot one of whose sensors has another id. */
-    private static SessionFrame frameWithId(String before, String after) {
+    /** Shows a frame of a robot with other ids of sensors, given those that differ. */
+    private void rename(Map<String, String> ids) {
+        UnaryOperator<String> presentId = id -> ids.getOrDefault(id, id);
         RobotSpec robot = SampleRuns.ROOM_SETUP.robot();
-        return SampleRuns.frame(
+        chart.renameSensors(presentId);
+        chart.setFrame(SampleRuns.frame(
                 SampleRuns.ROOM_SETUP.withRobot(robot.withSensors(robot.sensors().stream()
-                        .map(spec -> spec.id().equals(before) ? spec.withId(after) : spec)
+                        .map(spec -> spec.withId(presentId.apply(spec.id())))
                         .toList())),
-                50);
+                50));
     }
 
     @Test
-    void theChosenSensorAndTheAddedLinesStayWhenTheirSensorIsRenamed() {
+    void theChosenSensorAndTheAddedLinesStayWhenSensorsAreRenamed() {
         choose(5 + 6);
         runOnEdt(() -> {
             addLineOfRear();
-            chart.setFrame(frameWithId("right", "starboard"));
+            rename(Map.of("right", "starboard", "rear", "stern"));
         });
         JComboBox<?> choice = ComponentFinder.find(chart, JComboBox.class, "Signals");
         assertEquals(
                 "Sensor starboard", callOnEdt(() -> choice.getSelectedItem().toString()));
-        assertEquals(List.of("Sensor rear, reported", "reported", "true"), shownLines());
-        runOnEdt(() -> {
-            chart.setFrame(FRAME);
-            chart.setFrame(frameWithId("rear", "stern"));
-        });
-        assertEquals("Sensor right", callOnEdt(() -> choice.getSelectedItem().toString()));
         assertEquals(List.of("Sensor stern, reported", "reported", "true"), shownLines());
     }
 

@@ -37,8 +37,10 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -143,26 +145,26 @@ class ControlPanelTest {
     void aRenamedSensorStaysChosen() {
         runOnEdt(() -> {
             panel.selectSensor("left");
-            panel.setSnapshot(withId("left", "port"));
+            rename(Map.of("left", "port", "front", "bow"));
         });
         assertEquals("port", callOnEdt(idField()::getText));
         assertEquals("port", callOnEdt(() -> ComponentFinder.find(panel, JComboBox.class, "Sensor")
                 .getSelectedItem()));
         assertEquals(List.of(), sensorRequests);
-        runOnEdt(() -> panel.setSnapshot(world));
-        assertEquals("left", callOnEdt(idField()::getText), "after undo");
     }
 
-    /** Returns the world with another id of a sensor. */
-    private Snapshot withId(String before, String after) {
+    /** Shows the world with other ids of sensors, given those that differ. */
+    private void rename(Map<String, String> ids) {
+        UnaryOperator<String> presentId = id -> ids.getOrDefault(id, id);
         List<SensorSnapshot> sensors = world.sensors().stream()
                 .map(SensorSnapshot::spec)
-                .map(sensor -> sensor.id().equals(before) ? sensor.withId(after) : sensor)
+                .map(sensor -> sensor.withId(presentId.apply(sensor.id())))
                 .map(sensor -> SampleFrames.sensor(sensor, world.pose(), SampleFrames.NOTHING))
                 .toList();
-        return SampleFrames.frameOf(
+        panel.renameSensors(presentId);
+        panel.setSnapshot(SampleFrames.frameOf(
                         world.pose(), SampleFrames.pathThrough(world.pose().position()), sensors)
-                .snapshot();
+                .snapshot());
     }
 
     @Test

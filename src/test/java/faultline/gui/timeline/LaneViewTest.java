@@ -10,11 +10,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.SensorRename;
-import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.KeyBindings;
-import faultline.robot.RobotSpec;
-import faultline.scenario.Scenario;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.awt.Cursor;
@@ -28,7 +25,6 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
@@ -302,8 +298,8 @@ class LaneViewTest {
             addStuck("left", 30, 40);
             updateView();
             view.select(0, 1);
-            new ScenarioEditor(lanes.run(), undo)
-                    .edit("edit.properties", LaneViewTest::withPort, UnaryOperator.identity());
+            lanes.run().rename(new SensorRename("left", "port"));
+            lanes.run().rename(new SensorRename("front", "bow"));
             updateView();
             assertEquals(1, view.selection());
             assertEquals(
@@ -314,19 +310,6 @@ class LaneViewTest {
             updateView();
             assertEquals(Optional.empty(), view.selectedItem(), "the next one is the same fault of another sensor");
         });
-    }
-
-    /** Returns a scenario with another id of the left sensor. */
-    private static Scenario withPort(Scenario scenario) {
-        List<TimedCommand> timeline = scenario.setup().timeline().stream()
-                .map(timed -> new TimedCommand(timed.time(), new SensorRename("left", "port").rename(timed.command())))
-                .toList();
-        RobotSpec robot = scenario.setup().robot();
-        return scenario.withSetup(scenario.setup()
-                .withTimeline(timeline)
-                .withRobot(robot.withSensors(robot.sensors().stream()
-                        .map(sensor -> sensor.id().equals("left") ? sensor.withId("port") : sensor)
-                        .toList())));
     }
 
     @Test

@@ -31,6 +31,7 @@ import javax.swing.JComboBox;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -134,6 +135,32 @@ class SensorMenuRobotTest {
         driver.choose("undo");
         driver.waitForFrame("eight sensors", frame -> ids(frame).size() == 8);
         driver.waitForTitle("office.xml");
+    }
+
+    /** The run is simulated again once, so that the next frame has both ids. */
+    @Test
+    void theSelectionAndTheChartFollowTwoRenamingsInQuickSuccession() {
+        JComboBox<?> signals = ComponentFinder.find(driver.window(), JComboBox.class, "Signals");
+        runOnEdt(() -> {
+            IntStream.range(0, signals.getItemCount())
+                    .filter(i -> signals.getItemAt(i).toString().equals("Sensor left"))
+                    .forEach(signals::setSelectedIndex);
+            renameTo("bow", "front");
+            renameTo("port", "left");
+            sensorChoice().setSelectedItem("left");
+        });
+        driver.waitForFrame("both", frame -> ids(frame).containsAll(List.of("bow", "port")));
+        driver.robot()
+                .waitFor("the chart", () -> signals.getSelectedItem().toString().equals("Sensor port"));
+        assertEquals(Optional.of("port"), callOnEdt(this::selectedSensor));
+        assertEquals("port", callOnEdt(() -> sensorChoice().getSelectedItem()));
+    }
+
+    private void renameTo(String newId, String id) {
+        sensorChoice().setSelectedItem(id);
+        JTextField field = ComponentFinder.find(driver.window(), JTextField.class, "Id");
+        field.setText(newId);
+        field.postActionEvent();
     }
 
     /** Returns the names of the items of Simulation > Switch sensor that show. */

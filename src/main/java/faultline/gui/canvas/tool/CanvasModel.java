@@ -1,7 +1,6 @@
 package faultline.gui.canvas.tool;
 
 import faultline.engine.Frame;
-import faultline.gui.document.SensorRename;
 import faultline.gui.edit.IdGenerator;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.ReferenceOverlay;
@@ -15,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 
 /** The frame and the layers that are shown, and the selected obstacles and sensor. */
@@ -34,7 +34,6 @@ public final class CanvasModel {
 
     /** Sets the frame; selected objects that it lacks are deselected, and awaited ones selected. */
     public void setFrame(Frame newest) {
-        List<SensorSnapshot> before = sensors();
         frame = newest;
         if (hasAny(pendingSelection)) {
             select(pendingSelection);
@@ -45,12 +44,14 @@ public final class CanvasModel {
             sensor.set(Optional.of(pendingSensor));
             pendingSensor = "";
         } else if (selectedSensor().isEmpty()) {
-            sensor.set(sensor.get().flatMap(id -> SensorRename.follow(id, idsOf(before), idsOf(sensors()))));
+            sensor.set(Optional.empty());
         }
     }
 
-    private static List<String> idsOf(List<SensorSnapshot> sensors) {
-        return sensors.stream().map(sensor -> sensor.spec().id()).toList();
+    /** Gives the selected sensor the id that it has in the next frame, as returned for the present one. */
+    public void renameSensors(UnaryOperator<String> presentId) {
+        pendingSensor = presentId.apply(pendingSensor);
+        sensor.set(sensor.get().map(presentId));
     }
 
     public Optional<Frame> frame() {

@@ -23,6 +23,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 
 /** The tools, the snap settings, the selection and the listeners of a canvas. Event dispatch thread only. */
@@ -241,6 +242,11 @@ public final class CanvasTools {
         assert EventQueue.isDispatchThread();
         context.model().sensor().set(context.model().sensor(id).map(sensor -> sensor.spec()
                 .id()));
+    }
+
+    /** Gives the selected sensor the id that it has in the next frame, as returned for the present one. */
+    public void renameSensors(UnaryOperator<String> presentId) {
+        context.model().renameSensors(presentId);
     }
 
     /** Selects a sensor that is about to be added, and no obstacle, as soon as a frame has it. */

@@ -11,6 +11,7 @@ import faultline.world.ObstacleShape;
 import faultline.world.SensorSnapshot;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -75,9 +76,14 @@ class CanvasModelTest {
     void aSensorStaysSelectedWhenItGetsAnotherId() {
         model.setFrame(withSensors("front", "left"));
         model.sensor().set(Optional.of("left"));
-        model.setFrame(withSensors("front", "port"));
+        model.selectSensorWhenPresent("sensor-3");
+        model.renameSensors(id ->
+                Map.of("front", "bow", "left", "port", "sensor-3", "stern").get(id));
+        model.setFrame(withSensors("bow", "port"));
         assertEquals(Optional.of("port"), model.sensor().get());
-        model.setFrame(withSensors("front", "port", "rear"));
+        model.setFrame(withSensors("bow", "port", "stern"));
+        assertEquals(Optional.of("stern"), model.sensor().get(), "awaited");
+        model.sensor().set(Optional.of("port"));
         model.setFrame(withSensors("front", "rear"));
         assertEquals(Optional.empty(), model.sensor().get(), "removed");
     }
