@@ -132,7 +132,7 @@ public final class DocumentStore {
                 () -> {
                     ScenarioDocument document = loader.call();
                     task.progress().throwIfCancelled();
-                    return OpenDocument.start(document, workspace.keepsController(document.initial()), workspace);
+                    return OpenDocument.start(document, workspace);
                 },
                 then,
                 otherwise);

@@ -6,6 +6,8 @@ import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
 
 /**
  * A document and the session that runs it.
@@ -14,11 +16,36 @@ import java.util.concurrent.CompletableFuture;
  */
 record OpenDocument(ScenarioDocument document, Session session, boolean ownController) {
 
-    /** Starts a session of a document with its own controller, or with the one that is chosen in its workspace. */
-    static OpenDocument start(ScenarioDocument document, boolean ownController, Workspace workspace) {
-        SimulationSetup setup = document.initial().setup();
-        Session session = Session.start(ownController ? setup : workspace.withChosenController(setup));
-        return new OpenDocument(document, session, ownController);
+    /**
+     * Starts the first session of a document. A saved run has its own controller in this and all later sessions, until
+     * another one is chosen.
+     */
+    static OpenDocument start(ScenarioDocument document, Workspace workspace) {
+        return start(document, document.initial().recorded(), workspace, sessionOf(document));
+    }
+
+    /** Starts the first session of a document that replaces this one, because the run restarts. */
+    OpenDocument restartedAs(ScenarioDocument restarted, Workspace workspace) {
+        return start(restarted, ownController, workspace, sessionOf(restarted));
+    }
+
+    /** Starts another session of this document, given what starts it with the change of the controller in a setup. */
+    OpenDocument withSession(Workspace workspace, Function<UnaryOperator<SimulationSetup>, Session> starter) {
+        return start(document, ownController, workspace, starter);
+    }
+
+    private static Function<UnaryOperator<SimulationSetup>, Session> sessionOf(ScenarioDocument document) {
+        return choice -> Session.start(choice.apply(document.initial().setup()));
+    }
+
+    private static OpenDocument start(
+            ScenarioDocument document,
+            boolean keepsController,
+            Workspace workspace,
+            Function<UnaryOperator<SimulationSetup>, Session> starter) {
+        boolean own = keepsController && workspace.isChoiceTried();
+        return new OpenDocument(
+                document, starter.apply(own ? UnaryOperator.identity() : workspace::withChosenController), own);
     }
 
     /**

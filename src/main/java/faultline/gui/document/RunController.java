@@ -88,8 +88,7 @@ public final class RunController implements WorkspaceListener {
             workspace.start(new WorkspaceTask(TaskKind.RESTART, now.document().displayPath()), () -> {
                 Scenario scenario = change.apply(edited.join());
                 // The workspace sets the file when the session has started.
-                return OpenDocument.start(
-                        new ScenarioDocument(null, null, scenario), workspace.keepsController(now), workspace);
+                return now.restartedAs(new ScenarioDocument(null, null, scenario), workspace);
             });
         });
     }

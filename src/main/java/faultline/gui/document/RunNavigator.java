@@ -103,12 +103,14 @@ public final class RunNavigator implements WorkspaceListener {
             long tick = end.applyAsLong(past.join());
             synchronized (replaying) {
                 task.progress().throwIfCancelled();
-                boolean own = workspace.keepsController(now);
-                Session session = replay.start(own ? journal : withChosenController(journal), tick, reached -> {
+                LongPredicate onward = reached -> {
                     task.progress().setFraction((double) reached / tick);
                     return true;
+                };
+                return now.withSession(workspace, choice -> {
+                    SimulationSetup setup = choice.apply(journal.setup());
+                    return replay.start(new Journal(setup, journal.entries(), journal.ticks()), tick, onward);
                 });
-                return new OpenDocument(now.document(), session, own);
             }
         };
         workspace.start(task, maker, () -> reportOtherDecisions(now, past.join(), whole.join()));
@@ -133,10 +135,6 @@ public final class RunNavigator implements WorkspaceListener {
 
     private static HashTrace hashes(OpenDocument document) {
         return document.session().frame().recording().hashTrace();
-    }
-
-    private Journal withChosenController(Journal journal) {
-        return new Journal(workspace.withChosenController(journal.setup()), journal.entries(), journal.ticks());
     }
 
     /** Returns the journal of a session with the edited setup of its document. */

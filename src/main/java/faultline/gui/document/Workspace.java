@@ -81,14 +81,9 @@ public final class Workspace implements AutoCloseable {
         return openDocument().filter(OpenDocument::ownController).isPresent();
     }
 
-    /** Returns whether a scenario that is opened keeps its controller. Any thread may call it. */
-    boolean keepsController(Scenario opened) {
-        return choiceTried && opened.recorded();
-    }
-
-    /** Returns whether a document keeps its controller in its next session. Any thread may call it. */
-    boolean keepsController(OpenDocument before) {
-        return choiceTried && before.ownController();
+    /** Returns whether a session has started since a controller was chosen. Any thread may call it. */
+    boolean isChoiceTried() {
+        return choiceTried;
     }
 
     /** Returns a setup with the chosen controller. Any thread but the event dispatch thread may call it. */

@@ -291,7 +291,7 @@ class WorkspaceTest {
             OpenDocument now = workspace.openDocument().orElseThrow();
             workspace.start(new WorkspaceTask(TaskKind.RESTART, file), made::get);
             documentStore.markSaved(now.document(), other, now.document().edited());
-            made.complete(OpenDocument.start(now.document(), false, workspace));
+            made.complete(OpenDocument.start(now.document(), workspace));
         });
         waitFor("the second session", () -> sessionCount == 2);
         assertEquals(Optional.of(other), callOnEdt(workspace::file));
@@ -329,7 +329,7 @@ class WorkspaceTest {
             workspace.start(new WorkspaceTask(TaskKind.OPEN, file), () -> {
                 begun.complete(null);
                 closed.join();
-                made.complete(OpenDocument.start(document, false, workspace));
+                made.complete(OpenDocument.start(document, workspace));
                 return made.join();
             });
         });
