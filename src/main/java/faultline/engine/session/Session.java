@@ -71,13 +71,15 @@ public final class Session implements SessionView, AutoCloseable {
      * @return the session, which the caller closes
      */
     public static Session start(SimulationSetup setup) {
-        return replay(new Journal(setup, List.of(), 0), 0, tick -> true);
+        return start(new Journal(setup, List.of(), 0), 0, session -> {}, tick -> true);
     }
 
     /**
      * Replays an earlier run on the calling thread, at full speed, and starts a session there, paused, with the
-     * recording of the replay. The journal's later commands are executed when their ticks come, until a new command is
-     * executed. A cancellation takes effect when the current tick, or the construction of the world, is complete.
+     * recording of the replay. The journal's commands for the next tick are then executed: a run that is edited while
+     * it is paused at a tick has them at the start of the next one. Later commands are executed when their ticks come,
+     * until a new command is executed. A cancellation takes effect when the current tick, or the construction of the
+     * world, is complete.
      *
      * @param journal the earlier run, as returned by {@link #fullJournal}
      * @param tick the tick to replay to, not negative
@@ -87,27 +89,12 @@ public final class Session implements SessionView, AutoCloseable {
      * @throws CancellationException if the replay was cancelled
      */
     public static Session replay(Journal journal, long tick, LongPredicate shouldContinue) {
-        return start(journal, tick, session -> {}, shouldContinue);
-    }
-
-    /**
-     * Replays an earlier run as {@link #replay} does, and then executes the journal's commands for the next tick: a run
-     * that is edited while it is paused at a tick has them at the start of the next one.
-     *
-     * @param journal the earlier run, as returned by {@link #fullJournal}
-     * @param tick the tick to replay to, not negative
-     * @param shouldContinue called after each replayed tick with that tick; false cancels the replay
-     * @return the session; its first frame is available at once
-     * @throws RunFailedException if the controller threw an exception or did not answer
-     * @throws CancellationException if the replay was cancelled
-     */
-    public static Session replayEdited(Journal journal, long tick, LongPredicate shouldContinue) {
         return start(journal, tick, Session::executeNextCommands, shouldContinue);
     }
 
     /**
-     * Replays an earlier run with a changed setup as {@link #replayEdited} does, and also executes the timeline's
-     * commands for the next tick: the change may have moved commands from the journal to the timeline.
+     * Replays an earlier run with a changed setup as {@link #replay} does, and also executes the timeline's commands
+     * for the next tick: the change may have moved commands from the journal to the timeline.
      *
      * @param journal the earlier run with the changed setup
      * @param tick the tick to replay to, not negative

@@ -50,8 +50,7 @@ public final class RunNavigator implements WorkspaceListener {
         workspace.fire(listener -> listener.seekStarted(tick));
         workspace
                 .openDocument()
-                .ifPresent(now ->
-                        replay(now, () -> now.document().prepareMoveTo(tick), past -> tick, Session::replayEdited));
+                .ifPresent(now -> replay(now, () -> now.document().prepareMoveTo(tick), past -> tick, Session::replay));
     }
 
     /** Moves the run to the first tick that is not before a time, seconds, as {@link #seek} does. */

@@ -117,13 +117,24 @@ class SessionReplayTest {
 
     @Test
     void theFullJournalAlsoHoldsWhatIsStillToCome() throws Exception {
-        try (Session session = Session.replay(JOURNAL, 399, onward -> true)) {
+        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
             assertEquals(
-                    new Journal(ROOM, JOURNAL.entries().subList(0, 1), 399),
+                    new Journal(ROOM, JOURNAL.entries().subList(0, 1), 398),
                     session.journal().get());
             assertEquals(JOURNAL, session.fullJournal().get());
             stepTo(session, 400);
             assertEquals(3, session.journal().get().entries().size());
+            assertEquals(JOURNAL, session.fullJournal().get());
+        }
+    }
+
+    @Test
+    void theCommandsForTheNextTickAreExecutedAtOnce() throws Exception {
+        try (Session session = Session.replay(JOURNAL, 399, onward -> true)) {
+            assertEquals(399, session.frame().snapshot().tick());
+            assertEquals(
+                    new Journal(ROOM, JOURNAL.entries().subList(0, 3), 399),
+                    session.journal().get());
             assertEquals(JOURNAL, session.fullJournal().get());
         }
     }
