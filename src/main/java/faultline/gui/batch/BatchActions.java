@@ -115,18 +115,16 @@ public final class BatchActions {
                         () -> new BatchDialog(owner, open, this, chosen, startsProgram).setVisible(true));
     }
 
-    /** Opens the run of a row in the window, given the controller of the results. The dialog is hidden then. */
+    /**
+     * Opens the run of a row in the window, given the controller of the results, and hides the dialog when it is open.
+     */
     void openRun(RunsDialog dialog, BatchResults results, int row, ControllerSelection controller) {
         int run = Math.toIntExact(results.run(row));
         String outcome = results.value(row, "outcome");
         double seconds = Double.parseDouble(results.value(row, "simulated_s"));
         BackgroundTasks.run(
                 () -> controller.callWithJars(() -> RunScenario.create(results.plan(), run, outcome, seconds)),
-                opened -> {
-                    origin = dialog;
-                    dialog.runOpened();
-                    openRun(named(opened, run), controller.jars());
-                },
+                opened -> openRun(dialog, named(opened, run), controller.jars()),
                 failure -> dialog.showProblem(ErrorMessages.describe(failure)));
     }
 
@@ -139,16 +137,19 @@ public final class BatchActions {
      * Opens a run in the window, with the controller that it was made with: that of its scenario, which some jars may
      * contain.
      */
-    private void openRun(Scenario run, List<Path> jars) {
+    private void openRun(RunsDialog dialog, Scenario run, List<Path> jars) {
         String name = !jars.isEmpty() && run.setup().controller() instanceof ControllerSpec.Provided provided
                 ? provided.name()
                 : "";
         List<Path> kept = jars.isEmpty() ? controllers.jars() : jars;
         files.runIfChangesHandled(() -> {
             controllers.select(new ControllerSelection(name, kept));
-            // Opening removes the notes about the scenario before.
-            files.openGeneratedWithoutAsking(
-                    run, () -> note.accept(Keystrokes.withMenuModifier(Messages.get("batch.opened"))));
+            files.openGeneratedWithoutAsking(run, () -> {
+                origin = dialog;
+                dialog.runOpened();
+                // Opening removes the notes about the scenario before.
+                note.accept(Keystrokes.withMenuModifier(Messages.get("batch.opened")));
+            });
         });
     }
 

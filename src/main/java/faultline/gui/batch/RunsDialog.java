@@ -137,7 +137,7 @@ abstract class RunsDialog extends JDialog {
         }
     }
 
-    /** Called when a run is about to be opened in the window. */
+    /** Called when a run is open in the window. */
     void runOpened() {
         setVisible(false);
     }

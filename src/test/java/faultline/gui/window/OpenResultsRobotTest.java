@@ -70,21 +70,30 @@ class OpenResultsRobotTest {
         return ComponentFinder.find(dialog, JTable.class, name);
     }
 
-    @Test
-    void aRunOfOpenedResultsOpensAndTheResultsComeBack() throws Exception {
+    private JDialog openResults() {
         driver.chooseLater("openBatchResults");
         driver.enterFile(CHOOSER, results);
-        JDialog dialog = driver.dialog(TITLE);
+        return driver.dialog(TITLE);
+    }
+
+    /** Shows the runs of the first fault, the second row of the summary, and selects the first one. */
+    private JTable selectRun(JDialog dialog) {
         driver.robot().waitFor("the summary has the focus", () -> table(dialog, "Summary")
                 .isFocusOwner());
-        String text = WindowDriver.text(dialog);
-        assertTrue(text.contains("9 runs, 0 failed") && text.contains("Controller: wall follower"), text);
-        // The second row is the first fault; Enter shows its runs and selects the first one.
         driver.robot().pressKeys(KeyEvent.VK_DOWN);
         driver.robot().pressKeys(KeyEvent.VK_DOWN);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         JTable runs = table(dialog, "Runs");
         driver.robot().waitFor("its runs have the focus", () -> runs.isFocusOwner() && runs.getRowCount() == 3);
+        return runs;
+    }
+
+    @Test
+    void aRunOfOpenedResultsOpensAndTheResultsComeBack() throws Exception {
+        JDialog dialog = openResults();
+        String text = WindowDriver.text(dialog);
+        assertTrue(text.contains("9 runs, 0 failed") && text.contains("Controller: wall follower"), text);
+        JTable runs = selectRun(dialog);
         String run = callOnEdt(() -> String.valueOf(runs.getValueAt(0, 0)));
         String hash = callOnEdt(
                 () -> String.valueOf(runs.getValueAt(0, runs.getColumnModel().getColumnIndex("Trajectory hash"))));
@@ -100,6 +109,19 @@ class OpenResultsRobotTest {
         assertSame(dialog, driver.dialog(TITLE), "the results come back");
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
+    }
+
+    @Test
+    void resultsStayIfTheQuestionAboutUnsavedChangesIsCancelled() {
+        driver.type(KeyEvent.VK_1);
+        driver.waitForTitle("office.xml*");
+        JDialog dialog = openResults();
+        selectRun(dialog);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        JDialog question = driver.dialog("Unsaved changes");
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the question is gone", () -> !question.isShowing());
+        assertTrue(dialog.isShowing());
     }
 
     @Test
