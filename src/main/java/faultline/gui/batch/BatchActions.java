@@ -35,8 +35,10 @@ public final class BatchActions {
     private final FileController files;
     private final ControllerChooser controllers;
     private final Consumer<String> note;
-    /** The dialog that the run in the window was opened from, null for none. */
-    private RunsDialog origin;
+    /** The dialog that is hidden because one of its runs is in the window, null for none. */
+    private RunsDialog hidden;
+    /** The run in the window that has hidden the dialog. */
+    private Scenario hiding;
 
     /** Creates the actions of a window; {@code note} shows a sentence to the user. */
     public BatchActions(Window owner, FileController files, ControllerChooser controllers, Consumer<String> note) {
@@ -69,12 +71,28 @@ public final class BatchActions {
     }
 
     /**
+     * Called when a scenario has been opened. Unless it is the run that has hidden its results, they show again, behind
+     * the focus.
+     */
+    public void scenarioOpened(Scenario opened) {
+        if (hidden != null && !opened.equals(hiding)) {
+            hidden.showWithoutFocus();
+            forgetHidden();
+        }
+    }
+
+    private void forgetHidden() {
+        hidden = null;
+        hiding = null;
+    }
+
+    /**
      * Shows the results again that the run in the window was opened from, or else the dialog of the open scenario as it
      * is now; a batch of another scenario keeps its own dialog.
      */
     private void showDialog() {
-        if (origin instanceof ResultsDialog results && results.isDisplayable() && !results.isShowing()) {
-            results.bringToFront();
+        if (hidden instanceof ResultsDialog results) {
+            bringToFront(results);
             return;
         }
         Path stem = files.suggestedFile("");
@@ -101,16 +119,13 @@ public final class BatchActions {
         if (!owner.isDisplayable()) {
             return;
         }
-        Stream.concat(Stream.ofNullable(origin), Stream.of(owner.getOwnedWindows()))
-                .filter(BatchDialog.class::isInstance)
-                .map(BatchDialog.class::cast)
-                .filter(BatchDialog::isDisplayable)
-                .filter(dialog -> dialog.isFor(open.scenario()))
+        dialogs()
+                .filter(dialog -> hidden == null ? dialog.isFor(open.scenario()) : dialog == hidden)
                 .findFirst()
                 .ifPresentOrElse(
                         known -> {
                             known.setChosen(chosen, startsProgram);
-                            known.bringToFront();
+                            bringToFront(known);
                         },
                         () -> new BatchDialog(owner, open, this, chosen, startsProgram).setVisible(true));
     }
@@ -145,12 +160,26 @@ public final class BatchActions {
         files.runIfChangesHandled(() -> {
             controllers.select(new ControllerSelection(name, kept));
             files.openGeneratedWithoutAsking(run, () -> {
-                origin = dialog;
-                dialog.runOpened();
+                hide(dialog, run);
                 // Opening removes the notes about the scenario before.
                 note.accept(Keystrokes.withMenuModifier(Messages.get("batch.opened")));
             });
         });
+    }
+
+    private void bringToFront(RunsDialog dialog) {
+        if (dialog == hidden) {
+            forgetHidden();
+        }
+        dialog.bringToFront();
+    }
+
+    private void hide(RunsDialog dialog, Scenario run) {
+        if (dialog.isDisplayable()) {
+            hidden = dialog;
+            hiding = run;
+            dialog.runOpened();
+        }
     }
 
     private void openResults() {
@@ -189,8 +218,15 @@ public final class BatchActions {
         Stream.of(owner.getOwnedWindows())
                 .filter(window ->
                         window instanceof ResultsDialog known && known.folder().equals(opened.folder()))
-                .forEach(Window::dispose);
+                .forEach(this::dispose);
         new ResultsDialog(owner, opened, jars, this).setVisible(true);
+    }
+
+    private void dispose(Window dialog) {
+        if (dialog == hidden) {
+            forgetHidden();
+        }
+        dialog.dispose();
     }
 
     /** Asks for the file of a plan; empty if cancelled. */

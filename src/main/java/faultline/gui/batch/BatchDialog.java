@@ -80,9 +80,9 @@ final class BatchDialog extends RunsDialog {
         layOut(List.of(start, cancel, savePlan, saveResults, reopen, close));
     }
 
-    /** Returns whether the dialog is for a scenario, or hidden because the user looks at one of its runs. */
+    /** Returns whether the dialog is for a scenario. */
     boolean isFor(Scenario other) {
-        return source.scenario().equals(other) || !isShowing();
+        return source.scenario().equals(other);
     }
 
     /** Offers the controller that drives the robot of the window, given whether it is a program. */

@@ -128,6 +128,13 @@ abstract class RunsDialog extends JDialog {
         }
     }
 
+    /** Shows the dialog where the user left it, but does not give it the focus. */
+    final void showWithoutFocus() {
+        setAutoRequestFocus(false);
+        setVisible(true);
+        setAutoRequestFocus(true);
+    }
+
     /** Opens the run of a row in the window. */
     private void open(int row) {
         if (results.value(row, "simulated_s").isEmpty()) {

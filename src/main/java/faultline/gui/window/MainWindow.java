@@ -390,7 +390,10 @@ public final class MainWindow extends JFrame {
         @Override
         public void scenarioOpened() {
             undoController.clear();
-            workspace.scenario().ifPresent(scenario -> mainPanel.startScenario());
+            workspace.scenario().ifPresent(scenario -> {
+                mainPanel.startScenario();
+                batchActions.scenarioOpened(scenario);
+            });
             workspace.file().ifPresent(preferences.recentFiles()::add);
         }
 

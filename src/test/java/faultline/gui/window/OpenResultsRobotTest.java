@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -88,6 +89,14 @@ class OpenResultsRobotTest {
         return runs;
     }
 
+    private String openRun(JDialog dialog) {
+        JTable runs = selectRun(dialog);
+        String run = callOnEdt(() -> String.valueOf(runs.getValueAt(0, 0)));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.waitForTitle("Run " + run);
+        return run;
+    }
+
     @Test
     void aRunOfOpenedResultsOpensAndTheResultsComeBack() throws Exception {
         JDialog dialog = openResults();
@@ -109,6 +118,32 @@ class OpenResultsRobotTest {
         assertSame(dialog, driver.dialog(TITLE), "the results come back");
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
+    }
+
+    @Test
+    void resultsAreHiddenOnlyWhileTheirRunIsInTheWindow() {
+        JDialog dialog = openResults();
+        openRun(dialog);
+        assertFalse(dialog.isShowing());
+        runOnEdt(() -> driver.window().open(folder.resolve("short.xml")));
+        driver.waitForTitle("short.xml");
+        driver.robot().waitFor("the results show again", dialog::isShowing);
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
+        driver.dialog("Batch of Yard");
+    }
+
+    @Test
+    void aRunThatIsOpenedAgainStillHasItsResults() {
+        JDialog dialog = openResults();
+        String run = openRun(dialog);
+        driver.type(KeyEvent.VK_1);
+        driver.waitForTitle("Run " + run + "*");
+        driver.chooseLater("revert");
+        driver.clickButton("Revert", "Revert");
+        driver.waitForTitle("Run " + run);
+        assertFalse(dialog.isShowing());
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
+        assertSame(dialog, driver.dialog(TITLE));
     }
 
     @Test
