@@ -12,23 +12,22 @@ import java.util.stream.Collectors;
 final class EventStops {
 
     /** The stops of a run without marks. */
-    static final EventStops NONE = new EventStops(List.of(), 0);
+    static final EventStops NONE = new EventStops(List.of());
 
     private final NavigableMap<Long, List<Supplier<String>>> texts = new TreeMap<>();
 
     /** Something that is marked at a tick; the text is in the current language. */
     record Stop(long tick, Supplier<String> text) {}
 
-    /** Creates the stops up to a last tick. */
-    EventStops(List<Stop> stops, long last) {
-        stops.stream().filter(stop -> stop.tick() <= last).forEach(stop -> texts.computeIfAbsent(
-                        stop.tick(), tick -> new ArrayList<>())
-                .add(stop.text()));
+    EventStops(List<Stop> stops) {
+        stops.forEach(stop ->
+                texts.computeIfAbsent(stop.tick(), tick -> new ArrayList<>()).add(stop.text()));
     }
 
-    /** Returns the next tick with a mark after a tick. */
-    OptionalLong after(long tick) {
-        return optional(texts.higherKey(tick));
+    /** Returns the next tick with a mark after a tick, up to the last tick of the run. */
+    OptionalLong after(long tick, long last) {
+        Long next = texts.higherKey(tick);
+        return optional(next == null || next > last ? null : next);
     }
 
     /** Returns the last tick with a mark before a tick. */

@@ -9,6 +9,7 @@ import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
 import java.awt.event.KeyEvent;
+import java.util.OptionalLong;
 import java.util.function.Consumer;
 
 /**
@@ -51,7 +52,7 @@ public final class TimelineActions implements WorkspaceListener {
 
     /** Enables the actions that do something at a tick. */
     public void update(long tick) {
-        nextEvent.setEnabled(timeline.stops().after(tick).isPresent());
+        nextEvent.setEnabled(next(tick).isPresent());
         previousEvent.setEnabled(timeline.stops().before(tick).isPresent());
         updateZoom();
     }
@@ -64,8 +65,12 @@ public final class TimelineActions implements WorkspaceListener {
         showAll.setEnabled(shown && !whole);
     }
 
+    private OptionalLong next(long tick) {
+        return timeline.stops().after(tick, timeline.bar().end());
+    }
+
     private void goToNext() {
-        timeline.stops().after(navigator.currentTick()).ifPresent(this::goTo);
+        next(navigator.currentTick()).ifPresent(this::goTo);
     }
 
     private void goToPrevious() {

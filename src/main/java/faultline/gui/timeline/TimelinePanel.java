@@ -177,8 +177,7 @@ public final class TimelinePanel extends JPanel {
     private void updateMarks(SessionFrame frame, long scenarioEnd, double dt) {
         EventLog log = frame.recording().events();
         RunEvent first = log.endIndex() > log.firstIndex() ? log.get(log.firstIndex()) : null;
-        List<Object> state =
-                Arrays.asList(editor.model(), log.endIndex(), first, scenarioEnd, bar.end(), bar.divergence());
+        List<Object> state = Arrays.asList(editor.model(), log.endIndex(), first, scenarioEnd, bar.divergence());
         if (!state.equals(markedState)) {
             markedState = state;
             bar.setMarks(RunMarks.of(frame, editor.model().items(), scenarioEnd, dt));
@@ -188,7 +187,7 @@ public final class TimelinePanel extends JPanel {
                 RunEvent.Diverged divergence = bar.divergence();
                 marked.add(new EventStops.Stop(divergence.tick(), () -> EventText.sentence(divergence)));
             }
-            stops = new EventStops(marked, bar.end());
+            stops = new EventStops(marked);
         }
     }
 

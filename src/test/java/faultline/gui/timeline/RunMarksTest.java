@@ -70,13 +70,13 @@ class RunMarksTest {
                 .withDuration(100);
         SessionFrame frame = crash(setup);
         long collision = frame.snapshot().tick();
-        EventStops stops = new EventStops(RunMarks.stops(frame, List.of(FAULT), setup.dt()), setup.ticks());
-        assertEquals(OptionalLong.of(setup.tickAt(1.5)), stops.after(0));
+        EventStops stops = new EventStops(RunMarks.stops(frame, List.of(FAULT), setup.dt()));
+        assertEquals(OptionalLong.of(setup.tickAt(1.5)), stops.after(0, setup.ticks()));
         assertEquals("left: off, no reading begins", stops.text(setup.tickAt(1.5)));
-        assertEquals(OptionalLong.of(setup.tickAt(2.5)), stops.after(setup.tickAt(1.5)));
+        assertEquals(OptionalLong.of(setup.tickAt(2.5)), stops.after(setup.tickAt(1.5), setup.ticks()));
         assertEquals("left: off, no reading ends", stops.text(setup.tickAt(2.5)));
-        assertEquals(OptionalLong.of(collision), stops.after(setup.tickAt(2.5)));
-        assertEquals(OptionalLong.empty(), stops.after(collision));
+        assertEquals(OptionalLong.of(collision), stops.after(setup.tickAt(2.5), setup.ticks()));
+        assertEquals(OptionalLong.empty(), stops.after(collision, setup.ticks()));
     }
 
     /** The second time is between two ticks, so the command is executed at the later one. */

@@ -5,10 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.recording.Recorder;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import org.junit.jupiter.api.Test;
 
 class TimelinePanelTest {
@@ -51,5 +58,29 @@ class TimelinePanelTest {
             assertEquals(before + 200, panel.lanes().axis().right());
             panel.removeNotify();
         });
+    }
+
+    /** Their texts take time, and the run may continue for hours. */
+    @Test
+    void aFramePastTheEndOfTheScenarioMakesNoNewMarks() throws ScenarioException {
+        SimulationSetup setup = Scenario.loadShipped("office.xml").setup().withDuration(0.05);
+        Recorder recorder = new Recorder(setup);
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT, recorder)) {
+            runOnEdt(() -> {
+                TimelinePanel panel = createPanel();
+                EventStops stops = null;
+                while (simulation.frame().snapshot().tick() < setup.ticks() + 3) {
+                    simulation.tick();
+                    recorder.observe(simulation);
+                    SessionFrame frame = new SessionFrame(simulation.frame(), recorder.view());
+                    long last = Math.max(frame.snapshot().tick(), setup.ticks());
+                    panel.setFrame(frame, last, setup.ticks(), setup.dt());
+                    assertEquals(last, panel.bar().end());
+                    assertTrue(stops == null || stops == panel.stops(), "new marks at tick " + last);
+                    stops = panel.stops();
+                }
+                panel.removeNotify();
+            });
+        }
     }
 }
