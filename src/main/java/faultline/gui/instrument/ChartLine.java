@@ -16,19 +16,26 @@ import java.util.function.UnaryOperator;
  * @param name its name
  * @param sensor the id of the sensor whose reading it shows; empty for a value of the controller
  * @param channel its channel of {@link TraceChannels}; for a sensor, that of the first one in the robot's list
+ * @param factor what the values of the channel are multiplied by to have the unit in which they are shown
  */
-record ChartLine(String name, String sensor, int channel, Function<Theme, Color> colour, DashPattern dash) {
+record ChartLine(
+        String name, String sensor, int channel, double factor, Function<Theme, Color> colour, DashPattern dash) {
 
     private static final double LINE_WIDTH = 1.6;
 
+    /** Creates a line whose values are shown in the unit of its channel. */
+    ChartLine(String name, String sensor, int channel, Function<Theme, Color> colour, DashPattern dash) {
+        this(name, sensor, channel, 1, colour, dash);
+    }
+
     /** Returns this line with another name. */
     ChartLine withName(String newName) {
-        return new ChartLine(newName, sensor, channel, colour, dash);
+        return new ChartLine(newName, sensor, channel, factor, colour, dash);
     }
 
     /** Returns this line for a sensor that is called otherwise, given what returns its id for the one before. */
     ChartLine withSensor(UnaryOperator<String> presentId) {
-        return sensor.isEmpty() ? this : new ChartLine(name, presentId.apply(sensor), channel, colour, dash);
+        return sensor.isEmpty() ? this : new ChartLine(name, presentId.apply(sensor), channel, factor, colour, dash);
     }
 
     /** Returns whether another line shows the same values. */

@@ -1,6 +1,5 @@
 package faultline.gui.instrument;
 
-import faultline.engine.recording.TraceLevel;
 import faultline.gui.text.NumberText;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.PixelRectangle;
@@ -15,7 +14,6 @@ import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalInt;
 
 /** The values of a chart's lines at the time under the cursor, as text and as a box on the chart. */
 final class ChartTooltip {
@@ -51,13 +49,14 @@ final class ChartTooltip {
     }
 
     private String valueText(ChartLine curve) {
-        OptionalInt channel = chart.data().channelOf(curve);
-        TraceLevel level = chart.data().level();
-        if (channel.isEmpty() || !Float.isFinite(level.min(channel.getAsInt(), bucket))) {
-            return "–";
-        }
-        float low = level.min(channel.getAsInt(), bucket);
-        float high = level.max(channel.getAsInt(), bucket);
+        return chart.data()
+                .valuesOf(curve)
+                .filter(values -> Float.isFinite(values.min(bucket)))
+                .map(values -> rangeText(values.min(bucket), values.max(bucket)))
+                .orElse("–");
+    }
+
+    private String rangeText(float low, float high) {
         String least = NumberText.format("%.3f", low);
         String most = NumberText.format("%.3f", high);
         return (least.equals(most) ? least : least + " … " + most) + " "
@@ -79,8 +78,8 @@ final class ChartTooltip {
     }
 
     private void paintDot(Graphics2D g, Theme theme, ChartLine curve, double x) {
-        chart.data().channelOf(curve).ifPresent(channel -> {
-            float value = chart.data().level().max(channel, bucket);
+        chart.data().valuesOf(curve).ifPresent(values -> {
+            float value = values.max(bucket);
             if (Float.isFinite(value)) {
                 g.setColor(curve.colour().apply(theme));
                 g.fill(new Ellipse2D.Double(x - 3, chart.plot().y(value) - 3, 6, 6));

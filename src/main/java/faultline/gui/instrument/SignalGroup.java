@@ -21,6 +21,7 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
     static final SignalGroup NONE = new SignalGroup("", "", "", List.of());
 
     private static final String SENSOR_ID = "sensor ";
+    private static final double DEGREES_PER_RADIAN = 180 / Math.PI;
 
     SignalGroup {
         lines = List.copyOf(lines);
@@ -32,8 +33,9 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
         signals.add(distance());
         signals.add(pair("terms", "rad/s", TraceChannels.PROPORTIONAL, TraceChannels.DERIVATIVE));
         signals.add(pair("volts", "V", TraceChannels.LEFT_VOLTS, TraceChannels.RIGHT_VOLTS));
-        signals.add(motion("velocity", "m/s", TraceChannels.VELOCITY, TraceChannels.COMMANDED_VELOCITY));
-        signals.add(motion("turnRate", "rad/s", TraceChannels.TURN_RATE, TraceChannels.COMMANDED_TURN_RATE));
+        signals.add(motion("velocity", "m/s", 1, TraceChannels.VELOCITY, TraceChannels.COMMANDED_VELOCITY));
+        signals.add(motion(
+                "turnRate", "°/s", DEGREES_PER_RADIAN, TraceChannels.TURN_RATE, TraceChannels.COMMANDED_TURN_RATE));
         for (int i = 0; i < sensors.size(); i++) {
             signals.add(sensor(sensors.get(i), i));
         }
@@ -114,18 +116,20 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
                                 DashPattern.SOLID)));
     }
 
-    /** Returns the actual and the commanded value of a velocity, in other styles than the terms of the same unit. */
-    private static SignalGroup motion(String key, String unit, int actual, int commanded) {
+    /** Returns the actual and the commanded value of a velocity, given the factor from its channels to its unit. */
+    private static SignalGroup motion(String key, String unit, double factor, int actual, int commanded) {
         ChartLine front = new ChartLine(
                 Messages.get("signal.motion.actual"),
                 "",
                 actual,
+                factor,
                 theme -> theme.palette().accent(),
                 DashPattern.SOLID);
         ChartLine back = new ChartLine(
                 Messages.get("signal.motion.commanded"),
                 "",
                 commanded,
+                factor,
                 theme -> theme.palette().muted(),
                 DashPattern.DASH_DOT);
         return new SignalGroup(key, Messages.get("signal." + key), unit, List.of(back, front));

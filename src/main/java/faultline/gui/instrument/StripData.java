@@ -6,6 +6,7 @@ import faultline.engine.recording.TraceLevel;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
@@ -63,15 +64,32 @@ record StripData(TraceLevel level, List<String> sensors, long from, long to, dou
         return Math.floorDiv(Math.round(time / dt), level.ticksPerBucket());
     }
 
-    /** Returns the channel of a line; empty if the robot lacks its sensor. */
-    OptionalInt channelOf(ChartLine line) {
-        return line.channelIn(sensors);
+    /** The values of a line in the unit in which they are shown. */
+    record LineValues(TraceLevel level, int channel, double factor) {
+
+        /** Returns the least value in a bucket as {@link TraceLevel#min} does. */
+        float min(long bucket) {
+            return (float) (factor * level.min(channel, bucket));
+        }
+
+        /** Returns the greatest value in a bucket as {@link TraceLevel#max} does. */
+        float max(long bucket) {
+            return (float) (factor * level.max(channel, bucket));
+        }
+    }
+
+    /** Returns the values of a line; empty if the robot lacks its sensor. */
+    Optional<LineValues> valuesOf(ChartLine line) {
+        OptionalInt channel = line.channelIn(sensors);
+        return channel.isPresent()
+                ? Optional.of(new LineValues(level, channel.getAsInt(), line.factor()))
+                : Optional.empty();
     }
 
     /** Returns all values of a line without gaps. */
     DoubleStream values(ChartLine line) {
-        return channelOf(line).stream().boxed().flatMapToDouble(channel -> LongStream.range(from, to)
-                .mapToObj(bucket -> DoubleStream.of(level.min(channel, bucket), level.max(channel, bucket)))
+        return valuesOf(line).stream().flatMapToDouble(shown -> LongStream.range(from, to)
+                .mapToObj(bucket -> DoubleStream.of(shown.min(bucket), shown.max(bucket)))
                 .flatMapToDouble(both -> both)
                 .filter(Double::isFinite));
     }

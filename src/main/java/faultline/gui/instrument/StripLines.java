@@ -1,6 +1,5 @@
 package faultline.gui.instrument;
 
-import faultline.engine.recording.TraceLevel;
 import faultline.geometry.Vector2;
 import faultline.gui.theme.Theme;
 import faultline.paint.chart.PlotPainter;
@@ -39,18 +38,17 @@ final class StripLines {
     }
 
     private void paint(StripData data, ChartLine line, LineStyle style) {
-        data.channelOf(line).ifPresent(channel -> paint(data, channel, style));
+        data.valuesOf(line).ifPresent(values -> paint(data, values, style));
     }
 
-    private void paint(StripData data, int channel, LineStyle style) {
+    private void paint(StripData data, StripData.LineValues values, LineStyle style) {
         List<Vector2> middle = new ArrayList<>();
         List<Vector2> lower = new ArrayList<>();
         List<Vector2> upper = new ArrayList<>();
-        TraceLevel level = data.level();
         for (long bucket = data.from(); bucket < data.to(); bucket++) {
             double time = data.timeOf(bucket);
-            float low = level.min(channel, bucket);
-            float high = level.max(channel, bucket);
+            float low = values.min(bucket);
+            float high = values.max(bucket);
             middle.add(new Vector2(time, (low + high) / 2));
             if (Float.isFinite(low)) {
                 lower.add(new Vector2(time, low));

@@ -14,7 +14,7 @@ final class StripTable {
     private StripTable() {}
 
     /** A line of a run, with its name in the header. */
-    private record LineColumn(String name, int channel, StripData run) {
+    private record LineColumn(String name, StripData.LineValues values, StripData run) {
 
         private boolean isSingle() {
             return run.level().ticksPerBucket() == 1;
@@ -32,8 +32,8 @@ final class StripTable {
         String cells(double time) {
             long bucket = run.bucketOf(time);
             boolean inside = bucket >= run.from() && bucket < run.to();
-            String low = inside ? cell(run.level().min(channel, bucket)) : "";
-            String high = inside ? cell(run.level().max(channel, bucket)) : "";
+            String low = inside ? cell(values.min(bucket)) : "";
+            String high = inside ? cell(values.max(bucket)) : "";
             return isSingle() ? low : low + "," + high;
         }
 
@@ -46,13 +46,13 @@ final class StripTable {
     static String format(StripContent content) {
         StripData data = StripData.of(content.frame(), content.span(), Integer.MAX_VALUE / 4);
         List<LineColumn> columns = new ArrayList<>();
-        content.signal().lines().forEach(line -> data.channelOf(line)
-                .ifPresent(channel -> columns.add(new LineColumn(line.name(), channel, data))));
+        content.signal().lines().forEach(line -> data.valuesOf(line)
+                .ifPresent(values -> columns.add(new LineColumn(line.name(), values, data))));
         content.referenceData(Integer.MAX_VALUE / 4)
                 .ifPresent(reference -> content.signal().lines().stream().forEach(line -> reference
-                        .channelOf(line)
-                        .ifPresent(channel -> columns.add(new LineColumn(
-                                Messages.get("signal.reference") + ", " + line.name(), channel, reference)))));
+                        .valuesOf(line)
+                        .ifPresent(values -> columns.add(new LineColumn(
+                                Messages.get("signal.reference") + ", " + line.name(), values, reference)))));
         StringBuilder out = new StringBuilder("t (s)");
         columns.forEach(
                 column -> out.append(',').append(column.header(content.signal().unit())));

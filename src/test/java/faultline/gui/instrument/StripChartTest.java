@@ -11,6 +11,7 @@ import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.TraceChannels;
+import faultline.engine.recording.TraceLevel;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
@@ -29,6 +30,7 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -360,6 +362,27 @@ class StripChartTest {
                 "distance used %.3f m",
                 FRAME.recording().trace().finestLevel().min(TraceChannels.MEASURED_DISTANCE, 1500));
         assertEquals(List.of("t 15.000 s", measured, "target 0.250 m"), readOut(15));
+    }
+
+    /** The Run panel shows the same value in degrees; the PD terms have the unit of their gains. */
+    @Test
+    void theTurnRateIsInDegreesPerSecond() {
+        choose(4);
+        runOnEdt(() -> chart.view().setSpan(new TimeSpan(0, 20)));
+        TraceLevel level = FRAME.recording().trace().finestLevel();
+        int fastest = IntStream.range(0, 2000)
+                .boxed()
+                .max(Comparator.comparing(tick -> Math.abs(level.min(TraceChannels.TURN_RATE, tick))))
+                .orElseThrow();
+        double degrees = StrictMath.toDegrees(level.min(TraceChannels.TURN_RATE, fastest));
+        assertEquals(-60, degrees, 1, "the robot spins right at its turn rate");
+        Axis axis = callOnEdt(() -> chart.view().scale().orElseThrow().plot().vertical());
+        assertEquals(degrees, axis.low(), 0.1);
+        assertEquals(
+                String.format(Locale.ROOT, "actual %.3f °/s", degrees),
+                readOut(fastest / 100.0).get(1));
+        choose(1);
+        assertTrue(readOut(15).get(1).endsWith(" rad/s"), readOut(15).get(1));
     }
 
     @Test
