@@ -22,9 +22,19 @@ final class FileDropHandler extends TransferHandler {
         this.opener = opener;
     }
 
+    /** Accepts files that may be copied: a program deletes files that it moves, which are only read here. */
     @Override
     public boolean canImport(TransferSupport support) {
-        return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
+        if (!support.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
+            return false;
+        }
+        if (support.isDrop()) {
+            if ((support.getSourceDropActions() & COPY) == 0) {
+                return false;
+            }
+            support.setDropAction(COPY);
+        }
+        return true;
     }
 
     @Override

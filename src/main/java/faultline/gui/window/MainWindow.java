@@ -127,6 +127,7 @@ public final class MainWindow extends JFrame {
         tour = mainPanel.addTour(this, getJMenuBar().getMenu(SIMULATION_MENU));
         setIconImages(AppIcon.images());
         setTransferHandler(new FileDropHandler(files -> fileController.openFirst(files, this::showNote)));
+        TextDropHandler.install(mainPanel, getTransferHandler());
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
         windowBounds.restore();

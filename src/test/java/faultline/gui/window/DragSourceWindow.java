@@ -4,6 +4,8 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.dnd.DnDConstants;
 import java.awt.dnd.DragSource;
+import java.awt.dnd.DragSourceAdapter;
+import java.awt.dnd.DragSourceDropEvent;
 import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JFrame;
@@ -17,17 +19,29 @@ final class DragSourceWindow {
     /** The distance from the edges of the screen, pixels. */
     private static final int MARGIN = 20;
 
+    /** The property of the window with what was done with the files, an action of DnDConstants; null before a drop. */
+    static final String DROP_ACTION = "dropAction";
+
     private DragSourceWindow() {}
 
-    /** Creates the window, not yet visible, at the right of the screen: over the window under test if that is wide. */
+    /**
+     * Creates the window, not yet visible, whose files may be copied or moved, at the right of the screen: over the
+     * window under test if that is wide.
+     */
     static JFrame create(Path... files) {
         JFrame frame = new JFrame("Files");
         JLabel label = new JLabel(files[0].getFileName().toString());
         DragSource.getDefaultDragSource()
                 .createDefaultDragGestureRecognizer(
                         label,
-                        DnDConstants.ACTION_COPY,
-                        gesture -> gesture.startDrag(DragSource.DefaultCopyDrop, new FileTransferable(List.of(files))));
+                        DnDConstants.ACTION_COPY_OR_MOVE,
+                        gesture ->
+                                gesture.startDrag(null, new FileTransferable(List.of(files)), new DragSourceAdapter() {
+                                    @Override
+                                    public void dragDropEnd(DragSourceDropEvent event) {
+                                        frame.getRootPane().putClientProperty(DROP_ACTION, event.getDropAction());
+                                    }
+                                }));
         frame.add(label);
         int screen = frame.getToolkit().getScreenSize().width;
         frame.setBounds(screen - WIDTH - MARGIN, 3 * MARGIN, WIDTH, HEIGHT);

@@ -13,7 +13,9 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import java.awt.Component;
 import java.awt.Window;
+import java.awt.dnd.DnDConstants;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -110,9 +112,11 @@ class OpenRobotTest {
         assertEquals(0, driver.frame().snapshot().tick());
     }
 
-    @Test
-    void theFirstOfSomeDroppedFilesOpensAndANoteCountsTheOthers() {
-        JFrame source = callOnEdt(() -> DragSourceWindow.create(square, office, office));
+    /**
+     * Drags files to a component, and returns what the program is asked to do with its own, an action of DnDConstants.
+     */
+    private Object drop(Component target, Path... files) {
+        JFrame source = callOnEdt(() -> DragSourceWindow.create(files));
         driver.robot().open(source);
         try {
             JLabel label = callOnEdt(() ->
@@ -120,16 +124,38 @@ class OpenRobotTest {
             driver.robot().moveTo(label, 20, 20);
             driver.robot().whilePressing(InputEvent.BUTTON1_DOWN_MASK, () -> {
                 driver.robot().moveSmoothly(label, 20, 20, 60, 30);
-                driver.robot().moveSmoothly(driver.canvas(), 200, 200, 260, 230);
+                driver.robot().moveSmoothly(target, 5, 5, target.getWidth() / 2.0, target.getHeight() / 2.0);
                 driver.robot().waitForPaint();
             });
-            driver.waitForTitle("square.xml");
-            String note = Messages.get("note.firstOpened", "square.xml", "2");
-            driver.robot().waitFor("the note", () -> ComponentFinder.findAll(driver.window(), JLabel.class)
-                    .anyMatch(shown -> note.equals(shown.getText())));
+            driver.robot().waitFor("the drag has ended", () -> dropAction(source) != null);
+            return callOnEdt(() -> dropAction(source));
         } finally {
             driver.robot().close(source);
         }
+    }
+
+    private static Object dropAction(JFrame source) {
+        return source.getRootPane().getClientProperty(DragSourceWindow.DROP_ACTION);
+    }
+
+    @Test
+    void theFirstOfSomeDroppedFilesOpensAndANoteCountsTheOthers() {
+        Object action = drop(driver.canvas(), square, office, office);
+        driver.waitForTitle("square.xml");
+        String note = Messages.get("note.firstOpened", "square.xml", "2");
+        driver.robot().waitFor("the note", () -> ComponentFinder.findAll(driver.window(), JLabel.class)
+                .anyMatch(shown -> note.equals(shown.getText())));
+        assertEquals(DnDConstants.ACTION_COPY, action, "a program deletes files that have been moved");
+    }
+
+    @Test
+    void aFileThatIsDroppedOnAFieldOpens() {
+        JTextField id = ComponentFinder.find(driver.window(), JTextField.class, "Id");
+        drop(id, square);
+        driver.waitForTitle("square.xml");
+        drop(ComponentFinder.find(driver.window(), JTextField.class, "Range of front, metres"), office);
+        driver.waitForTitle("office.xml");
+        assertEquals("front", callOnEdt(id::getText));
     }
 
     @Test
