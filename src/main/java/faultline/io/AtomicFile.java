@@ -63,8 +63,9 @@ public final class AtomicFile implements AutoCloseable {
             OutputStream stream = new BufferedOutputStream(new ForcingOutputStream(channel), BUFFER);
             return new AtomicFile(target, temporary, new FailureReportingStream(file, stream));
         } catch (FileSystemException e) {
-            throw new MessageException(
-                    MessageText.oneLine(file.toString()), reason(file).with(), e);
+            WriteProblem reason =
+                    TemporaryFile.isProgramEnding() ? WriteProblem.PROGRAM_ENDS : WriteProblem.ofCreation(file, e);
+            throw new MessageException(MessageText.oneLine(file.toString()), reason.with(), e);
         }
     }
 
@@ -81,14 +82,6 @@ public final class AtomicFile implements AutoCloseable {
     /** Deletes the temporary files of this process, which is about to be halted and writes no others. */
     public static void deleteUnfinished() {
         TemporaryFile.deleteUnfinished();
-    }
-
-    private static WriteProblem reason(Path file) {
-        if (TemporaryFile.isProgramEnding()) {
-            return WriteProblem.PROGRAM_ENDS;
-        }
-        Path folder = file.toAbsolutePath().getParent();
-        return folder == null || Files.isDirectory(folder) ? WriteProblem.CANNOT_WRITE : WriteProblem.NO_FOLDER;
     }
 
     /**

@@ -1,7 +1,10 @@
 package faultline.io;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileStore;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.OptionalLong;
@@ -14,6 +17,10 @@ public enum WriteProblem implements Message.Template {
     NO_FOLDER("its folder does not exist"),
     /** The file cannot be created in that place. */
     CANNOT_WRITE("the file cannot be written there"),
+    /** The program may not create files in the folder. */
+    FOLDER_READ_ONLY("writing to its folder is not permitted"),
+    /** The file system has no names of this length. */
+    NAME_TOO_LONG("its name is too long"),
     /** The file is protected against writing. */
     READ_ONLY("writing to the file is not permitted"),
     /** The file is the open scenario. */
@@ -30,6 +37,9 @@ public enum WriteProblem implements Message.Template {
     /** Less room than this is none: it is the size of the pieces in which a file is written, bytes. */
     private static final long MIN_ROOM = 1 << 16;
 
+    /** The longest name of a file on all common systems, bytes. */
+    private static final int MAX_NAME_BYTES = 255;
+
     private final String english;
 
     WriteProblem(String english) {
@@ -39,6 +49,22 @@ public enum WriteProblem implements Message.Template {
     /** Returns why writing a file has failed, given the message of the operating system. */
     static WriteProblem of(Path file, String system) {
         return of(system, room(file).orElse(Long.MAX_VALUE));
+    }
+
+    /** Returns why creating a file has failed. */
+    static WriteProblem ofCreation(Path file, FileSystemException failure) {
+        Path folder = file.toAbsolutePath().getParent();
+        if (folder != null && !Files.isDirectory(folder)) {
+            return NO_FOLDER;
+        }
+        if (failure instanceof AccessDeniedException) {
+            return FOLDER_READ_ONLY;
+        }
+        // The reason is in the language of the system.
+        int nameBytes = String.valueOf(file.getFileName()).getBytes(StandardCharsets.UTF_8).length;
+        boolean tooLong = nameBytes > MAX_NAME_BYTES
+                || String.valueOf(failure.getReason()).contains("too long");
+        return tooLong ? NAME_TOO_LONG : CANNOT_WRITE;
     }
 
     /**

@@ -209,7 +209,7 @@ class AtomicFileTest {
         assertEquals(List.of(file), files());
         Path tooLong = folder.resolve("x".repeat(300));
         assertEquals(
-                tooLong + ": the file cannot be written there",
+                tooLong + ": its name is too long",
                 assertThrows(IOException.class, () -> AtomicFile.create(tooLong))
                         .getMessage());
     }

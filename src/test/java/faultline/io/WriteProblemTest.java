@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
@@ -28,6 +31,25 @@ class WriteProblemTest {
     })
     void aFullDiskIsRecognisedInAnyLanguageByTheRoomThatIsLeft(String system, long room, WriteProblem problem) {
         assertEquals(problem, WriteProblem.of(system, room));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"250, NAME_TOO_LONG", "249, CANNOT_WRITE"})
+    void aNameThatIsTooLongIsRecognisedInAnyLanguage(int length, WriteProblem problem) {
+        Path file = folder.resolve("ż".repeat(3) + "x".repeat(length));
+        assertEquals(problem, WriteProblem.ofCreation(file, new FileSystemException("", null, "Zbyt długa nazwa")));
+    }
+
+    @Test
+    void theReasonWhyAFileCannotBeCreatedIsNamed() {
+        Path file = folder.resolve("a.csv");
+        assertEquals(WriteProblem.FOLDER_READ_ONLY, WriteProblem.ofCreation(file, new AccessDeniedException("")));
+        assertEquals(
+                WriteProblem.NAME_TOO_LONG,
+                WriteProblem.ofCreation(file, new FileSystemException("", null, "File name too long")));
+        assertEquals(
+                WriteProblem.NO_FOLDER,
+                WriteProblem.ofCreation(folder.resolve("missing/a.csv"), new NoSuchFileException("")));
     }
 
     @Test

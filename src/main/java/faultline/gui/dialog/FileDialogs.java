@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
@@ -64,20 +65,19 @@ class FileDialogs {
     }
 
     /**
-     * Asks for a file to write, of the same type as the suggestion; empty if cancelled. Confirms before replacing a
-     * file.
+     * Asks for a file to write, of the same type as the suggestion; empty if cancelled. Before a file is replaced, a
+     * question is asked from which the user can return to the choice.
      */
     Optional<Path> chooseFileToSave(String action, Path suggestion) {
         String name = suggestion.getFileName().toString();
         String extension = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        JFileChooser chooser = createChooser(action, extension);
+        EscapableFileChooser chooser = createChooser(action, extension);
         chooser.setSelectedFile(new File(folder, name));
+        chooser.saveAs(extension, extensions(filterName(action, extension)));
         if (suggestion.isAbsolute()) {
             chooser.setSelectedFile(suggestion.toFile());
         }
-        return selectedFile(chooser, chooser.showSaveDialog(parent))
-                .map(file -> withExtension(file, extension, extensions(filterName(action, extension))))
-                .filter(this::confirmReplace);
+        return selectedFile(chooser, chooser.showSaveDialog(parent));
     }
 
     /** Asks for a folder to write to, which is empty or does not exist; empty if cancelled. */
@@ -115,7 +115,7 @@ class FileDialogs {
         return new EscapableFileChooser(folder);
     }
 
-    private JFileChooser createChooser(String action, String extension) {
+    private EscapableFileChooser createChooser(String action, String extension) {
         String filter = filterName(action, extension);
         return createChooser(action, filter, extensions(filter).toArray(String[]::new));
     }
@@ -137,8 +137,8 @@ class FileDialogs {
         return FileNames.SCENARIO_EXTENSIONS.contains(extension) ? "xml" : extension;
     }
 
-    private JFileChooser createChooser(String action, String filter, String... extensions) {
-        JFileChooser chooser = new EscapableFileChooser(folder);
+    private EscapableFileChooser createChooser(String action, String filter, String... extensions) {
+        EscapableFileChooser chooser = new EscapableFileChooser(folder);
         chooser.setDialogTitle(Messages.get("files." + action));
         chooser.setFileFilter(new FileNameExtensionFilter(Messages.get("files.filter." + filter), extensions));
         return chooser;
@@ -162,9 +162,13 @@ class FileDialogs {
 
     /**
      * A file chooser that Escape closes wherever the focus is, and that fits on the screen. It stays open if the file
-     * to open does not exist. The name of a file to save may contain the characters of a file name pattern.
+     * to open does not exist, and if the file to save is a folder or is not to be replaced. The name of a file to save
+     * may contain the characters of a file name pattern.
      */
     static final class EscapableFileChooser extends JFileChooser {
+        /** Appends the extension to the name of a file to save, null if none is saved. */
+        private transient UnaryOperator<Path> completion;
+
         EscapableFileChooser(File folder) {
             super(folder);
         }
@@ -181,13 +185,37 @@ class FileDialogs {
             ((TypedNameUI) getUI()).setFileName(suggestion.toString());
         }
 
+        /** Chooses a file to save, with an extension that is appended to names without an allowed one. */
+        void saveAs(String extension, List<String> allowed) {
+            completion = file -> withExtension(file, extension, allowed);
+        }
+
         @Override
         public void approveSelection() {
-            problem(getSelectedFile(), getDialogType() == OPEN_DIALOG)
-                    .ifPresentOrElse(
-                            sentence -> JOptionPane.showMessageDialog(
-                                    this, TextWrap.wrap(sentence), getDialogTitle(), JOptionPane.WARNING_MESSAGE),
-                            super::approveSelection);
+            File file = getSelectedFile();
+            Optional<String> problem = problem(file, getDialogType() == OPEN_DIALOG);
+            if (problem.isEmpty() && completion != null) {
+                file = completion.apply(file.toPath()).toFile();
+                problem = savingProblem(file);
+            }
+            if (problem.isPresent()) {
+                JOptionPane.showMessageDialog(
+                        this, TextWrap.wrap(problem.get()), getDialogTitle(), JOptionPane.WARNING_MESSAGE);
+            } else if (completion == null || confirmReplace(file)) {
+                setSelectedFile(file);
+                super.approveSelection();
+            }
+        }
+
+        private boolean confirmReplace(File file) {
+            return !file.exists()
+                    || Dialogs.ask(
+                                    this,
+                                    Messages.get("files.replace.title"),
+                                    Messages.get("files.replace", file.getName()),
+                                    "files.replace.replace",
+                                    "unsaved.cancel")
+                            == 0;
         }
 
         @Override
@@ -213,6 +241,17 @@ class FileDialogs {
         return opens && Files.notExists(file.toPath())
                 ? Optional.of(Messages.get("files.missing", file.getPath()))
                 : Optional.empty();
+    }
+
+    /** Returns why a file cannot be saved, which is known before it is written; empty if nothing is known. */
+    static Optional<String> savingProblem(File file) {
+        if (file.isDirectory()) {
+            return Optional.of(Messages.get("files.isFolder", file.getName()));
+        }
+        File folder = file.getAbsoluteFile().getParentFile();
+        return folder == null || folder.isDirectory()
+                ? Optional.empty()
+                : Optional.of(Messages.get("files.missing", folder.getPath()));
     }
 
     /** Returns whether the file system accepts the name of a file. */
@@ -266,13 +305,5 @@ class FileDialogs {
     /** Asks a question of the window, as {@link Dialogs#ask}, with the title of a key. */
     int showOptions(String key, String question, String... answerKeys) {
         return Dialogs.ask(parent, Messages.get(key + ".title"), question, answerKeys);
-    }
-
-    private boolean confirmReplace(Path file) {
-        if (!Files.exists(file)) {
-            return true;
-        }
-        String question = Messages.get("files.replace", file.getFileName().toString());
-        return showOptions("files.replace", question, "files.replace.replace", "unsaved.cancel") == 0;
     }
 }

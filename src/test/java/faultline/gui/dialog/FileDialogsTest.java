@@ -68,6 +68,19 @@ class FileDialogsTest {
                 Optional.of("a\0b.xml is not a valid file name."), FileDialogs.problem(new File("a\0b.xml"), false));
     }
 
+    @Test
+    void aFileIsSavedInAFolderAndNotInPlaceOfOne(@TempDir Path folder) throws IOException {
+        File taken = Files.createDirectory(folder.resolve("plan.xml")).toFile();
+        assertEquals(Optional.of("plan.xml is a folder. Enter another name."), FileDialogs.savingProblem(taken));
+        assertEquals(
+                Optional.of(folder.resolve("missing") + " does not exist."),
+                FileDialogs.savingProblem(folder.resolve("missing/plan.xml").toFile()));
+        assertEquals(
+                Optional.empty(),
+                FileDialogs.savingProblem(folder.resolve("new.xml").toFile()));
+        assertEquals(Optional.empty(), FileDialogs.savingProblem(new File("new.xml")));
+    }
+
     @ParameterizedTest
     @CsvSource({
         "saveAs, xml, xml",

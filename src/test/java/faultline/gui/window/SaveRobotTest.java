@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
@@ -15,12 +16,14 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
@@ -169,15 +172,50 @@ class SaveRobotTest {
     void saveAsAsksBeforeItReplacesAFile() throws IOException {
         Path other = Files.writeString(folder.resolve("other.xml"), "precious");
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
-        driver.enterFile("Save scenario", other);
+        JDialog chooser = driver.typeFile("Save scenario", folder.resolve("other"));
         driver.clickButton("Replace file", "Cancel");
         assertEquals("precious", Files.readString(other));
-        assertEquals("office.xml* – Faultline", callOnEdt(driver.window()::getTitle));
-        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
-        driver.enterFile("Save scenario", other);
+        assertTrue(chooser.isShowing(), "another name can be entered");
+        driver.typeFile("Save scenario", other);
         driver.clickButton("Replace file", "Replace");
         driver.waitForTitle("other.xml");
+        assertFalse(chooser.isShowing());
         assertTrue(Files.readString(other).contains("<scenario"));
+    }
+
+    @Test
+    void aFolderIsNotOfferedForReplacementAndAMissingOneIsNamed() throws IOException {
+        Files.createDirectory(folder.resolve("drawing.svg"));
+        driver.chooseLater("exportSvg");
+        driver.typeFile("Export drawing", folder.resolve("drawing"));
+        confirm("Export drawing", "drawing.svg is a folder. Enter another name.");
+        driver.typeFile("Export drawing", folder.resolve("missing/a.svg"));
+        confirm("Export drawing", folder.resolve("missing") + " does not exist.");
+        Path other = folder.resolve("other.svg");
+        driver.enterFile("Export drawing", other);
+        driver.robot().waitFor("the drawing is written", () -> Files.exists(other));
+    }
+
+    /** Waits for a message in front of a chooser and closes it. */
+    private void confirm(String title, String sentence) {
+        driver.robot()
+                .waitFor("it says: " + sentence, () -> messages(title).findAny().isPresent());
+        String text =
+                WindowDriver.text(callOnEdt(() -> messages(title).findAny().orElseThrow()));
+        assertTrue(text.replaceAll("\\s+", " ").contains(sentence), text);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot()
+                .waitFor("the message is gone", () -> messages(title).findAny().isEmpty());
+    }
+
+    private static Stream<JDialog> messages(String title) {
+        return Stream.of(Window.getWindows())
+                .filter(window -> window instanceof JDialog && window.isFocused())
+                .map(JDialog.class::cast)
+                .filter(dialog -> title.equals(dialog.getTitle())
+                        && ComponentFinder.findAll(dialog, JFileChooser.class)
+                                .findAny()
+                                .isEmpty());
     }
 
     @Test
@@ -210,7 +248,7 @@ class SaveRobotTest {
             Files.createSymbolicLink(link, file);
         }
         driver.chooseLater("exportSvg");
-        driver.enterFile("Export drawing", link);
+        driver.typeFile("Export drawing", link);
         driver.clickButton("Replace file", "Replace");
         JDialog dialog = driver.dialog("Faultline");
         assertTrue(

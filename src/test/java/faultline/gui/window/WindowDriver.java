@@ -177,8 +177,14 @@ final class WindowDriver implements AutoCloseable {
         robot.waitFor("the dialog \"" + title + "\" is gone", () -> !dialog.isShowing());
     }
 
-    /** Pastes the name of a file into a file dialog and presses Enter. */
+    /** Pastes the name of a file into a file dialog, presses Enter, and waits until the dialog is closed. */
     void enterFile(String title, Path file) {
+        JDialog dialog = typeFile(title, file);
+        robot.waitFor("the dialog \"" + title + "\" is gone", () -> !dialog.isShowing());
+    }
+
+    /** Pastes the name of a file into a file dialog and presses Enter, after which the dialog may ask a question. */
+    JDialog typeFile(String title, Path file) {
         JDialog dialog = dialog(title);
         JTextField name =
                 ComponentFinder.findAll(dialog, JTextField.class).findFirst().orElseThrow();
@@ -191,7 +197,7 @@ final class WindowDriver implements AutoCloseable {
         robot.pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_V);
         robot.waitFor("the name is there", () -> name.getText().equals(file.toString()));
         robot.pressKeys(KeyEvent.VK_ENTER);
-        robot.waitFor("the dialog \"" + title + "\" is gone", () -> !dialog.isShowing());
+        return dialog;
     }
 
     /** Presses keys as {@link GuiRobot#pressKeys}, after the window has gained the focus. */
