@@ -39,11 +39,11 @@ public abstract class EnteredTextField extends JTextField implements ControlPane
     /** Applies a text that the user has entered; returns why it is not allowed, a sentence, empty if it is. */
     protected abstract Optional<String> apply(String text);
 
-    /** Returns half of the usual width, because the text scrolls in the field. */
+    /** Returns two thirds of the usual width, because the text scrolls in the field. */
     @Override
     public Dimension getMinimumSize() {
-        Dimension size = super.getMinimumSize();
-        return new Dimension(size.width / 2, size.height);
+        Dimension usual = getPreferredSize();
+        return new Dimension(usual.width * 2 / 3, usual.height);
     }
 
     /** Returns whether the text is not that of the present value. */

@@ -37,6 +37,12 @@ final class SensorChoiceRow extends JPanel {
             return choice.getPreferredSize().width + FormConstraints.GAP + buttons.getPreferredSize().width;
         }
 
+        /** Returns the least width of two lines, in which the choice may show only the beginning of a long id. */
+        private int twoLinesWidth() {
+            int hidden = Math.max(0, choice.getPreferredSize().width - id.getPreferredSize().width);
+            return Math.max(choiceLineWidth() - hidden, id.getMinimumSize().width);
+        }
+
         private boolean isOneLine(Container row) {
             int labelWidth = label.getPreferredSize().width + FormConstraints.GAP;
             return lineWidth() <= WrappingGridLayout.availableWidth(row) - labelWidth;
@@ -53,8 +59,7 @@ final class SensorChoiceRow extends JPanel {
         public Dimension preferredLayoutSize(Container row) {
             return isOneLine(row)
                     ? new Dimension(lineWidth(), lineHeight())
-                    : new Dimension(
-                            Math.max(choiceLineWidth(), id.getMinimumSize().width), 2 * lineHeight() + LINE_GAP);
+                    : new Dimension(twoLinesWidth(), 2 * lineHeight() + LINE_GAP);
         }
 
         @Override

@@ -31,6 +31,7 @@ import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import faultline.world.WorldSpec;
 import java.awt.Container;
+import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
@@ -339,13 +340,50 @@ class ControlPanelTest {
             runOnEdt(() -> {
                 panel.setSize(panel.defaultWidth(), 640);
                 layOut(panel);
-                ComponentFinder.findAll(panel, JScrollPane.class).forEach(scroll -> {
-                    assertEquals(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, scroll.getVerticalScrollBarPolicy());
-                    int content = scroll.getViewport().getView().getPreferredSize().width;
-                    int room = scroll.getViewport().getWidth();
-                    assertTrue(content + HIGH_RESOLUTION_RESERVE <= room, content + " pixels in " + room);
-                });
+                assertNoTabScrollsSideways();
             });
+        } finally {
+            runOnEdt(() -> {
+                Messages.setLanguage(Language.ENGLISH);
+                TextSize.NORMAL.install();
+            });
+        }
+    }
+
+    private void assertNoTabScrollsSideways() {
+        ComponentFinder.findAll(panel, JScrollPane.class).forEach(scroll -> {
+            assertEquals(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, scroll.getVerticalScrollBarPolicy());
+            int content = scroll.getViewport().getView().getPreferredSize().width;
+            int room = scroll.getViewport().getWidth();
+            assertTrue(content + HIGH_RESOLUTION_RESERVE <= room, content + " pixels in " + room);
+        });
+    }
+
+    @ParameterizedTest
+    @CsvSource({"ENGLISH, NORMAL", "POLISH, NORMAL", "ENGLISH, LARGEST", "POLISH, LARGEST"})
+    void theIdIsReadableAndNoTabScrollsSidewaysHoweverLongItIs(Language language, TextSize size) {
+        runOnEdt(() -> {
+            Messages.setLanguage(language);
+            size.install();
+        });
+        try {
+            show();
+            for (int length = 5; length <= 100; length += length < 25 ? 1 : 25) {
+                String id = "W".repeat(length);
+                runOnEdt(() -> {
+                    rename(Map.of("left", id));
+                    panel.selectSensor(id);
+                    panel.setSize(panel.defaultWidth(), 640);
+                    layOut(panel);
+                    layOut(panel);
+                    JTextField field = idField();
+                    Insets insets = field.getInsets();
+                    int room = field.getWidth() - insets.left - insets.right;
+                    int text = field.getFontMetrics(field.getFont()).stringWidth("infrared");
+                    assertTrue(room >= text, "8 letters of an id of " + id.length() + " in " + room + " pixels");
+                    assertNoTabScrollsSideways();
+                });
+            }
         } finally {
             runOnEdt(() -> {
                 Messages.setLanguage(Language.ENGLISH);
