@@ -113,9 +113,12 @@ final class FaultsReader {
         if (key.equals(LABEL)) {
             return List.of(new AttributeValue.FixedValue(text));
         }
-        Optional<List<AttributeValue>> values = ValueSyntax.parse(text, factor + "_" + key, key.equals("sensor"));
+        boolean isIds = key.equals("sensor");
+        String stream = factor + "_" + key;
+        Optional<List<AttributeValue>> values =
+                isIds ? ValueSyntax.parseIds(text, stream) : ValueSyntax.parse(text, stream, false);
         if (values.isEmpty()) {
-            fields.report(key, text, ValueSyntax.RULE);
+            fields.report(key, text, isIds && text.contains("\"") ? ValueSyntax.ID_RULE : ValueSyntax.RULE);
         }
         return values.orElse(List.of(AttributeValue.NONE));
     }

@@ -5,6 +5,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.AbstractList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -12,13 +13,16 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.RandomAccess;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
  * The four forms of values in a plan: {@code 0.1 0.2 0.4} lists them, {@code 0.1..0.4/4} spaces them evenly,
- * {@code 0.1..0.4} draws one between two bounds, {@code any of left right} draws one of several words.
+ * {@code 0.1..0.4} draws one between two bounds, {@code any of left right} draws one of several words. An id may stand
+ * in double quotes, which it needs if it has blanks.
  */
 public final class ValueSyntax {
 
@@ -28,6 +32,15 @@ public final class ValueSyntax {
     /** The forms of a value, for error messages. */
     static final String RULE = "one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C;"
             + " at most " + MAX_VALUES + " values";
+
+    /** The forms of ids in quotes, for error messages. */
+    static final String ID_RULE = "ids with blanks between them, or any of A B C, with whole ids in double quotes;"
+            + " at most " + MAX_VALUES + " ids";
+
+    /** An id, in quotes or not, and the blanks or the end after it. */
+    private static final Pattern ID = Pattern.compile("(?:\"([^\"]+)\"|([^\\s\"]+))(?:\\s+|$)");
+    /** An id that needs no quotes. */
+    private static final Pattern PLAIN_ID = Pattern.compile("(?!any$)[^\\s.]+");
 
     private static final Pattern INTERVAL = Pattern.compile("(\\S+?)\\.\\.([^\\s/]+)(?:/(\\d{1,6}))?");
     private static final Pattern CHOICE = Pattern.compile("any of\\s+(.+)");
@@ -95,6 +108,46 @@ public final class ValueSyntax {
             return Optional.empty();
         }
         return words(trimmed, isText).map(ValueSyntax::fixed);
+    }
+
+    /**
+     * {@return ids as they are written in a plan, with blanks between them}
+     *
+     * @param ids the ids, without double quotes
+     */
+    public static String formatIds(List<String> ids) {
+        return ids.stream()
+                .map(id -> PLAIN_ID.matcher(id).matches() ? id : '"' + id + '"')
+                .collect(Collectors.joining(" "));
+    }
+
+    /**
+     * Returns the ids of a text, as {@link #parse} does with words. With a double quote in the text, it is a list of
+     * ids of which some are in quotes, or draws one of them.
+     */
+    static Optional<List<AttributeValue>> parseIds(String text, String stream) {
+        if (!text.contains("\"")) {
+            return parse(text, stream, true);
+        }
+        Matcher choice = CHOICE.matcher(text.strip());
+        return choice.matches()
+                ? ids(choice.group(1))
+                        .map(ids -> List.of(new AttributeValue.DrawnValue(stream, new DrawRange.Words(ids))))
+                : ids(text.strip()).map(ValueSyntax::fixed);
+    }
+
+    /** Returns the different ids of a text; empty if it has too many, or quotes that are not around whole ids. */
+    private static Optional<List<String>> ids(String text) {
+        Matcher id = ID.matcher(text);
+        Set<String> different = new LinkedHashSet<>();
+        int end = 0;
+        for (int count = 0; end < text.length(); end = id.end(), count++) {
+            if (count == MAX_VALUES || !id.find(end) || id.start() > end) {
+                return Optional.empty();
+            }
+            different.add(id.group(1) == null ? id.group(2) : id.group(1));
+        }
+        return Optional.of(List.copyOf(different));
     }
 
     private static List<AttributeValue> fixed(List<String> texts) {

@@ -106,7 +106,7 @@ record BatchPlan(
         for (FaultValues fault : faults) {
             out.append("    <fault" + attribute("kind", fault.kind())
                     + (fault.value().isEmpty() ? "" : attribute("value", fault.value())) + attribute("at", onset)
-                    + attribute("sensor", String.join(" ", sensors)) + "/>\n");
+                    + attribute("sensor", ValueSyntax.formatIds(sensors)) + "/>\n");
         }
         return out + "  </faults>\n";
     }

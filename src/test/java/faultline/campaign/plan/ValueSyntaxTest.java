@@ -8,6 +8,7 @@ import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -32,6 +33,32 @@ class ValueSyntaxTest {
         assertEquals(List.of("0.2", "0.3"), texts("0.2 0.20 0.3 2e-1 0.3", 0));
         assertEquals(List.of("off", "1"), texts("off 1 off 1.0", 0));
         assertEquals(2, ValueSyntax.parse("1 01", "stream", true).orElseThrow().size(), "ids of two sensors");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            quoteCharacter = '\'',
+            textBlock =
+                    """
+                    "front nose", front nose
+                    left "front nose" left "a..b" "any", left|front nose|a..b|any
+                    any of "front nose" left, front nose
+                    any of, any|of
+                    left right left, left|right
+                    """)
+    void anIdWithBlanksStandsInQuotes(String text, String ids) {
+        List<AttributeValue> values = ValueSyntax.parseIds(text, "stream").orElseThrow();
+        assertEquals(
+                ids,
+                values.stream()
+                        .map(value -> value.text((stream, block) -> 0, 0))
+                        .collect(Collectors.joining("|")));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"\"front nose", "front\"nose\"", "\"front\"nose", "\"\"", "any of \"front", "\""})
+    void quotesAreInPairsAroundWholeIds(String text) {
+        assertEquals(Optional.empty(), ValueSyntax.parseIds(text, "stream"));
     }
 
     @Test

@@ -25,15 +25,18 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.sensor.SensorSpec;
 import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -88,6 +91,41 @@ class BatchRunTest {
                 runsOf(PlanFiles.read(folder.resolve("results/plan/plan.xml")), folder.resolve("fromCopy")),
                 "the copy of the plan beside the results can be run too");
         run.delete();
+    }
+
+    /** Ids of scenarios may have blanks, dots and all that is not a double quote. */
+    @Test
+    void sensorsWithAnyIdCanFail() throws Exception {
+        List<String> ids = List.of("front nose", "any", "1..2", "left");
+        Scenario yard = editedYard();
+        List<SensorSpec> sensors = new ArrayList<>(yard.setup().robot().sensors());
+        for (int i = 0; i < ids.size(); i++) {
+            sensors.set(i, sensors.get(i).withId(ids.get(i)));
+        }
+        BatchPlan plan = new BatchPlan(
+                yard.withSetup(yard.setup().withRobot(yard.setup().robot().withSensors(sensors))),
+                31,
+                1,
+                1,
+                false,
+                DiagnosisChoice.OFF,
+                false,
+                FAULTS,
+                "0.5",
+                ids);
+        BatchRun run = new BatchRun(plan, 1);
+        long runs = plan.runCount().orElseThrow();
+        assertEquals(new CampaignRunner.RunCounts((int) runs, (int) runs, 0), run.make());
+        BatchResults results = new BatchResults(run.planOrNull());
+        for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
+            results.add(row);
+        }
+        run.delete();
+        assertEquals(
+                Set.copyOf(ids),
+                IntStream.range(0, results.size())
+                        .mapToObj(row -> results.value(row, "fault_sensor"))
+                        .collect(Collectors.toSet()));
     }
 
     /** Makes a batch and ends the process as a window does that is closed meanwhile. */
