@@ -141,6 +141,17 @@ class CampaignCommandTest {
     }
 
     @Test
+    void aFolderWithFilesOfTheSameNamesIsRefused() throws IOException {
+        Files.writeString(folder.resolve("timing.csv"), "mine");
+        assertEquals(2, command("campaign @/plan.xml --out @"));
+        assertEquals(
+                "faultline: @/timing.csv: the campaign would replace or delete this file,"
+                        + " and the folder has no campaign.json; use another folder\n",
+                errors());
+        assertEquals("mine", Files.readString(folder.resolve("timing.csv")));
+    }
+
+    @Test
     void aFolderThatCannotBeReadIsNotSaidToBeWithoutACampaign() throws IOException {
         // As for a folder without permission, from which a superuser is not kept.
         Files.createSymbolicLink(folder.resolve("loop"), folder.resolve("loop"));

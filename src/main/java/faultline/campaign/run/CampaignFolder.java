@@ -48,7 +48,8 @@ public final class CampaignFolder {
         return folder.resolve("campaign.json");
     }
 
-    private Path plan() {
+    /** Returns the folder of the copy of the plan. */
+    Path plan() {
         return folder.resolve("plan");
     }
 
@@ -200,6 +201,9 @@ public final class CampaignFolder {
         List<Path> inputs = new ArrayList<>(plan.files().paths());
         inputs.addAll(ControllerProviders.jars().values());
         checkTables(inputs);
+        if (earlier.isEmpty()) {
+            OtherFiles.requireNone(this, plan);
+        }
         removeTemporaryFiles();
         if (earlier.isEmpty()) {
             write(plan, manifest);

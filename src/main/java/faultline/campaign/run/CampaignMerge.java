@@ -100,6 +100,7 @@ public final class CampaignMerge {
             if (Files.exists(out.runs())) {
                 requireHeader(out.runs());
             }
+            OtherFiles.requireNone(out, plan);
             long broken = concatenate(out.runs(), CampaignFolder::runs, true);
             concatenate(out.timing(), CampaignFolder::timing, false);
             new WorstRuns(plan, out).writeReplays();

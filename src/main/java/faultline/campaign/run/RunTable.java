@@ -28,7 +28,8 @@ final class RunTable implements Closeable {
             new Column("ticks", "", "ticks that it made"),
             new Column("ticks_per_s", "1/s", "ticks per second of the clock"));
 
-    private static final String TIMING_HEADER =
+    /** The first line of {@code timing.csv}. */
+    static final String TIMING_HEADER =
             Csv.row(TIMING_COLUMNS.stream().map(Column::name).toList());
 
     private final Table runs;

@@ -15,6 +15,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
@@ -25,6 +26,8 @@ public final class WorstRuns {
 
     /** The number of runs that get a scenario file. */
     public static final int COUNT = 20;
+
+    private static final Pattern REPLAY = Pattern.compile("run-\\d{7,}\\.xml");
 
     private final CampaignPlan plan;
     private final CampaignFolder folder;
@@ -67,6 +70,11 @@ public final class WorstRuns {
         return String.format(Locale.ROOT, "replays/run-%07d.xml", run);
     }
 
+    /** Returns whether a file in the folder of replays has the name of one. */
+    static boolean isReplay(Path file) {
+        return REPLAY.matcher(file.getFileName().toString()).matches();
+    }
+
     /** Writes the scenario files, and removes those of an earlier table. */
     void writeReplays() throws IOException {
         Collection<Candidate> worst = find();
@@ -78,7 +86,7 @@ public final class WorstRuns {
             replay(candidate).save(file);
         }
         try (Stream<Path> files = Files.list(folder.replays())) {
-            for (Path file : files.filter(file -> file.getFileName().toString().startsWith("run-"))
+            for (Path file : files.filter(WorstRuns::isReplay)
                     .filter(file -> !names.contains(file.getFileName().toString()))
                     .toList()) {
                 Files.delete(file);
