@@ -187,6 +187,11 @@ final class CompareCommand {
         return new ControllerRuns(choice, runs, broken);
     }
 
+    private void reportRefusals(ControllerRuns runs) {
+        runs.refusals()
+                .forEach(refusal -> output.printError("the controller \"" + runs.controller() + "\": " + refusal));
+    }
+
     private RunResult runOnce(
             String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver end) {
         return new ChosenController(choice, options.childSettings(scenario, output::printError))
@@ -211,6 +216,7 @@ final class CompareCommand {
         }
         output.println("page: " + files.page());
         output.println("table: " + files.table());
+        compared.forEach(this::reportRefusals);
         comparison.windowCommands().forEach(command -> output.println("window: " + command));
         replays.keySet().forEach(replay -> output.println("replay: " + replay));
         return compared.stream().allMatch(runs -> runs.broken().isEmpty()) ? ExitCode.SUCCESS : ExitCode.RUN_FAILED;

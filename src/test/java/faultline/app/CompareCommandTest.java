@@ -167,6 +167,36 @@ class CompareCommandTest {
         assertEquals(metres, counted, 1e-9);
     }
 
+    /** A controller of the program has the distance of its timeline from 0.5 s on, and another one has not. */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void commandsThatAControllerDoesNotTakeAreReported() throws Exception {
+        Path file = Files.writeString(
+                folder.resolve("distance.xml"),
+                """
+                <scenario xmlns="urn:faultline:scenario:1" name="C" duration="1">
+                  <world width="3" height="3"/>
+                  <robot x="1.2" y="1"/>
+                  <timeline><controller at="0.5" distance="0.3"/></timeline>
+                </scenario>
+                """);
+        String[] words = {
+            "compare", "" + file, "--out", "" + page(), "--seeds", "2", "--controller", "wall-follower", "--controller"
+        };
+        String refusal = "refused at 0.5 s: the controller is not part of the program and has no settings here";
+        CommandResult result =
+                command(Stream.concat(Stream.of(words), Stream.of(STRAIGHT)).toArray(String[]::new));
+        assertEquals(0, result.code, result.err);
+        assertEquals("the controller \"" + STRAIGHT + "\": " + refusal + "\n", result.err);
+        String html = Files.readString(page());
+        assertTrue(html.contains("<h2>Refused commands</h2>"), "the page has a section");
+        assertEquals(1, count("<td>" + refusal + "</td>", html), "one controller refuses the command");
+        CommandResult none =
+                command(Stream.concat(Stream.of(words), Stream.of("none")).toArray(String[]::new));
+        assertEquals("", none.err);
+        assertFalse(Files.readString(page()).contains("efused"), "no section");
+    }
+
     @Test
     void thePageNeedsNothingButItself() throws Exception {
         CommandResult result =

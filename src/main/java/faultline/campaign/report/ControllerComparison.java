@@ -125,7 +125,8 @@ public final class ControllerComparison {
     /** {@return the page} */
     public String html() {
         String title = "Controllers in " + (scenario.name().isEmpty() ? "a scenario" : scenario.name());
-        return Html.page(title, scenario.description(), paths() + numbers() + spread() + inTheWindow() + broken());
+        return Html.page(
+                title, scenario.description(), paths() + numbers() + refused() + spread() + inTheWindow() + broken());
     }
 
     private String paths() {
@@ -164,6 +165,19 @@ public final class ControllerComparison {
                 : Html.paragraph("Differences to " + first
                                 + " in runs with the same seed: means with their 95 % confidence intervals.")
                         + Html.table("numbers", header(), rows);
+    }
+
+    private String refused() {
+        List<List<String>> rows = controllers.stream()
+                .flatMap(controller -> controller.refusals().stream()
+                        .map(refusal -> List.of(Html.escape(controller.controller()), Html.escape(refusal))))
+                .toList();
+        return rows.isEmpty()
+                ? ""
+                : Html.section(
+                        "Refused commands",
+                        Html.paragraph("Commands of the timeline that had no effect on the robot of a controller.")
+                                + Html.table("dictionary", List.of("controller", "command"), rows));
     }
 
     private String spread() {

@@ -3,6 +3,8 @@ package faultline.campaign.report;
 import faultline.engine.RobotPath;
 import faultline.engine.metrics.RunResult;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 
@@ -58,6 +60,20 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
                                 .distinct()
                                 .count()
                         == 1;
+    }
+
+    /** {@return one sentence for each command of the timeline that was refused in some of the completed runs} */
+    public List<String> refusals() {
+        Map<String, Integer> counts = new LinkedHashMap<>();
+        for (ComparedRun run : runs) {
+            new LinkedHashSet<>(run.result().refusals()).forEach(refusal -> counts.merge(refusal, 1, Integer::sum));
+        }
+        return counts.entrySet().stream()
+                .map(refused -> "refused " + refused.getKey()
+                        + (refused.getValue() < runs.size()
+                                ? " (in " + refused.getValue() + " of " + runs.size() + " runs)"
+                                : ""))
+                .toList();
     }
 
     /**
