@@ -8,6 +8,7 @@ import faultline.engine.ControllerFactory;
 import faultline.engine.RunFailedException;
 import faultline.io.DecimalText;
 import faultline.io.JsonWriter;
+import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.io.Closeable;
@@ -48,7 +49,7 @@ public final class BuiltInChild {
         Controller controller = ControllerFactory.create(spec);
         Closeable closing = () -> ControllerFactory.close(controller, spec);
         try (closing) {
-            answerAll(controller, ControllerFactory.initialState(spec).name());
+            answerAll(controller, ControllerChoice.typeOf(spec));
         } catch (ProtocolException e) {
             throw new RunFailedException("the simulator " + e.getMessage(), e);
         }
@@ -63,6 +64,10 @@ public final class BuiltInChild {
             if (type.equals("end")) {
                 return;
             }
+            if (!type.equals("hello") && !type.equals("observe")) {
+                throw new ProtocolException(
+                        "wrote a message", " of type " + MessageText.quoted(type) + "; expected hello, observe or end");
+            }
             if (type.equals("hello")) {
                 dt = checkHello(message);
             }
@@ -74,7 +79,7 @@ public final class BuiltInChild {
                         .member("type", "ready")
                         .member("protocol", ProtocolMessages.PROTOCOL)
                         .member("name", name));
-            } else if (type.equals("observe")) {
+            } else {
                 Observation observation = observation(message, dt, robot);
                 send(answer(decide(controller, observation), observation.tick()));
             }

@@ -124,6 +124,21 @@ public final class ControllerChoice {
         return choice.equals(WALL_FOLLOWER) || choice.equals(NONE);
     }
 
+    /**
+     * {@return the type of a controller in a scenario file}
+     *
+     * @param spec the choice of the controller
+     */
+    public static String typeOf(ControllerSpec spec) {
+        return spec.match(new ControllerSpec.ControllerCases<>(
+                builtIn -> builtIn.matchBuiltIn(
+                        new ControllerSpec.BuiltInCases<>(none -> NONE, drive -> "drive", follower -> WALL_FOLLOWER)),
+                extern -> "extern",
+                ControllerSpec.Provided::name,
+                chosen -> typeOf(chosen.original()),
+                recorded -> "recorded"));
+    }
+
     private static Map<String, String> settings(String choice, ControllerSpec original) {
         return original instanceof ControllerSpec.Provided given && given.name().equals(choice)
                 ? given.settings()

@@ -36,6 +36,7 @@ class BuiltInChildTest {
             quoteCharacter = '`',
             textBlock =
                     """
+            hello           | drive           |                                | wrote a message of type "drive"; expected hello, observe or end
             hello           | observe         |                                | wrote an observe message before the hello message
             "protocol":1    | "protocol":2    |                                | speaks protocol 2; expected 1
             "dt_s":0.01     | "dt_s":-0       |                                | has ticks of -0 s; expected more than 0
@@ -58,6 +59,22 @@ class BuiltInChildTest {
         BuiltInChild child = new BuiltInChild(new ByteArrayInputStream(in), new ByteArrayOutputStream());
         RunFailedException e = assertThrows(RunFailedException.class, () -> child.run(setup.controller()));
         assertEquals("the simulator " + sentence, e.getMessage());
+    }
+
+    /** The window shows the name, so it must not be that of a state. */
+    @Test
+    void aControllerGivesItselfTheNameOfItsType() throws Exception {
+        assertEquals("wall-follower", nameOf(ControllerSpec.WallFollowing.DEFAULT));
+        assertEquals("drive", nameOf(new ControllerSpec.Drive(1, 1)));
+        assertEquals("none", nameOf(new ControllerSpec.None()));
+    }
+
+    private static String nameOf(ControllerSpec spec) throws Exception {
+        SimulationSetup setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
+        String hello = ProtocolMessages.hello(RunDescription.of("test", "Office", setup, 1));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        new BuiltInChild(new ByteArrayInputStream(hello.getBytes(StandardCharsets.UTF_8)), out).run(spec);
+        return MessageReader.of(out.toString(StandardCharsets.UTF_8)).string("name");
     }
 
     @Test

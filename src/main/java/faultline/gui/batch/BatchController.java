@@ -62,18 +62,8 @@ record BatchController(ControllerOrigin origin, ControllerSelection selection) {
     /** Returns its origin and its name, given the setup that it is applied to. */
     String text(SimulationSetup setup) {
         return Messages.get(
-                "batch.controller." + origin, nameOf(typeOf(applyTo(setup).controller())));
-    }
-
-    /** Returns the type of a controller in a scenario file. */
-    static String typeOf(ControllerSpec spec) {
-        return spec.match(new ControllerSpec.ControllerCases<>(
-                builtIn -> builtIn.matchBuiltIn(new ControllerSpec.BuiltInCases<>(
-                        none -> ControllerChoice.NONE, drive -> "drive", follower -> ControllerChoice.WALL_FOLLOWER)),
-                extern -> "extern",
-                ControllerSpec.Provided::name,
-                chosen -> typeOf(chosen.original()),
-                recorded -> "recorded"));
+                "batch.controller." + origin,
+                nameOf(ControllerChoice.typeOf(applyTo(setup).controller())));
     }
 
     /** Returns the name of a type of controller: that of the program in words, another one as it is. */
