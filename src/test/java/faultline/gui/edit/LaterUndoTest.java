@@ -8,19 +8,14 @@ import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.HeadlessRun;
-import faultline.gui.Await;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.DocumentStore;
-import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
-import faultline.gui.document.Workspace;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
 import faultline.sensor.Fault;
 import faultline.sensor.SignalFault;
 import faultline.world.Command;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
@@ -38,25 +33,16 @@ class LaterUndoTest {
     private static final MotorFault WEAK = new MotorFault.Weak(0.9);
     private static final MotorFault WEAKER = new MotorFault.Weak(0.8);
 
-    private Workspace workspace;
-    private RunController run;
-    private UndoController edits;
+    private EditedRun run;
 
     @BeforeEach
     void open() {
-        runOnEdt(() -> {
-            workspace = new Workspace();
-            run = new RunController(workspace);
-            edits = StoppedClock.undoController(run::send);
-            workspace.addListener(new UndoForwarder(run, edits));
-            new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
-        });
-        SessionFrames.awaitScenario(workspace);
+        run = new EditedRun();
     }
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        run.close();
     }
 
     private static TimedCommand at(double seconds, Command command) {
@@ -71,43 +57,16 @@ class LaterUndoTest {
                 at(0.40, new Command.ClearFault("front", DRIFT)),
                 at(0.40, new Command.ClearMotorFault(MotorSide.LEFT, WEAK))));
         timeline.addAll(List.of(more));
-        runOnEdt(() -> run.change(now -> now.withSetup(now.setup().withTimeline(timeline))));
-        rest();
-    }
-
-    private void advanceTo(long end) {
-        for (long tick = SessionFrames.tick(workspace); tick < end; tick++) {
-            runOnEdt(run::step);
-            SessionFrames.awaitTick(workspace, tick + 1);
-        }
-        runOnEdt(() -> edits.runAdvanced(end));
-    }
-
-    private void send(Command command) {
-        runOnEdt(() -> {
-            edits.endEdit();
-            edits.send(command);
-        });
-        rest();
-    }
-
-    private void undo() {
-        runOnEdt(edits::undo);
-        rest();
-    }
-
-    private void rest() {
-        Await.until(
-                "the end of the edit",
-                () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
+        runOnEdt(() -> run.controller().change(now -> now.withSetup(now.setup().withTimeline(timeline))));
+        run.rest();
     }
 
     /** Checks the faults of the front sensor in the next tick, and that the edited scenario leads to the same run. */
     private void assertFaults(Fault... expected) {
-        advanceTo(SessionFrames.tick(workspace) + 1);
+        run.advanceTo(run.tick() + 1);
         assertEquals(
                 List.of(expected),
-                SessionFrames.frame(workspace).snapshot().sensors().stream()
+                SessionFrames.frame(run.workspace()).snapshot().sensors().stream()
                         .filter(sensor -> sensor.spec().id().equals("front"))
                         .findFirst()
                         .orElseThrow()
@@ -116,91 +75,90 @@ class LaterUndoTest {
     }
 
     private void assertMotorFaults(MotorFault... expected) {
-        advanceTo(SessionFrames.tick(workspace) + 1);
+        run.advanceTo(run.tick() + 1);
         assertEquals(
                 List.of(expected),
-                SessionFrames.frame(workspace).snapshot().motorFaults().left());
+                SessionFrames.frame(run.workspace()).snapshot().motorFaults().left());
         assertSameRun();
     }
 
     private void assertSameRun() {
-        Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
-        long ticks = SessionFrames.tick(workspace);
+        Scenario edited = run.scenario();
+        long ticks = run.tick();
         SimulationSetup setup = edited.setup().withDuration(edited.setup().timeOf(ticks));
         assertEquals(
                 HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()).trajectoryHash(),
-                SessionFrames.trajectoryHash(workspace));
+                SessionFrames.trajectoryHash(run.workspace()));
     }
 
     @Test
     void aFaultThatHasEndedDoesNotReturn() {
         plan();
-        advanceTo(29);
-        send(new Command.InjectFault("front", STUCK));
-        advanceTo(52);
-        undo();
+        run.advanceTo(29);
+        run.send(new Command.InjectFault("front", STUCK));
+        run.advanceTo(52);
+        run.undo();
         assertFaults();
-        runOnEdt(edits::redo);
-        rest();
+        run.redo();
         assertFaults(STUCK);
-        undo();
+        run.undo();
         assertFaults();
     }
 
     @Test
     void aFaultThatHasBegunContinues() {
         plan(at(0.45, new Command.InjectFault("front", BIAS)));
-        advanceTo(29);
-        send(new Command.InjectFault("front", STUCK));
-        advanceTo(52);
-        undo();
+        run.advanceTo(29);
+        run.send(new Command.InjectFault("front", STUCK));
+        run.advanceTo(52);
+        run.undo();
         assertFaults(BIAS);
     }
 
     @Test
     void aRepairedFaultReturnsOnlyUntilItsEnd() {
         plan();
-        advanceTo(29);
-        send(new Command.ClearFault("front", DRIFT));
-        advanceTo(34);
-        undo();
+        run.advanceTo(29);
+        run.send(new Command.ClearFault("front", DRIFT));
+        run.advanceTo(34);
+        run.undo();
         assertFaults(DRIFT);
-        advanceTo(41);
+        run.advanceTo(41);
         assertFaults();
     }
 
     @Test
     void aRepairIsUndoneWithoutEffectAfterTheEndOfTheFault() {
         plan(at(0.45, new Command.InjectFault("front", BIAS)));
-        advanceTo(29);
-        send(new Command.ClearFaults("front"));
-        advanceTo(52);
-        undo();
+        run.advanceTo(29);
+        run.send(new Command.ClearFaults("front"));
+        run.advanceTo(52);
+        run.undo();
         assertFaults(BIAS);
-        assertEquals("Repair front", callOnEdt(() -> edits.redoName().orElseThrow()));
+        assertEquals("Repair front", callOnEdt(() -> run.edits().redoName().orElseThrow()));
     }
 
     @Test
     void faultsOfMotorsAreUndoneInTheSameWay() {
         plan();
-        advanceTo(29);
-        send(new Command.InjectMotorFault(MotorSide.LEFT, WEAKER));
-        advanceTo(52);
-        undo();
+        run.advanceTo(29);
+        run.send(new Command.InjectMotorFault(MotorSide.LEFT, WEAKER));
+        run.advanceTo(52);
+        run.undo();
         assertMotorFaults();
     }
 
     @Test
     void aSwitchIsUndoneWithoutEffectAfterALaterOne() {
         plan(at(0.45, new Command.SwitchSensor("front", false)));
-        advanceTo(29);
-        send(new Command.SwitchSensor("front", false));
-        advanceTo(52);
-        undo();
+        run.advanceTo(29);
+        run.send(new Command.SwitchSensor("front", false));
+        run.advanceTo(52);
+        run.undo();
         assertSameRun();
         assertEquals(
                 false,
-                SessionFrames.frame(workspace)
+                SessionFrames.frame(run.workspace())
                         .snapshot()
                         .sensors()
                         .get(0)
@@ -212,23 +170,17 @@ class LaterUndoTest {
     @Test
     void anUndoneFaultIsNotOnTheTimelineAfterAMoveBack() {
         plan();
-        advanceTo(29);
-        send(new Command.InjectFault("front", STUCK));
-        advanceTo(52);
-        undo();
-        runOnEdt(edits::redo);
-        rest();
-        advanceTo(55);
-        runOnEdt(() -> run.navigator().seek(10));
-        rest();
-        undo();
-        assertEquals(
-                4,
-                callOnEdt(() -> workspace.scenario().orElseThrow())
-                        .setup()
-                        .timeline()
-                        .size());
-        advanceTo(60);
+        run.advanceTo(29);
+        run.send(new Command.InjectFault("front", STUCK));
+        run.advanceTo(52);
+        run.undo();
+        run.redo();
+        run.advanceTo(55);
+        run.seek(10);
+        run.undo();
+        assertEquals(4, run.timeline().size());
+
+        run.advanceTo(60);
         assertFaults();
     }
 }

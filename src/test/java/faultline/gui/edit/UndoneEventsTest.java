@@ -8,19 +8,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.Await;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.DocumentStore;
-import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TimelineEvents;
-import faultline.gui.document.Workspace;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
 import faultline.sensor.Fault;
 import faultline.world.Command;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
@@ -34,74 +29,19 @@ class UndoneEventsTest {
 
     private static final Command FAULT = new Command.InjectFault("left", new Fault.Stuck(0.13));
 
-    private Workspace workspace;
-    private RunController run;
-    private UndoController edits;
+    private EditedRun run;
     private Scenario original;
 
     @BeforeEach
     void open() {
-        runOnEdt(() -> {
-            workspace = new Workspace();
-            run = new RunController(workspace);
-            edits = StoppedClock.undoController(run::send);
-            workspace.addListener(new UndoForwarder(run, edits));
-            new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
-        });
-        SessionFrames.awaitScenario(workspace);
-        original = scenario();
-        advance(10);
+        run = new EditedRun();
+        original = run.scenario();
+        run.advance(10);
     }
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
-    }
-
-    private Scenario scenario() {
-        return callOnEdt(() -> workspace.scenario().orElseThrow());
-    }
-
-    private List<TimedCommand> timeline() {
-        return scenario().setup().timeline();
-    }
-
-    private void advance(int ticks) {
-        long end = SessionFrames.tick(workspace) + ticks;
-        for (int i = 0; i < ticks; i++) {
-            runOnEdt(run::step);
-        }
-        SessionFrames.awaitTick(workspace, end);
-        runOnEdt(() -> edits.runAdvanced(end));
-    }
-
-    private void send(Command command) {
-        runOnEdt(() -> {
-            edits.endEdit();
-            edits.send(command);
-        });
-        rest();
-    }
-
-    private void undo() {
-        runOnEdt(edits::undo);
-        rest();
-    }
-
-    private void redo() {
-        runOnEdt(edits::redo);
-        rest();
-    }
-
-    private void restart() {
-        runOnEdt(run::restart);
-        rest();
-    }
-
-    private void rest() {
-        Await.until(
-                "the end of the edit",
-                () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
+        run.close();
     }
 
     @Test
@@ -111,108 +51,102 @@ class UndoneEventsTest {
                 new Command.SwitchSensor("front", false),
                 new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.Weak(0.5)));
         for (Command event : events) {
-            send(event);
-            advance(5);
+            run.send(event);
+            run.advance(5);
         }
-        Scenario edited = scenario();
-        assertEquals(events, timeline().stream().map(TimedCommand::command).toList());
-        restart();
-        assertEquals(edited, scenario());
+        Scenario edited = run.scenario();
+        assertEquals(events, run.timeline().stream().map(TimedCommand::command).toList());
+        run.restart();
+        assertEquals(edited, run.scenario());
         for (int left = 2; left >= 0; left--) {
-            undo();
-            assertEquals(edited.setup().timeline().subList(0, left), timeline());
+            run.undo();
+            assertEquals(edited.setup().timeline().subList(0, left), run.timeline());
         }
-        assertEquals(original, scenario());
-        assertTrue(callOnEdt(edits::undoName).isEmpty());
+        assertEquals(original, run.scenario());
+        assertTrue(callOnEdt(run.edits()::undoName).isEmpty());
         for (int i = 0; i < 3; i++) {
-            redo();
+            run.redo();
         }
-        assertEquals(edited, scenario());
+        assertEquals(edited, run.scenario());
     }
 
     /** The sensor is repaired at the present time in the first run, and has never been broken in the second one. */
     @Test
     void anEventThatIsUndoneAfterItsTimeIsNotOnTheTimelineAndTheRunIsSimulatedAgain() {
-        send(FAULT);
-        advance(5);
-        restart();
-        advance(30);
+        run.send(FAULT);
+        run.advance(5);
+        run.restart();
+        run.advance(30);
         assertEquals(List.of(new Fault.Stuck(0.13)), faults());
-        long broken = SessionFrames.trajectoryHash(workspace);
-        undo();
-        SessionFrames.awaitTick(workspace, 30);
+        long broken = SessionFrames.trajectoryHash(run.workspace());
+        run.undo();
+        SessionFrames.awaitTick(run.workspace(), 30);
         assertEquals(List.of(), faults());
-        assertEquals(original, scenario());
-        assertTrue(broken != SessionFrames.trajectoryHash(workspace));
+        assertEquals(original, run.scenario());
+        assertTrue(broken != SessionFrames.trajectoryHash(run.workspace()));
     }
 
     private List<Fault> faults() {
-        return SessionFrames.frame(workspace).snapshot().sensors().stream()
+        return SessionFrames.frame(run.workspace()).snapshot().sensors().stream()
                 .flatMap(sensor -> sensor.faults().stream())
                 .toList();
     }
 
     @Test
     void whatUndoAndRedoHaveAddedIsRemovedToo() {
-        send(FAULT);
-        advance(5);
-        undo();
-        advance(5);
-        redo();
-        advance(5);
-        assertEquals(3, timeline().size());
-        restart();
-        undo();
-        assertEquals(original, scenario());
+        run.send(FAULT);
+        run.advance(5);
+        run.undo();
+        run.advance(5);
+        run.redo();
+        run.advance(5);
+        assertEquals(3, run.timeline().size());
+        run.restart();
+        run.undo();
+        assertEquals(original, run.scenario());
     }
 
     /** The times on the timeline are those of the run before. */
     @Test
     void anotherLengthOfTheTickChangesNoTime() {
-        send(FAULT);
-        advance(5);
-        runOnEdt(() -> run.change(now -> now.withSetup(now.setup().withTick(0.02))));
-        rest();
-        assertEquals(0.11, timeline().get(0).time());
-        undo();
-        assertEquals(original.setup().timeline(), timeline());
-    }
-
-    private void seek(long tick) {
-        runOnEdt(() -> run.navigator().seek(tick));
-        rest();
-        SessionFrames.awaitTick(workspace, tick);
+        run.send(FAULT);
+        run.advance(5);
+        runOnEdt(() -> run.controller().change(now -> now.withSetup(now.setup().withTick(0.02))));
+        run.rest();
+        assertEquals(0.11, run.timeline().get(0).time());
+        run.undo();
+        assertEquals(original.setup().timeline(), run.timeline());
     }
 
     private void assertTimes(double... times) {
         assertArrayEquals(
-                times, timeline().stream().mapToDouble(TimedCommand::time).toArray());
+                times, run.timeline().stream().mapToDouble(TimedCommand::time).toArray());
     }
 
     /** Whatever is done at the earlier tick, the fault keeps its time. */
     @Test
     void aLaterEventIsKeptWhenTheRunIsEditedAtAnEarlierTick() {
-        send(FAULT);
-        advance(5);
-        seek(3);
-        runOnEdt(() -> run.change(now -> now.withSetup(now.setup().withSeed(7))));
-        rest();
+        run.send(FAULT);
+        run.advance(5);
+        run.seek(3);
+        runOnEdt(() -> run.controller().change(now -> now.withSetup(now.setup().withSeed(7))));
+        run.rest();
         assertTimes(0.11);
-        send(new Command.SwitchSensor("front", false));
+        run.send(new Command.SwitchSensor("front", false));
         assertTimes(0.11, 0.04);
-        advance(6);
+        run.advance(6);
         assertEquals(List.of(), faults());
-        advance(5);
+        run.advance(5);
         assertEquals(List.of(new Fault.Stuck(0.13)), faults());
-        undo();
+        run.undo();
         assertTimes(0.11, 0.04, 0.15);
-        redo();
-        undo();
-        undo();
-        undo();
+        run.redo();
+        run.undo();
+        run.undo();
+        run.undo();
         assertEquals(
                 List.of(),
-                timeline().stream()
+                run.timeline().stream()
                         .map(TimedCommand::command)
                         .filter(FAULT::equals)
                         .toList());
@@ -221,93 +155,94 @@ class UndoneEventsTest {
 
     @Test
     void aMoveBeforeAnEventAndPastItAgainChangesNoBit() {
-        send(FAULT);
-        advance(5);
-        send(new Command.SwitchSensor("front", false));
-        advance(20);
-        Scenario edited = scenario();
-        long hash = SessionFrames.trajectoryHash(workspace);
-        seek(3);
-        assertEquals(edited, scenario());
-        advance(32);
-        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
-        seek(3);
-        seek(35);
-        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
-        assertEquals(edited, scenario());
+        run.send(FAULT);
+        run.advance(5);
+        run.send(new Command.SwitchSensor("front", false));
+        run.advance(20);
+        Scenario edited = run.scenario();
+        long hash = SessionFrames.trajectoryHash(run.workspace());
+        run.seek(3);
+        assertEquals(edited, run.scenario());
+        run.advance(32);
+        assertEquals(hash, SessionFrames.trajectoryHash(run.workspace()));
+        run.seek(3);
+        run.seek(35);
+        assertEquals(hash, SessionFrames.trajectoryHash(run.workspace()));
+        assertEquals(edited, run.scenario());
     }
 
     @Test
     void undoAtAnEarlierTickRemovesTheLaterEvent() {
-        send(FAULT);
-        advance(5);
-        seek(3);
-        assertTrue(callOnEdt(edits::redoName).isEmpty());
-        undo();
-        assertEquals(original, scenario());
-        advance(30);
+        run.send(FAULT);
+        run.advance(5);
+        run.seek(3);
+        assertTrue(callOnEdt(run.edits()::redoName).isEmpty());
+        run.undo();
+        assertEquals(original, run.scenario());
+        run.advance(30);
         assertEquals(List.of(), faults());
-        redo();
+        run.redo();
         assertTimes(0.11);
         assertEquals(List.of(new Fault.Stuck(0.13)), faults());
     }
 
     @Test
     void aMoveThatPassesNoEventLeavesThemInTheRun() {
-        send(FAULT);
-        advance(5);
-        seek(12);
-        undo();
+        run.send(FAULT);
+        run.advance(5);
+        run.seek(12);
+        run.undo();
         assertTimes(0.11, 0.13);
     }
 
     /** Undo sends all faults that the sensor had before. */
     @Test
     void aFaultThatIsUndoneInItsOwnTickLeavesNothing() {
-        send(FAULT);
-        undo();
-        assertEquals(original, scenario());
-        redo();
+        run.send(FAULT);
+        run.undo();
+        assertEquals(original, run.scenario());
+        run.redo();
         assertTimes(0.11);
-        send(new Command.InjectFault("left", new Fault.Stuck(0.3)));
-        send(new Command.InjectMotorFault(MotorSide.RIGHT, new MotorFault.Weak(0.5)));
+        run.send(new Command.InjectFault("left", new Fault.Stuck(0.3)));
+        run.send(new Command.InjectMotorFault(MotorSide.RIGHT, new MotorFault.Weak(0.5)));
         assertTimes(0.11, 0.11, 0.11);
-        undo();
-        undo();
+        run.undo();
+        run.undo();
         assertEquals(
-                List.of(FAULT), timeline().stream().map(TimedCommand::command).toList());
-        undo();
-        assertEquals(original, scenario());
+                List.of(FAULT),
+                run.timeline().stream().map(TimedCommand::command).toList());
+        run.undo();
+        assertEquals(original, run.scenario());
     }
 
     private static final Command OFF = new Command.SwitchSensor("left", false);
     private static final Command ON = new Command.SwitchSensor("left", true);
 
     private void assertUndone(String name) {
-        assertEquals(Optional.ofNullable(name), callOnEdt(edits::undoName));
+        assertEquals(Optional.ofNullable(name), callOnEdt(run.edits()::undoName));
     }
 
     /** Both are still commands of the run, which are executed and redone when it gets there. */
     @Test
     void eventsOfOneTickThatCancelOutCanBeUndoneWhenTheRunHasReachedThemAgain() {
-        send(OFF);
-        send(ON);
-        advance(5);
-        seek(3);
+        run.send(OFF);
+        run.send(ON);
+        run.advance(5);
+        run.seek(3);
         assertUndone(null);
-        assertEquals(original, scenario());
-        advance(20);
+        assertEquals(original, run.scenario());
+        run.advance(20);
         assertUndone("Switch left on");
-        undo();
+        run.undo();
         assertTimes(0.24);
         assertFalse(isLeftOn());
-        undo();
-        assertEquals(original, scenario());
+        run.undo();
+        assertEquals(original, run.scenario());
         assertTrue(isLeftOn());
     }
 
     private boolean isLeftOn() {
-        return SessionFrames.frame(workspace)
+        return SessionFrames.frame(run.workspace())
                 .snapshot()
                 .robot()
                 .sensor("left")
@@ -319,79 +254,79 @@ class UndoneEventsTest {
     @Test
     void eventsOfOneTickThatCancelOutCannotBeUndoneOnTheTimeline() {
         Command move = new Command.SwitchSensor("front", false);
-        send(move);
-        send(OFF);
-        send(ON);
-        send(FAULT);
-        send(new Command.ClearFaults("left"));
+        run.send(move);
+        run.send(OFF);
+        run.send(ON);
+        run.send(FAULT);
+        run.send(new Command.ClearFaults("left"));
         assertUndone("Repair left");
-        restart();
+        run.restart();
         assertUndone("Switch front off");
-        undo();
-        assertEquals(original, scenario());
+        run.undo();
+        assertEquals(original, run.scenario());
         assertUndone(null);
-        redo();
+        run.redo();
         assertTimes(0.11);
         assertUndone("Switch front off");
     }
 
     @Test
     void eventsOfOneTickThatCancelOutCannotBeUndoneBeforeALaterEvent() {
-        send(OFF);
-        send(ON);
-        advance(5);
-        send(FAULT);
-        seek(3);
+        run.send(OFF);
+        run.send(ON);
+        run.advance(5);
+        run.send(FAULT);
+        run.seek(3);
         assertUndone("Fault in left");
-        undo();
-        assertEquals(original, scenario());
+        run.undo();
+        assertEquals(original, run.scenario());
         assertUndone(null);
     }
 
     @Test
     void anEventThatIsPutOnTheTimelineAgainIsUndoneThere() {
-        send(FAULT);
-        advance(5);
-        List<TimedCommand> events = timeline();
-        runOnEdt(() -> run.change(now -> TimelineEvents.without(now, events)));
-        rest();
-        runOnEdt(() -> run.change(now -> TimelineEvents.with(now, events)));
-        rest();
+        run.send(FAULT);
+        run.advance(5);
+        List<TimedCommand> events = run.timeline();
+        runOnEdt(() -> run.controller().change(now -> TimelineEvents.without(now, events)));
+        run.rest();
+        runOnEdt(() -> run.controller().change(now -> TimelineEvents.with(now, events)));
+        run.rest();
         assertTimes(0.11);
-        seek(3);
+        run.seek(3);
         assertUndone("Fault in left");
-        undo();
-        assertEquals(original, scenario());
+        run.undo();
+        assertEquals(original, run.scenario());
     }
 
     /** What was executed before the restart, or before the move back, is no longer part of the edit. */
     @Test
     void anEventThatIsRedoneAfterARestartAtThePresentTimeIsTheOneThatIsUndone() {
-        send(FAULT);
-        advance(5);
-        undo();
-        restart();
-        advance(2);
-        redo();
+        run.send(FAULT);
+        run.advance(5);
+        run.undo();
+        run.restart();
+        run.advance(2);
+        run.redo();
         assertTimes(0.11, 0.16, 0.03);
-        advance(5);
-        restart();
-        undo();
+        run.advance(5);
+        run.restart();
+        run.undo();
         assertTimes(0.11, 0.16);
     }
 
     @Test
     void anEventThatIsRedoneAtAnEarlierTickIsTheOneThatIsUndone() {
-        send(FAULT);
-        advance(5);
-        undo();
-        advance(5);
-        seek(3);
-        redo();
+        run.send(FAULT);
+        run.advance(5);
+        run.undo();
+        run.advance(5);
+        run.seek(3);
+        run.redo();
         assertTimes(0.11, 0.16, 0.04);
-        advance(2);
-        seek(1);
-        undo();
+        run.advance(2);
+        run.seek(1);
+        run.undo();
         assertTimes(0.11, 0.16);
     }
 }

@@ -1,0 +1,111 @@
+package faultline.gui.edit;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.Await;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
+import faultline.gui.document.Workspace;
+import faultline.scenario.Scenario;
+import faultline.world.Command;
+import java.nio.file.Path;
+import java.util.List;
+
+/** A run of the office, paused, that is edited, moved and restarted. Each call waits until it has taken effect. */
+final class EditedRun {
+
+    private Workspace workspace;
+    private RunController controller;
+    private UndoController edits;
+
+    EditedRun() {
+        runOnEdt(() -> {
+            workspace = new Workspace();
+            controller = new RunController(workspace);
+            edits = StoppedClock.undoController(controller::send);
+            workspace.addListener(new UndoForwarder(controller, edits));
+            new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
+        });
+        SessionFrames.awaitScenario(workspace);
+    }
+
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    Workspace workspace() {
+        return workspace;
+    }
+
+    RunController controller() {
+        return controller;
+    }
+
+    UndoController edits() {
+        return edits;
+    }
+
+    Scenario scenario() {
+        return callOnEdt(() -> workspace.scenario().orElseThrow());
+    }
+
+    List<TimedCommand> timeline() {
+        return scenario().setup().timeline();
+    }
+
+    long tick() {
+        return SessionFrames.tick(workspace);
+    }
+
+    void advance(int ticks) {
+        long end = tick() + ticks;
+        for (int i = 0; i < ticks; i++) {
+            runOnEdt(controller::step);
+        }
+        SessionFrames.awaitTick(workspace, end);
+        runOnEdt(() -> edits.runAdvanced(end));
+    }
+
+    void advanceTo(long tick) {
+        advance(Math.toIntExact(tick - tick()));
+    }
+
+    void send(Command command) {
+        runOnEdt(() -> {
+            edits.endEdit();
+            edits.send(command);
+        });
+        rest();
+    }
+
+    void undo() {
+        runOnEdt(edits::undo);
+        rest();
+    }
+
+    void redo() {
+        runOnEdt(edits::redo);
+        rest();
+    }
+
+    void restart() {
+        runOnEdt(controller::restart);
+        rest();
+    }
+
+    void seek(long tick) {
+        runOnEdt(() -> controller.navigator().seek(tick));
+        rest();
+        SessionFrames.awaitTick(workspace, tick);
+    }
+
+    /** Waits for the end of the last edit. */
+    void rest() {
+        Await.until(
+                "the end of the edit",
+                () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
+    }
+}
