@@ -112,7 +112,7 @@ record CampaignManifest(Map<String, Object> members) {
         }
         return value instanceof Double number && number == Math.rint(number) && Math.abs(number) < 1L << 53
                 ? Long.toString(number.longValue())
-                : value.toString();
+                : String.valueOf(value);
     }
 
     /** Returns this manifest for another part of the campaign. */

@@ -42,6 +42,9 @@ class CampaignManifestTest {
     void aManifestIsWrittenAsItWasRead() {
         assertEquals(TEXT, MANIFEST.text());
         assertEquals(TEXT.replace("2/4", "1/1"), MANIFEST.with(Shard.ALL).text());
+        assertEquals(
+                TEXT.replace("\"17.0.9+9\"", "null"),
+                with("\"17.0.9+9\"", "null").text());
     }
 
     @Test
