@@ -42,7 +42,12 @@ public final class BackgroundTasks {
 
     /** Starts work without a result, as {@link #run(Callable, Consumer, Consumer)} does. */
     public static void run(Work work, Consumer<Throwable> onFailed) {
-        run(work.withResult(), done -> {}, onFailed);
+        run(work, () -> {}, onFailed);
+    }
+
+    /** Starts work without a result, as {@link #run(Callable, Consumer, Consumer)} does. */
+    public static void run(Work work, Runnable onDone, Consumer<Throwable> onFailed) {
+        run(work.withResult(), done -> onDone.run(), onFailed);
     }
 
     /** Starts work without a result, and keeps the program from exiting before it has ended. */

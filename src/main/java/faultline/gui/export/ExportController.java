@@ -264,9 +264,10 @@ public final class ExportController implements WorkspaceListener {
         }
         PrinterJob job = PrinterJob.getPrinterJob();
         job.setJobName(workspace.scenario().map(Scenario::name).orElse(""));
-        job.setPrintable(new PrintablePage(request));
+        PrintablePage page = new PrintablePage(request);
+        job.setPrintable(page, page.oriented(job.defaultPage()));
         if (job.printDialog()) {
-            BackgroundTasks.run(job::print, this::printFailed);
+            BackgroundTasks.run(job::print, () -> notes.show(Messages.get("note.printed")), this::printFailed);
         }
     }
 

@@ -25,6 +25,14 @@ public record PrintablePage(RenderRequest request) implements Printable {
         return PAGE_EXISTS;
     }
 
+    /** Returns a format with its paper turned so that the picture is as large as possible. */
+    public PageFormat oriented(PageFormat format) {
+        PageFormat oriented = (PageFormat) format.clone();
+        boolean wide = request.camera().width() > request.camera().height();
+        oriented.setOrientation(wide ? PageFormat.LANDSCAPE : PageFormat.PORTRAIT);
+        return oriented;
+    }
+
     private AffineTransform pageTransform(PageFormat format) {
         double width = request.camera().width();
         double height = request.camera().height();

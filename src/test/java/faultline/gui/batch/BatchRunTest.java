@@ -325,7 +325,7 @@ class BatchRunTest {
         assertEquals(5, withoutContact.n());
         assertEquals(Interval.wilson(1, 1), withoutContact.interval());
         assertEquals(
-                "5 runs in 2 s, 0 failed. 4 runs repeat another one: only their seeds differ",
+                "5 runs in 2 s, 0 failed. Runs that repeat another one, except for the seed: 4",
                 BatchProgressPanel.endText(counts, 2, run.repeatCount()));
         assertEquals("5 runs in 2 s, 0 failed", BatchProgressPanel.endText(counts, 2, 0));
     }

@@ -87,7 +87,7 @@ class OpenedResultsTest {
         assertEquals(run.cells(), opened.cells());
         assertEquals(run.repeatCount(), opened.repeats());
         assertEquals("Batch of Yard", opened.name());
-        assertEquals("6 runs, 0 failed. 3 runs repeat another one: only their seeds differ", opened.status());
+        assertEquals("6 runs, 0 failed. Runs that repeat another one, except for the seed: 3", opened.status());
     }
 
     @Test
@@ -136,7 +136,7 @@ class OpenedResultsTest {
     void anUnfinishedRowIsLeftOut() throws Exception {
         String table = Files.readString(saved.resolve("runs.csv"));
         Files.writeString(saved.resolve("runs.csv"), table.substring(0, table.length() - 60));
-        assertEquals("5 of 6 runs, 0 failed. 2 runs repeat another one: only their seeds differ", status());
+        assertEquals("5 of 6 runs, 0 failed. Runs that repeat another one, except for the seed: 2", status());
     }
 
     private String status() throws Exception {
@@ -147,7 +147,9 @@ class OpenedResultsTest {
     void resultsOfAnotherProgramAreMarked() throws Exception {
         Path manifest = saved.resolve("campaign.json");
         Files.writeString(manifest, Files.readString(manifest).replaceFirst("\"program_sha256\": \"", "$0abc"));
-        assertTrue(status().endsWith(". Made by another version or with other jars: runs may differ"), status());
+        assertTrue(
+                status().endsWith(". The plan, the program or its jars have changed or are not known: runs may differ"),
+                status());
         Files.delete(manifest);
         assertTrue(status().endsWith(": runs may differ"), status());
     }

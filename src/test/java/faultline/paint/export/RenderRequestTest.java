@@ -145,6 +145,23 @@ class RenderRequestTest {
         assertEquals(0, page.getRGB(350, 299) & 0xFFFFFF, "nothing is printed above the picture");
     }
 
+    @Test
+    void thePaperIsTurnedForAWidePicture() {
+        RenderRequest tall = new RenderRequest(
+                FRAME, FrameRenderer.fitCamera(FRAME.snapshot(), 400, 600), Palette.LIGHT, Layer.defaults());
+        for (int before : new int[] {PageFormat.PORTRAIT, PageFormat.LANDSCAPE}) {
+            PageFormat format = new PageFormat();
+            format.setOrientation(before);
+            assertEquals(
+                    PageFormat.LANDSCAPE,
+                    new PrintablePage(request(FRAME)).oriented(format).getOrientation());
+            assertEquals(
+                    PageFormat.PORTRAIT,
+                    new PrintablePage(tall).oriented(format).getOrientation());
+            assertEquals(before, format.getOrientation());
+        }
+    }
+
     private static Document parse(String svg) throws Exception {
         return DocumentBuilderFactory.newDefaultInstance()
                 .newDocumentBuilder()
