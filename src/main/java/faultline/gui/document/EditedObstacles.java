@@ -142,13 +142,13 @@ final class EditedObstacles {
         return contains(origins.at(tick, id));
     }
 
-    /** Reverts the change of an obstacle at the start; returns false if it has not changed or has been removed. */
+    /** Reverts the change of an obstacle at the start; returns false if it has not changed. It is in the world. */
     boolean revertAtStart(String id) {
         Optional<Obstacle> before = base.world().obstacles().stream()
                 .filter(obstacle -> obstacle.id().equals(id))
                 .findFirst();
         Origin origin = Origin.atStart(id);
-        if (removed.contains(origin) || before.equals(Optional.ofNullable(obstacles.get(origin)))) {
+        if (before.equals(Optional.ofNullable(obstacles.get(origin)))) {
             return false;
         }
         before.ifPresentOrElse(obstacle -> obstacles.put(origin, obstacle), () -> removed.add(origin));

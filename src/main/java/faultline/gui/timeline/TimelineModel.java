@@ -42,7 +42,6 @@ public final class TimelineModel {
                 .boxed()
                 .sorted(Comparator.comparingDouble(index -> commands.get(index).time()))
                 .forEachOrdered(index -> add(index, open));
-        pairs.sort(Comparator.comparingDouble(pair -> pair.item().start()));
         items = pairs.stream().map(PairedCommands::item).toList();
     }
 
