@@ -64,7 +64,8 @@ final class TerminalProgress {
         }
     }
 
-    private static String timeText(double seconds) {
+    /** Returns a time in minutes and seconds, and hours if there are any. */
+    static String timeText(double seconds) {
         long whole = Math.round(seconds);
         return whole < 3600
                 ? String.format(Locale.ROOT, "%d:%02d", whole / 60, whole % 60)

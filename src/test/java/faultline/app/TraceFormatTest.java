@@ -189,7 +189,7 @@ class TraceFormatTest {
     void aTraceIsCompressedAlsoIfItsEndingIsInCapitals() throws Exception {
         trace("PACKED.CSV.GZ", "--trace-format", "2");
         try (InputStream in = new GZIPInputStream(Files.newInputStream(folder.resolve("PACKED.CSV.GZ")))) {
-            assertEquals('t', in.read(), "the first column is t_s");
+            assertEquals('t', in.read(), "the first column is tick");
         }
     }
 

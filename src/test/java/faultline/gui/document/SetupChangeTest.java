@@ -95,19 +95,40 @@ class SetupChangeTest {
         assertEquals(List.of(new Fault.Stuck(0.13)), faultsOfLeft());
     }
 
-    @Test
-    void aRunningRunResumes() {
-        runOnEdt(run::toggleRunning);
-        Await.until(
-                "the run",
-                () -> workspace.session().map(SessionView::status).orElseThrow().running());
-        setTimeline(List.of(new TimedCommand(0.2, FAULT)));
-        Await.until(
-                "the run to go on",
-                () -> workspace.session().map(SessionView::status).orElseThrow().running());
+    private boolean isRunning() {
+        return workspace.session().map(SessionView::status).orElseThrow().running();
+    }
+
+    private void awaitMoreTicks() {
+        Await.until("the run to resume", this::isRunning);
         long tick = tick();
         SessionFrames.awaitFrame(
                 workspace, "more ticks", frame -> frame.snapshot().tick() > tick);
+    }
+
+    @Test
+    void aRunningRunResumes() {
+        runOnEdt(run::toggleRunning);
+        Await.until("the run", this::isRunning);
+        setTimeline(List.of(new TimedCommand(0.2, FAULT)));
+        awaitMoreTicks();
+    }
+
+    /** The run is paused when the second change is made, because it is being simulated with the first one. */
+    @Test
+    void aRunningRunResumesAfterTwoChanges() {
+        runOnEdt(run::toggleRunning);
+        Await.until("the run", this::isRunning);
+        runOnEdt(() -> {
+            for (double time : new double[] {0.2, 0.3}) {
+                run.change(now -> now.withSetup(now.setup().withTimeline(List.of(new TimedCommand(time, FAULT)))));
+                while (isRunning()) {
+                    Thread.onSpinWait();
+                }
+            }
+        });
+        Await.until("the simulation", () -> workspace.task().isEmpty());
+        awaitMoreTicks();
     }
 
     @Test
