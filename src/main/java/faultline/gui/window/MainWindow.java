@@ -136,7 +136,7 @@ public final class MainWindow extends JFrame {
         installViewListeners();
         new SpaceKeyDispatcher(this, runController::toggleRunning).install(this);
         fileWatch = createFileWatch();
-        installEditNotifier();
+        connectUndo();
         workspace.addListener(new WorkspaceEvents());
         runPoller = createRunPoller();
         runPoller.start();
@@ -188,7 +188,7 @@ public final class MainWindow extends JFrame {
         return added;
     }
 
-    private void installEditNotifier() {
+    private void connectUndo() {
         EditNotifier editNotifier = new EditNotifier(workspace, actionRegistry, this::showNote);
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.setPlan(runController::plannedSince);
