@@ -177,6 +177,7 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
     public void sessionStarted() {
         errorLines.controllerStarted();
         untried = false;
+        ControllerSelection before = started;
         started = workspace.keepsController() ? ControllerSelection.SCENARIO : next;
         scenarioController.setEnabled(!started.isScenarios());
         if (ghostPending) {
@@ -198,15 +199,22 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
                         }
                     },
                     failure -> {});
-            BackgroundTasks.run(
-                    chosen::startsProgram,
-                    program -> {
-                        if (program) {
-                            recentCommands.add(chosen.text());
-                        }
-                    },
-                    failure -> {});
+            if (!chosen.equals(before)) {
+                remember(chosen);
+            }
         }
+    }
+
+    /** Adds a controller to the recent commands if it is one. */
+    private void remember(ControllerSelection chosen) {
+        BackgroundTasks.run(
+                chosen::startsProgram,
+                program -> {
+                    if (program) {
+                        recentCommands.add(chosen.text());
+                    }
+                },
+                failure -> {});
     }
 
     @Override

@@ -131,6 +131,13 @@ class ControllerChooserTest {
         assertFalse(callOnEdt(scenarios::isEnabled));
     }
 
+    /** Writes a program that never answers. */
+    private static Path writeProgram(Path folder) throws IOException {
+        return Files.writeString(
+                folder.resolve("waiter.sh"),
+                "read hello; echo '{\"type\":\"ready\",\"protocol\":1,\"name\":\"waiter\"}'; cat");
+    }
+
     /** Drives the robot with a controller; returns when its run or a failure has been shown. */
     private void tryOut(String text) {
         int before = failures.size();
@@ -142,9 +149,7 @@ class ControllerChooserTest {
     @Test
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the program is a shell script")
     void theCommandsThatHaveStartedAControllerAreRemembered(@TempDir Path folder) throws IOException {
-        Path program = Files.writeString(
-                folder.resolve("waiter.sh"),
-                "read hello; echo '{\"type\":\"ready\",\"protocol\":1,\"name\":\"waiter\"}'; cat");
+        Path program = writeProgram(folder);
         tryOut("sh " + program + " older");
         tryOut("sh " + program + " newer");
         tryOut("none");
@@ -153,6 +158,18 @@ class ControllerChooserTest {
         assertEquals(
                 List.of("sh " + program + " newer", "sh " + program + " older"),
                 callOnEdt(() -> preferences.recentCommands().texts()));
+    }
+
+    /** The jars are not searched each time that the run is moved. */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the program is a shell script")
+    void aCommandIsRememberedWhenItIsChosenAndNotInEverySession(@TempDir Path folder) throws IOException {
+        Path program = writeProgram(folder);
+        tryOut("sh " + program);
+        runOnEdt(stored::clear);
+        runOnEdt(chooser::sessionStarted);
+        BackgroundThreads.awaitEnd();
+        assertEquals(List.of(), callOnEdt(() -> preferences.recentCommands().texts()));
     }
 
     @Test
