@@ -45,6 +45,7 @@ public final class UndoController {
     private final LongSupplier clock;
     private final PendingEdits pendingEdits = new PendingEdits();
     private final EditHistory history = new EditHistory();
+    private final AnswerQueue answers = new AnswerQueue();
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
@@ -103,13 +104,16 @@ public final class UndoController {
             int id = gestureIdOf(commands.stream()
                     .map(command -> EditTarget.ofGesture(command, pendingEdits.controller()))
                     .toList());
-            submit(commands, results -> recordEdit(id, results));
+            Runnable onAnswered = pendingEdits.add(commands);
+            answers.send(() -> submit(commands, onAnswered, results -> {
+                recordEdit(id, results);
+                answers.answered();
+            }));
         }
     }
 
-    private void submit(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
+    private void submit(List<Command> commands, Runnable onAnswered, Consumer<List<CommandResult>> onExecuted) {
         int sentIn = generation;
-        Runnable onAnswered = pendingEdits.add(commands);
         channel.accept(commands, results -> {
             onAnswered.run();
             if (sentIn == generation) {
@@ -183,15 +187,15 @@ public final class UndoController {
                 List.of(rename)));
     }
 
-    /** Undoes the last edit, if there is one. */
+    /** Undoes the last edit, if there is one, as soon as the run has answered all commands that were sent before. */
     public void undo() {
         endEdit();
-        history.nextUndo().ifPresent(edit -> apply(edit, false));
+        answers.runWhenAnswered(() -> history.nextUndo().ifPresent(edit -> apply(edit, false)));
     }
 
-    /** Redoes the edit that was undone last, if there is one. */
+    /** Redoes the edit that was undone last, if there is one, as soon as the run has answered all commands. */
     public void redo() {
-        history.nextRedo().ifPresent(edit -> apply(edit, true));
+        answers.runWhenAnswered(() -> history.nextRedo().ifPresent(edit -> apply(edit, true)));
     }
 
     private void apply(Edit edit, boolean done) {
@@ -204,7 +208,7 @@ public final class UndoController {
     void submit(CommandEdit edit, boolean done) {
         List<Command> commands = done ? edit.redoCommands() : edit.undoCommands(plannedSince);
         if (!commands.isEmpty()) {
-            submit(commands, results -> commandsExecuted(edit, done, results));
+            submit(commands, pendingEdits.add(commands), results -> commandsExecuted(edit, done, results));
         }
     }
 
@@ -307,6 +311,7 @@ public final class UndoController {
         generation++;
         endEdit();
         pendingEdits.clear();
+        answers.clear();
         history.clear();
         onStateChange.run();
     }

@@ -146,11 +146,55 @@ class UndoControllerTest {
         assertEquals(4.2, x());
     }
 
+    /** Returns a controller whose commands are executed when their entry in a list is run. */
+    private UndoController lateController(List<Runnable> answers) {
+        return callOnEdt(() -> new UndoController(
+                (commands, onExecuted) -> answers.add(() -> execute(commands, onExecuted)), () -> {}, () -> now));
+    }
+
+    @Test
+    void undoAndRedoWaitForTheEditsBeforeThem() {
+        List<Runnable> answers = new ArrayList<>();
+        UndoController late = lateController(answers);
+        runOnEdt(() -> {
+            late.send(moveTo(4.2));
+            answers.remove(0).run();
+            now += 5000;
+            late.send(moveTo(4.4));
+            late.undo();
+            late.send(moveTo(4.6));
+            late.redo();
+            late.undo();
+        });
+        List<Double> places = new ArrayList<>();
+        while (!answers.isEmpty()) {
+            runOnEdt(() -> answers.remove(0).run());
+            places.add(x());
+        }
+        assertEquals(List.of(4.4, 4.2, 4.6, 4.2), places, "the last edit leaves nothing to redo");
+        assertEquals(Optional.of("Move desk"), callOnEdt(late::undoName));
+    }
+
+    @Test
+    void anUndoThatWaitsIsForgottenWithItsScenario() {
+        List<Runnable> answers = new ArrayList<>();
+        UndoController late = lateController(answers);
+        runOnEdt(() -> {
+            late.send(moveTo(4.2));
+            late.undo();
+            late.clear();
+            late.send(moveTo(4.4));
+            answers.remove(1).run();
+            answers.remove(0).run();
+        });
+        assertEquals(List.of(), answers);
+        assertEquals(Optional.of("Move desk"), callOnEdt(late::undoName));
+    }
+
     @Test
     void nothingOfAnotherScenarioIsUndoneOrStillExpected() {
         List<Runnable> answers = new ArrayList<>();
-        UndoController late = callOnEdt(() -> new UndoController(
-                (commands, onExecuted) -> answers.add(() -> execute(commands, onExecuted)), () -> {}, () -> now));
+        UndoController late = lateController(answers);
         runOnEdt(() -> {
             late.send(moveTo(4.2));
             answers.remove(0).run();
