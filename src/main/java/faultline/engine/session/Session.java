@@ -1,17 +1,10 @@
 package faultline.engine.session;
 
-import faultline.engine.ControllerMode;
 import faultline.engine.Journal;
 import faultline.engine.RunFailedException;
-import faultline.engine.RunProblem;
-import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
-import faultline.engine.metrics.RunMeter;
-import faultline.engine.recording.Recorder;
-import faultline.io.Message;
 import faultline.world.Command;
 import faultline.world.CommandResult;
-import faultline.world.Refusal;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
@@ -29,38 +22,21 @@ import java.util.function.Supplier;
  */
 public final class Session implements SessionView, AutoCloseable {
 
-    private static final long NO_PAUSE_TICK = -1;
-
     private final SessionRequests requests = new SessionRequests();
     private final AtomicReference<SessionFrame> latestFrame = new AtomicReference<>();
     private final AtomicReference<SessionStatus> latestStatus = new AtomicReference<>();
-    private final Thread thread = new Thread(this::run, "faultline-world");
+    private final Thread thread = new Thread(this::runSession, "faultline-world");
     private final TickWatch watch = new TickWatch(thread);
     private volatile boolean frameWanted;
     private volatile boolean closed;
     private volatile boolean ended;
     private volatile Runnable pausedChangeListener = () -> {};
 
-    // Used by the simulation thread only, after the replay.
-    private final Simulation simulation;
-    private final Recorder recorder;
-    private final RunMeter meter;
-    private final JournalPlayer player;
-    private final Pacer pacer = new Pacer();
-    private boolean running;
-    private long pauseTick = NO_PAUSE_TICK;
-    private boolean frameOutdated;
-    private int refusals;
-    private Refusal lastRefusal;
-    private Message failure;
+    /** Used by the simulation thread only, after the replay. */
+    private final InteractiveRun run;
 
-    private Session(Journal journal) {
-        recorder = new Recorder(journal.setup());
-        meter = new RunMeter(journal.setup());
-        player = new JournalPlayer(journal);
-        simulation = new Simulation(journal.setup(), ControllerMode.OWN_THREAD, recorder);
-        recorder.observe(simulation);
-        meter.observe(simulation);
+    private Session(InteractiveRun run) {
+        this.run = run;
         thread.setDaemon(true);
     }
 
@@ -71,7 +47,7 @@ public final class Session implements SessionView, AutoCloseable {
      * @return the session, which the caller closes
      */
     public static Session start(SimulationSetup setup) {
-        return start(new Journal(setup, List.of(), 0), 0, session -> {}, tick -> true);
+        return start(new Journal(setup, List.of(), 0), 0, run -> {}, tick -> true);
     }
 
     /**
@@ -89,7 +65,7 @@ public final class Session implements SessionView, AutoCloseable {
      * @throws CancellationException if the replay was cancelled
      */
     public static Session replay(Journal journal, long tick, LongPredicate shouldContinue) {
-        return start(journal, tick, Session::executeNextCommands, shouldContinue);
+        return start(journal, tick, InteractiveRun::executeNextCommands, shouldContinue);
     }
 
     /**
@@ -107,41 +83,28 @@ public final class Session implements SessionView, AutoCloseable {
         return start(
                 journal,
                 tick,
-                session -> {
-                    session.simulation.executeDueCommands();
-                    session.executeNextCommands();
+                run -> {
+                    run.executeDueCommands();
+                    run.executeNextCommands();
                 },
                 shouldContinue);
     }
 
     private static Session start(
-            Journal journal, long tick, Consumer<Session> afterReplay, LongPredicate shouldContinue) {
-        Session made = new Session(journal);
+            Journal journal, long tick, Consumer<InteractiveRun> afterReplay, LongPredicate shouldContinue) {
+        InteractiveRun run = new InteractiveRun(journal);
         try {
-            made.replayTo(tick, shouldContinue);
-            afterReplay.accept(made);
+            run.replayTo(tick, shouldContinue);
+            afterReplay.accept(run);
         } catch (RuntimeException | Error e) {
-            made.simulation.close();
+            run.close();
             throw e;
         }
-        made.latestFrame.set(made.currentFrame());
-        made.latestStatus.set(made.currentStatus());
-        made.thread.start();
-        return made;
-    }
-
-    private void executeNextCommands() {
-        player.executeCommands(simulation);
-        simulation.resample();
-    }
-
-    private void replayTo(long tick, LongPredicate shouldContinue) {
-        while (simulation.ticks() < tick) {
-            advance();
-            if (!shouldContinue.test(simulation.ticks())) {
-                throw new CancellationException("the replay was cancelled at tick " + simulation.ticks());
-            }
-        }
+        Session started = new Session(run);
+        started.latestFrame.set(run.frame());
+        started.latestStatus.set(run.status());
+        started.thread.start();
+        return started;
     }
 
     @Override
@@ -170,19 +133,19 @@ public final class Session implements SessionView, AutoCloseable {
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> resultHandler) {
         submit(() -> {
-            List<CommandResult> results = commands.stream().map(this::execute).toList();
+            List<CommandResult> results = run.execute(commands);
             requests.addAnswer(() -> resultHandler.accept(results));
         });
     }
 
     /** Resumes the run. */
     public void resume() {
-        submit(() -> setRunning(true));
+        submit(() -> run.setRunning(true));
     }
 
     /** Pauses the run. */
     public void pause() {
-        submit(() -> setRunning(false));
+        submit(() -> run.setRunning(false));
     }
 
     /**
@@ -192,7 +155,7 @@ public final class Session implements SessionView, AutoCloseable {
      * @param seenRunning whether the user has seen the run running
      */
     public void toggleRunning(boolean seenRunning) {
-        submit(() -> setRunning(!running && !seenRunning));
+        submit(() -> run.setRunning(!run.isRunning() && !seenRunning));
     }
 
     /**
@@ -201,17 +164,12 @@ public final class Session implements SessionView, AutoCloseable {
      * @param tick the tick
      */
     public void pauseAt(long tick) {
-        submit(() -> pauseTick = tick);
+        submit(() -> run.pauseAt(tick));
     }
 
     /** Makes one tick and pauses. */
     public void step() {
-        submit(() -> {
-            running = false;
-            if (failure == null) {
-                tick();
-            }
-        });
+        submit(() -> watch.execute(run::step));
     }
 
     /**
@@ -224,7 +182,7 @@ public final class Session implements SessionView, AutoCloseable {
         if (!(factor > 0)) {
             throw new IllegalArgumentException("the speed must be positive: " + factor);
         }
-        submit(() -> pacer.setSpeed(factor));
+        submit(() -> run.setSpeed(factor));
     }
 
     @Override
@@ -242,12 +200,12 @@ public final class Session implements SessionView, AutoCloseable {
      * exceptionally if the session is closed before.
      */
     public CompletableFuture<Journal> journal() {
-        return requestJournal(simulation::journal);
+        return requestJournal(run::journal);
     }
 
     /** {@return the commands executed so far and those still to be replayed; completes as {@link #journal}} */
     public CompletableFuture<Journal> fullJournal() {
-        return requestJournal(() -> player.fullJournal(simulation));
+        return requestJournal(run::fullJournal);
     }
 
     private CompletableFuture<Journal> requestJournal(Supplier<Journal> request) {
@@ -305,18 +263,18 @@ public final class Session implements SessionView, AutoCloseable {
 
     // The methods below are called only by the simulation thread.
 
-    private void run() {
-        try (simulation) {
-            advanceUntilClosed();
+    private void runSession() {
+        try (run) {
+            runUntilClosed();
         } catch (RuntimeException | Error broken) {
-            fail(broken);
-            latestStatus.set(currentStatus());
+            run.fail(broken);
+            latestStatus.set(run.status());
             throw broken;
         } finally {
             closed = true;
             try {
                 // Requests that were submitted before the end are still answered.
-                requests.execute(this::fail);
+                requests.execute(run::fail);
                 requests.sendAnswers();
             } finally {
                 ended = true;
@@ -324,79 +282,25 @@ public final class Session implements SessionView, AutoCloseable {
         }
     }
 
-    private void advanceUntilClosed() {
+    private void runUntilClosed() {
         while (!closed) {
-            requests.execute(this::fail);
-            if (running) {
-                tick();
+            requests.execute(run::fail);
+            if (run.isRunning()) {
+                watch.execute(run::tick);
             }
             publish();
             awaitNextTick();
         }
     }
 
-    private void setRunning(boolean wanted) {
-        running = wanted && failure == null;
-        pacer.restart();
-    }
-
-    private void tick() {
-        try {
-            advanceWatched();
-            pacer.tickCompleted(simulation.setup().dt());
-            frameOutdated = true;
-            running = running && simulation.ticks() != pauseTick;
-        } catch (RuntimeException e) {
-            fail(e);
-        }
-    }
-
-    private void advanceWatched() {
-        watch.begin();
-        try {
-            advance();
-        } finally {
-            watch.end();
-        }
-    }
-
-    private void advance() {
-        player.tick(simulation);
-        recorder.observe(simulation);
-        meter.observe(simulation);
-    }
-
-    private CommandResult execute(Command command) {
-        CommandResult result = simulation.execute(command);
-        if (result.refusal().isPresent()) {
-            refusals++;
-            lastRefusal = result.refusal().get();
-        } else {
-            player.discardPending();
-        }
-        frameOutdated = true;
-        return result;
-    }
-
-    private void fail(Throwable cause) {
-        running = false;
-        failure = cause instanceof RunFailedException failed
-                ? failed.reason()
-                : RunProblem.RUN_BROKE.with(simulation.ticks(), cause.toString());
-    }
-
     private void publish() {
         boolean changed = false;
-        if (frameOutdated && (frameWanted || !running || requests.hasAnswers())) {
+        if (run.isFrameOutdated() && (frameWanted || !run.isRunning() || requests.hasAnswers())) {
             frameWanted = false;
-            frameOutdated = false;
-            if (!running) {
-                simulation.resample();
-            }
-            latestFrame.set(currentFrame());
+            latestFrame.set(run.frame());
             changed = true;
         }
-        SessionStatus now = currentStatus();
+        SessionStatus now = run.status();
         SessionStatus before = latestStatus.get();
         if (!now.equals(before)) {
             latestStatus.set(now);
@@ -408,25 +312,11 @@ public final class Session implements SessionView, AutoCloseable {
         }
     }
 
-    private SessionFrame currentFrame() {
-        return new SessionFrame(
-                simulation.frame(),
-                recorder.view(),
-                meter.measures(),
-                simulation.controllerSpec(),
-                simulation.controllerName());
-    }
-
-    private SessionStatus currentStatus() {
-        return new SessionStatus(
-                running, pacer.speed(), running ? pacer.achievedSpeed() : 0, refusals, lastRefusal, failure);
-    }
-
     /** Waits until the next tick is due or a task is submitted. */
     private void awaitNextTick() {
         if (requests.isEmpty() && !closed) {
-            if (running) {
-                pacer.awaitTick();
+            if (run.isRunning()) {
+                run.awaitTick();
             } else {
                 LockSupport.park(this);
             }

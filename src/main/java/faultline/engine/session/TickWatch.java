@@ -18,16 +18,24 @@ final class TickWatch {
         this.thread = thread;
     }
 
-    /** Notes that the thread begins a tick. */
-    synchronized void begin() {
+    /** Executes what makes a tick, on the watched thread. */
+    void execute(Runnable tick) {
+        begin();
+        try {
+            tick.run();
+        } finally {
+            end();
+        }
+    }
+
+    private synchronized void begin() {
         begun++;
         isTicking = true;
     }
 
-    /** Notes that the thread has ended a tick, also one that was interrupted. */
-    synchronized void end() {
+    private synchronized void end() {
         isTicking = false;
-        // The thread would no longer wait for the next tick or task.
+        // The thread would no longer wait for the next tick or task after an interrupt.
         Thread.interrupted();
     }
 
