@@ -59,11 +59,16 @@ public final class RunController implements WorkspaceListener {
      * session: the old one ends, and its changes with it.
      */
     private void submit(Consumer<OpenDocument> request) {
-        if (workspace.task().filter(task -> task.kind() != TaskKind.OPEN).isPresent()) {
+        if (isRepositioning()) {
             deferredRequests.add(request);
         } else {
             workspace.openDocument().ifPresent(request);
         }
+    }
+
+    /** Returns whether the run is being restarted or moved to another tick. */
+    public boolean isRepositioning() {
+        return workspace.task().filter(task -> task.kind() != TaskKind.OPEN).isPresent();
     }
 
     /** Returns the navigator, which moves the run to other ticks. */

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
@@ -45,7 +46,7 @@ public final class UndoController {
     private final LongSupplier clock;
     private final PendingEdits pendingEdits = new PendingEdits();
     private final EditHistory history = new EditHistory();
-    private final AnswerQueue answers = new AnswerQueue();
+    private final UndoRequests requests = new UndoRequests(history, this::apply);
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
@@ -92,6 +93,11 @@ public final class UndoController {
         plannedSince = newPlannedSince;
     }
 
+    /** Sets what returns whether the run is being restarted or moved to another tick. */
+    public void setRepositioning(BooleanSupplier repositioning) {
+        requests.setRepositioning(repositioning);
+    }
+
     /** Sends one command. */
     public void send(Command command) {
         send(List.of(command));
@@ -104,16 +110,17 @@ public final class UndoController {
             int id = gestureIdOf(commands.stream()
                     .map(command -> EditTarget.ofGesture(command, pendingEdits.controller()))
                     .toList());
-            Runnable onAnswered = pendingEdits.add(commands);
-            answers.send(() -> submit(commands, onAnswered, results -> {
+            requests.editSent();
+            submit(commands, results -> {
                 recordEdit(id, results);
-                answers.answered();
-            }));
+                requests.answered();
+            });
         }
     }
 
-    private void submit(List<Command> commands, Runnable onAnswered, Consumer<List<CommandResult>> onExecuted) {
+    private void submit(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
         int sentIn = generation;
+        Runnable onAnswered = pendingEdits.add(commands);
         channel.accept(commands, results -> {
             onAnswered.run();
             if (sentIn == generation) {
@@ -172,6 +179,7 @@ public final class UndoController {
     }
 
     private void addSetupEdit(SetupEdit edit) {
+        requests.editMade();
         history.add(edit);
         onStateChange.run();
     }
@@ -187,15 +195,18 @@ public final class UndoController {
                 List.of(rename)));
     }
 
-    /** Undoes the last edit, if there is one, as soon as the run has answered all commands that were sent before. */
+    /**
+     * Undoes the last edit, if there is one. Waits until the run has answered all commands before, and until it has
+     * been restarted or moved; a new edit cancels that.
+     */
     public void undo() {
         endEdit();
-        answers.runWhenAnswered(() -> history.nextUndo().ifPresent(edit -> apply(edit, false)));
+        requests.undo();
     }
 
-    /** Redoes the edit that was undone last, if there is one, as soon as the run has answered all commands. */
+    /** Redoes the edit that was undone last, if there is one; waits as {@link #undo} does. */
     public void redo() {
-        answers.runWhenAnswered(() -> history.nextRedo().ifPresent(edit -> apply(edit, true)));
+        requests.redo();
     }
 
     private void apply(Edit edit, boolean done) {
@@ -208,7 +219,7 @@ public final class UndoController {
     void submit(CommandEdit edit, boolean done) {
         List<Command> commands = done ? edit.redoCommands() : edit.undoCommands(plannedSince);
         if (!commands.isEmpty()) {
-            submit(commands, pendingEdits.add(commands), results -> commandsExecuted(edit, done, results));
+            submit(commands, results -> commandsExecuted(edit, done, results));
         }
     }
 
@@ -288,6 +299,11 @@ public final class UndoController {
         return new EventEdit(edit, events, run);
     }
 
+    /** Follows the end of the work on the run: what has been undone or redone in the meantime takes effect. */
+    public void taskFinished() {
+        requests.process();
+    }
+
     /** Starts a gesture: all commands until it ends form one edit. */
     public void beginGesture() {
         endEdit();
@@ -311,7 +327,7 @@ public final class UndoController {
         generation++;
         endEdit();
         pendingEdits.clear();
-        answers.clear();
+        requests.clear();
         history.clear();
         onStateChange.run();
     }

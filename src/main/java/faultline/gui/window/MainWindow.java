@@ -192,6 +192,7 @@ public final class MainWindow extends JFrame {
         EditNotifier editNotifier = new EditNotifier(workspace, actionRegistry, this::showNote);
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.setPlan(runController::plannedSince);
+        undoController.setRepositioning(runController::isRepositioning);
         undoController.setUndoListener(editNotifier::editUndone);
     }
 
@@ -411,6 +412,11 @@ public final class MainWindow extends JFrame {
         @Override
         public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
             undoController.runRepositioned(tick, setup, eventsOnTimeline, runController);
+        }
+
+        @Override
+        public void taskFinished() {
+            undoController.taskFinished();
         }
 
         @Override

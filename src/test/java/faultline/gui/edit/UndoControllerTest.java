@@ -162,17 +162,57 @@ class UndoControllerTest {
             now += 5000;
             late.send(moveTo(4.4));
             late.undo();
-            late.send(moveTo(4.6));
-            late.redo();
             late.undo();
+            late.redo();
         });
+        assertEquals(List.of(4.4, 4.2, 4.0, 4.2), places(answers), "the second edit is undone before the first");
+        assertEquals(Optional.of("Move desk"), callOnEdt(late::undoName));
+        assertEquals(Optional.of("Move desk"), callOnEdt(late::redoName));
+    }
+
+    /** Returns where the desk is after each of the waiting commands and those that follow. */
+    private List<Double> places(List<Runnable> answers) {
         List<Double> places = new ArrayList<>();
         while (!answers.isEmpty()) {
             runOnEdt(() -> answers.remove(0).run());
             places.add(x());
         }
-        assertEquals(List.of(4.4, 4.2, 4.6, 4.2), places, "the last edit leaves nothing to redo");
-        assertEquals(Optional.of("Move desk"), callOnEdt(late::undoName));
+        return places;
+    }
+
+    @Test
+    void anEditThatIsRefusedIsNotUndone() {
+        List<Runnable> answers = new ArrayList<>();
+        UndoController late = lateController(answers);
+        runOnEdt(() -> {
+            late.send(moveTo(4.2));
+            answers.remove(0).run();
+            late.send(new Command.RemoveObstacle("none"));
+            late.undo();
+        });
+        assertEquals(List.of(4.2, 4.0), places(answers));
+    }
+
+    /** The new edit may depend on what would have been undone: settings are sent as a whole. */
+    @Test
+    void aNewEditCancelsAnUndoThatWaits() {
+        List<Runnable> answers = new ArrayList<>();
+        UndoController late = lateController(answers);
+        SensorSpec range = FRONT.withRange(0.5);
+        runOnEdt(() -> {
+            late.pendingEdits().setRobot(RobotSpec.DEFAULT);
+            late.send(new Command.ConfigureSensor(range));
+            late.undo();
+            SensorSpec expected = late.pendingEdits().robot().sensors().get(0);
+            late.send(new Command.ConfigureSensor(expected.withNoise(0.01)));
+        });
+        assertEquals(2, places(answers).size());
+        assertEquals(range.withNoise(0.01), world.snapshot().robot().sensors().get(0));
+        runOnEdt(() -> {
+            late.undo();
+            late.addSetupEdit(() -> "Setup", "setup", () -> {}, () -> {});
+        });
+        assertEquals(1, answers.size(), "all edits have been answered, so the undo did not wait");
     }
 
     @Test

@@ -16,6 +16,7 @@ public final class UndoForwarder implements WorkspaceListener {
         this.run = run;
         this.undo = undo;
         undo.setPlan(run::plannedSince);
+        undo.setRepositioning(run::isRepositioning);
     }
 
     @Override
@@ -31,6 +32,11 @@ public final class UndoForwarder implements WorkspaceListener {
     @Override
     public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
         undo.runRepositioned(tick, setup, eventsOnTimeline, run);
+    }
+
+    @Override
+    public void taskFinished() {
+        undo.taskFinished();
     }
 
     @Override

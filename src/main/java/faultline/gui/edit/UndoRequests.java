@@ -1,0 +1,94 @@
+package faultline.gui.edit;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Undoes and redoes edits on request. A request waits until the run has answered the edits before it, since one that is
+ * refused is not undone, and until a run that is being restarted or moved has its events on the timeline. A new edit
+ * drops the requests that wait, because it was made without their effects. Event dispatch thread only.
+ */
+final class UndoRequests {
+
+    private final EditHistory history;
+    private final EditAction action;
+    private final Deque<Kind> waiting = new ArrayDeque<>();
+    private BooleanSupplier repositioning = () -> false;
+    private int unanswered;
+
+    private enum Kind {
+        UNDO,
+        REDO
+    }
+
+    /** Redoes or undoes an edit. */
+    @FunctionalInterface
+    interface EditAction {
+        void apply(Edit edit, boolean redone);
+    }
+
+    UndoRequests(EditHistory history, EditAction action) {
+        this.history = history;
+        this.action = action;
+    }
+
+    /** Sets what returns whether the run is being restarted or moved to another tick. */
+    void setRepositioning(BooleanSupplier newRepositioning) {
+        repositioning = newRepositioning;
+    }
+
+    /** Records that an edit has been made. */
+    void editMade() {
+        waiting.clear();
+    }
+
+    /** Records that the commands of an edit are being sent; {@link #answered} must follow. */
+    void editSent() {
+        editMade();
+        unanswered++;
+    }
+
+    /** Records that the run has answered the commands of an edit, which is in the history unless it was refused. */
+    void answered() {
+        unanswered--;
+        process();
+    }
+
+    void undo() {
+        request(Kind.UNDO);
+    }
+
+    void redo() {
+        request(Kind.REDO);
+    }
+
+    private void request(Kind kind) {
+        waiting.add(kind);
+        process();
+    }
+
+    /** Executes the requests that need not wait any longer; called when the run has been restarted or moved. */
+    void process() {
+        while (unanswered == 0 && !waiting.isEmpty()) {
+            boolean redone = waiting.peek() == Kind.REDO;
+            Optional<Edit> next = redone ? history.nextRedo() : history.nextUndo();
+            if (next.filter(this::mustWait).isPresent()) {
+                return;
+            }
+            waiting.remove();
+            next.ifPresent(edit -> action.apply(edit, redone));
+        }
+    }
+
+    private boolean mustWait(Edit edit) {
+        return edit instanceof CommandEdit commands && commands.hasOnlyEvents() && repositioning.getAsBoolean();
+    }
+
+    /** Forgets all requests and edits, because another scenario has been opened. */
+    void clear() {
+        waiting.clear();
+        unanswered = 0;
+    }
+}

@@ -1,0 +1,104 @@
+package faultline.gui.edit;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.SessionFrames;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** Tests that an undo that is requested together with an edit, a restart or a move of the run undoes that edit. */
+@ExtendWith(EdtChecker.class)
+class WaitingUndoTest {
+
+    private static final Command FAULT = new Command.InjectFault("left", new Fault.Stuck(0.5));
+
+    private final EditedRun run = new EditedRun();
+    private List<TimedCommand> before;
+
+    @BeforeEach
+    void advance() {
+        run.advance(100);
+        before = run.timeline();
+    }
+
+    @AfterEach
+    void close() {
+        run.close();
+    }
+
+    @Test
+    void anEditOfARestartedRun() {
+        assertIsUndone(() -> {
+            run.edits().send(FAULT);
+            run.edits().undo();
+            run.controller().restart();
+        });
+    }
+
+    @Test
+    void anEditOfAMovedRun() {
+        assertIsUndone(() -> {
+            run.edits().send(FAULT);
+            run.edits().undo();
+            run.controller().navigator().seek(50);
+        });
+    }
+
+    @Test
+    void anEarlierEditDuringARestart() {
+        run.send(FAULT);
+        assertIsUndone(() -> {
+            run.controller().restart();
+            run.edits().undo();
+        });
+    }
+
+    @Test
+    void anEarlierEditDuringAMove() {
+        run.send(FAULT);
+        assertIsUndone(() -> {
+            run.controller().navigator().seek(50);
+            run.edits().undo();
+        });
+    }
+
+    @Test
+    void anEarlierEditDuringAMoveThatIsCancelled() {
+        run.send(FAULT);
+        runOnEdt(() -> {
+            run.controller().navigator().seek(50);
+            run.edits().undo();
+            run.workspace().cancelTask();
+        });
+        run.rest();
+        assertEquals(Optional.of("Fault in left"), callOnEdt(run.edits()::redoName));
+        assertTrue(SessionFrames.frame(run.workspace()).snapshot().sensors().stream()
+                .allMatch(sensor -> sensor.faults().isEmpty()));
+    }
+
+    /** Asserts that the timeline is what it was before the fault, which can be redone once. */
+    private void assertIsUndone(Runnable actions) {
+        runOnEdt(actions);
+        run.rest();
+        assertEquals(before, run.timeline());
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+        run.redo();
+        assertEquals(before.size() + 1, run.timeline().size());
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::redoName));
+        run.undo();
+        assertEquals(before, run.timeline());
+        assertFalse(callOnEdt(run.workspace()::isChanged));
+    }
+}
