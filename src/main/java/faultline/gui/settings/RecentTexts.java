@@ -27,9 +27,12 @@ public final class RecentTexts {
         return store.get(key).lines().filter(line -> !line.isBlank()).toList();
     }
 
-    /** Adds a text as the newest one. One with a line break is not kept, because lines separate the texts. */
+    /**
+     * Adds a text as the newest one. One with a line break is not kept, because lines separate the texts, nor one that
+     * is longer than the preferences allow.
+     */
     public void add(String text) {
-        if (!LINE_BREAK.matcher(text).find()) {
+        if (text.length() <= MAX_VALUE_LENGTH && !LINE_BREAK.matcher(text).find()) {
             store(Stream.concat(Stream.of(text), texts().stream().filter(other -> !other.equals(text)))
                     .limit(MAX_TEXTS)
                     .toList());

@@ -58,4 +58,11 @@ class RecentFilesTest {
         assertEquals(file("7" + "x".repeat(200) + "/y".repeat(1000)), files.get(0));
         assertTrue(files.size() >= 2 && files.size() < 8, files.size() + " files");
     }
+
+    @Test
+    void aNameThatIsTooLongLeavesTheOthers() {
+        recent.add(file("room"));
+        recent.add(file("x".repeat(9000)));
+        assertEquals(List.of(file("room")), recent.files());
+    }
 }
