@@ -5,6 +5,7 @@ import faultline.engine.Journal;
 import faultline.engine.RunFailedException;
 import faultline.engine.RunProblem;
 import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.RunMeter;
 import faultline.engine.recording.Recorder;
 import faultline.io.Message;
@@ -163,6 +164,10 @@ final class InteractiveRun implements AutoCloseable {
     SessionStatus status() {
         return new SessionStatus(
                 running, pacer.speed(), running ? pacer.achievedSpeed() : 0, refusals, lastRefusal, failure);
+    }
+
+    SimulationSetup setup() {
+        return simulation.setup();
     }
 
     /** Returns the commands executed so far. */

@@ -107,6 +107,11 @@ public final class Session implements SessionView, AutoCloseable {
         return started;
     }
 
+    /** {@return the setup of the run} */
+    public SimulationSetup setup() {
+        return run.setup();
+    }
+
     @Override
     public SessionFrame frame() {
         frameWanted = true;
@@ -129,12 +134,17 @@ public final class Session implements SessionView, AutoCloseable {
      *
      * @param commands the commands
      * @param resultHandler receives the result of each command, on the simulation thread, after a frame that shows its
-     *     effect has been published; must return quickly
+     *     effect has been published; none if the run broke at one of them; must return quickly
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> resultHandler) {
         submit(() -> {
-            List<CommandResult> results = run.execute(commands);
-            requests.addAnswer(() -> resultHandler.accept(results));
+            List<CommandResult> results = List.of();
+            try {
+                results = run.execute(commands);
+            } finally {
+                List<CommandResult> answer = results;
+                requests.addAnswer(() -> resultHandler.accept(answer));
+            }
         });
     }
 

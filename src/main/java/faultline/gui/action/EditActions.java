@@ -40,13 +40,13 @@ public final class EditActions {
 
     /** Updates the names and states of the actions. */
     public void update() {
-        update(undo, undoController.undoName().orElse(null));
-        update(redo, undoController.redoName().orElse(null));
+        update(undo, undoController.canUndo(), undoController.undoName().orElse(null));
+        update(redo, undoController.canRedo(), undoController.redoName().orElse(null));
     }
 
-    /** Shows the name of an edit in the name of an action, null if there is no edit. */
-    private static void update(UiAction action, String edit) {
-        action.setEnabled(edit != null);
+    /** Shows the state of an action and the name of its edit, null if there is none or it is not known yet. */
+    private static void update(UiAction action, boolean possible, String edit) {
+        action.setEnabled(possible);
         if (edit == null) {
             action.rename(action.key());
         } else {

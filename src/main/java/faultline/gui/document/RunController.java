@@ -7,6 +7,7 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
@@ -173,8 +174,22 @@ public final class RunController implements WorkspaceListener {
     public List<Command> plannedSince(long tick) {
         return workspace
                 .openDocument()
-                .map(open -> open.document().planned(tick + 1, navigator.currentTick() + 1))
+                .map(open ->
+                        open.document().named(planned(open.session().setup(), tick + 1, navigator.currentTick() + 1)))
                 .orElse(List.of());
+    }
+
+    /** Returns the commands of a timeline from one tick to another, both included, in the order of their execution. */
+    private static List<Command> planned(SimulationSetup setup, long from, long to) {
+        return setup.timeline().stream()
+                .filter(planned -> isBetween(setup.tickAt(planned.time()), from, to))
+                .sorted(Comparator.comparingLong(planned -> setup.tickAt(planned.time())))
+                .map(SimulationSetup.TimedCommand::command)
+                .toList();
+    }
+
+    private static boolean isBetween(long tick, long from, long to) {
+        return from <= tick && tick <= to;
     }
 
     private void commandsExecuted(OpenDocument open, List<CommandResult> results) {

@@ -3,14 +3,12 @@ package faultline.gui.document;
 import faultline.control.ControllerState;
 import faultline.engine.ControllerFactory;
 import faultline.engine.Journal;
-import faultline.engine.SimulationSetup;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -138,6 +136,12 @@ final class ScenarioDocument {
                 .orElse(command);
     }
 
+    /** Returns commands with the ids that their sensors have in the edited scenario. */
+    List<Command> named(List<Command> commands) {
+        List<String> ids = edited().setup().robot().sensorIds();
+        return commands.stream().map(command -> named(command, ids)).toList();
+    }
+
     /** Returns the result of a command with the id that its sensor has in the edited scenario. */
     CommandResult named(CommandResult result) {
         List<String> ids = edited().setup().robot().sensorIds();
@@ -158,20 +162,6 @@ final class ScenarioDocument {
     /** Returns the setup at the start of the run, and the commands executed since then or still ahead. */
     Journal journal(long ticks) {
         return new Journal(initial.setup(), editor.entries(), ticks);
-    }
-
-    /** Returns the commands of the run's timeline from one tick to another, both included, in their order. */
-    List<Command> planned(long from, long to) {
-        SimulationSetup setup = initial.setup();
-        return setup.timeline().stream()
-                .filter(planned -> isBetween(setup.tickAt(planned.time()), from, to))
-                .sorted(Comparator.comparingLong(planned -> setup.tickAt(planned.time())))
-                .map(SimulationSetup.TimedCommand::command)
-                .toList();
-    }
-
-    private static boolean isBetween(long tick, long from, long to) {
-        return from <= tick && tick <= to;
     }
 
     /** Returns whether the file holds another scenario than the edited one, or none. */

@@ -35,6 +35,14 @@ public final class TimelineEvents {
     }
 
     /**
+     * Returns what an event changes: the switch or the faults of a sensor, or those of a motor. Equal if it is the
+     * same.
+     */
+    public static Object subject(Command event) {
+        return EventEffects.subject(event);
+    }
+
+    /**
      * Returns the events among executed commands that changed something, without those of one tick that cancel out,
      * such as a fault that was undone while the run was paused.
      */

@@ -1,6 +1,5 @@
 package faultline.gui.edit;
 
-import faultline.engine.Journal;
 import faultline.gui.document.SensorRename;
 import faultline.gui.document.TimelineEvents;
 import faultline.world.Command;
@@ -47,7 +46,7 @@ final class CommandEdit implements Edit {
 
     /** Changes the id of a sensor in the commands and in what undoes them. */
     void rename(SensorRename rename) {
-        List<CommandResult> before = List.copyOf(results.values());
+        List<CommandResult> before = results();
         results.clear();
         before.stream().map(rename::rename).forEach(this::add);
     }
@@ -62,11 +61,9 @@ final class CommandEdit implements Edit {
         return results.values().stream().map(CommandResult::command).allMatch(TimelineEvents::isEvent);
     }
 
-    /** Returns the commands with the ticks at which they were executed. */
-    List<Journal.Entry> executed() {
-        return results.values().stream()
-                .map(result -> new Journal.Entry(result.tick(), result.command()))
-                .toList();
+    /** Returns the results of the commands when they were executed for the first time. */
+    List<CommandResult> results() {
+        return List.copyOf(results.values());
     }
 
     /** Returns whether the edit is undone only because the run stands at an earlier tick. */
@@ -78,9 +75,9 @@ final class CommandEdit implements Edit {
         ahead = newAhead;
     }
 
-    /** Returns the commands that undo the edit, given the commands of the timeline since a tick. */
-    List<Command> undoCommands(LongFunction<List<Command>> plannedSince) {
-        List<CommandResult> backwards = new ArrayList<>(results.values());
+    /** Returns the commands that undo executed ones, given what returns the commands of the timeline since a tick. */
+    static List<Command> undoCommands(List<CommandResult> executed, LongFunction<List<Command>> plannedSince) {
+        List<CommandResult> backwards = new ArrayList<>(executed);
         Collections.reverse(backwards);
         return backwards.stream()
                 .flatMap(result -> undo(result, plannedSince).stream())
@@ -100,7 +97,7 @@ final class CommandEdit implements Edit {
 
     @Override
     public String name() {
-        return EditNames.nameOf(List.copyOf(results.values()));
+        return EditNames.nameOf(results());
     }
 
     @Override

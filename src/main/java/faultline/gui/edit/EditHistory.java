@@ -1,13 +1,14 @@
 package faultline.gui.edit;
 
-import faultline.engine.Journal;
 import faultline.gui.document.SensorRename;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.LongFunction;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -32,19 +33,35 @@ final class EditHistory {
     /** The number of changes that the run has passed. */
     private int passed;
 
+    private LongFunction<List<Command>> plannedSince = tick -> List.of();
+
     /**
-     * An edit that was done or undone at the start of a tick, and the commands that redid or undid it; none if it was
-     * done for the first time.
+     * An edit that was done or undone at the start of a tick, and the results of the commands that redid or undid it;
+     * none if it was done for the first time.
      */
-    private record Change(long tick, CommandEdit edit, boolean done, List<Command> commands) {
+    private record Change(long tick, CommandEdit edit, boolean done, List<CommandResult> results) {
         boolean isFirst() {
-            return done && commands.isEmpty();
+            return done && results.isEmpty();
+        }
+
+        /** Returns what was executed; the commands of a gesture may have been executed at several ticks. */
+        List<CommandResult> executed() {
+            return isFirst()
+                    ? edit.results()
+                    : results.stream()
+                            .filter(result -> result.refusal().isEmpty())
+                            .toList();
         }
 
         Change renamed(SensorRename rename) {
             return new Change(
-                    tick, edit, done, commands.stream().map(rename::rename).toList());
+                    tick, edit, done, results.stream().map(rename::rename).toList());
         }
+    }
+
+    /** Sets what returns the commands of the timeline that were executed after a tick. */
+    void setPlan(LongFunction<List<Command>> newPlannedSince) {
+        plannedSince = newPlannedSince;
     }
 
     /**
@@ -94,10 +111,25 @@ final class EditHistory {
     /** Returns the edit that is undone next: the last one of those that are done whose undo has an effect. */
     Optional<Edit> nextUndo() {
         int index = cursor - 1;
-        while (index >= 0 && !edits.get(index).isEffective()) {
+        while (index >= 0 && !isEffective(edits.get(index))) {
             index--;
         }
         return index >= 0 ? Optional.of(edits.get(index)) : Optional.empty();
+    }
+
+    private boolean isEffective(Edit edit) {
+        return edit instanceof CommandEdit command ? !undoCommands(command).isEmpty() : edit.isEffective();
+    }
+
+    /** Returns the commands that undo an edit as it was done last; none if the timeline has ended what it did. */
+    List<Command> undoCommands(CommandEdit edit) {
+        for (int i = passed - 1; i >= 0; i--) {
+            Change change = changes.get(i);
+            if (change.edit() == edit && change.done()) {
+                return CommandEdit.undoCommands(change.executed(), plannedSince);
+            }
+        }
+        return CommandEdit.undoCommands(edit.results(), plannedSince);
     }
 
     /** Returns the edit that is redone next. */
@@ -147,9 +179,9 @@ final class EditHistory {
         addChange(new Change(tick, edit, true, List.of()));
     }
 
-    /** Records that an edit was redone or undone by commands at a tick, after all other changes. */
-    void addChange(long tick, CommandEdit edit, boolean done, List<Command> commands) {
-        addChange(new Change(tick, edit, done, commands));
+    /** Records that an edit was redone or undone at a tick, after all other changes, with the results of commands. */
+    void addChange(long tick, CommandEdit edit, boolean done, List<CommandResult> results) {
+        addChange(new Change(tick, edit, done, results));
     }
 
     private void addChange(Change change) {
@@ -181,8 +213,7 @@ final class EditHistory {
      * Follows the run to another tick; returns whether that undoes or redoes an edit. If all events of the run have
      * become commands of the timeline, the edits of those that are done are replaced.
      */
-    boolean moveTo(
-            long tick, boolean eventsOnTimeline, BiFunction<CommandEdit, List<Journal.Entry>, Edit> replacement) {
+    boolean moveTo(long tick, boolean eventsOnTimeline, BiFunction<Edit, List<CommandResult>, Edit> replacement) {
         if (eventsOnTimeline) {
             replaceEvents(replacement);
             passed -= (int) changes.subList(0, passed).stream().filter(IS_EVENT).count();
@@ -211,33 +242,18 @@ final class EditHistory {
      * Includes all edits in a restarted run, also those that were ahead, without their ticks. Edits of events that are
      * done are replaced, as by {@link #moveTo}.
      */
-    void restart(BiFunction<CommandEdit, List<Journal.Entry>, Edit> replacement) {
+    void restart(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
         advanceTo(Long.MAX_VALUE);
         replaceEvents(replacement);
         forgetChanges();
     }
 
-    /** Replaces the edits of events that are done, given what was executed when they were done, undone and redone. */
-    private void replaceEvents(BiFunction<CommandEdit, List<Journal.Entry>, Edit> replacement) {
-        for (int i = 0; i < cursor; i++) {
-            if (edits.get(i) instanceof CommandEdit edit && edit.hasOnlyEvents()) {
-                edits.set(i, replacement.apply(edit, executed(edit)));
-            }
-        }
-    }
-
-    /** Returns what was executed in this run when an edit was done, undone and redone. */
-    private List<Journal.Entry> executed(CommandEdit edit) {
-        List<Journal.Entry> executed = new ArrayList<>();
-        for (Change change : changes) {
-            if (change.edit() == edit && change.isFirst()) {
-                // The commands of a gesture may have been executed at several ticks.
-                executed.addAll(edit.executed());
-            } else if (change.edit() == edit) {
-                change.commands().forEach(command -> executed.add(new Journal.Entry(change.tick(), command)));
-            }
-        }
-        return executed;
+    /** Replaces the edits of events that are done, given what was executed for them in this run. */
+    private void replaceEvents(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
+        List<Edit> done = edits.subList(0, cursor);
+        ExecutedEvents executed = new ExecutedEvents(done);
+        changes.stream().filter(IS_EVENT).forEach(change -> executed.add(change.edit(), change.executed()));
+        done.replaceAll(edit -> executed.of(edit).isEmpty() ? edit : replacement.apply(edit, executed.of(edit)));
     }
 
     private void forgetChanges() {

@@ -4,6 +4,7 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.RunController;
 import faultline.gui.document.TimelineEvents;
 import faultline.scenario.Scenario;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -28,6 +29,13 @@ record EventEdit(CommandEdit edit, List<TimedCommand> events, RunController run)
     @Override
     public boolean isEffective() {
         return run.isChangedBy(this::removedFrom);
+    }
+
+    /** Returns this edit with more events. */
+    EventEdit with(List<TimedCommand> more) {
+        List<TimedCommand> all = new ArrayList<>(events);
+        all.addAll(more);
+        return new EventEdit(edit, all, run);
     }
 
     private Scenario removedFrom(Scenario scenario) {

@@ -1,6 +1,5 @@
 package faultline.gui.edit;
 
-import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.RunController;
@@ -50,6 +49,7 @@ public final class UndoController {
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
+    private long advancedTo;
     private int gestureId;
     private boolean gestureActive;
     private int generation;
@@ -91,6 +91,7 @@ public final class UndoController {
     /** Sets what returns the commands of the timeline that were executed after a tick. */
     public void setPlan(LongFunction<List<Command>> newPlannedSince) {
         plannedSince = newPlannedSince;
+        history.setPlan(newPlannedSince);
     }
 
     /** Sets what returns whether the run is being restarted or moved to another tick. */
@@ -111,9 +112,11 @@ public final class UndoController {
                     .map(command -> EditTarget.ofGesture(command, pendingEdits.controller()))
                     .toList());
             requests.editSent();
+            onStateChange.run();
             submit(commands, results -> {
                 recordEdit(id, results);
                 requests.answered();
+                onStateChange.run();
             });
         }
     }
@@ -153,7 +156,6 @@ public final class UndoController {
             if (history.add(edit)) {
                 history.addExecution(results.get(0).tick(), edit);
             }
-            onStateChange.run();
         }
     }
 
@@ -202,6 +204,7 @@ public final class UndoController {
     public void undo() {
         endEdit();
         requests.undo();
+        onStateChange.run();
     }
 
     /** Redoes the edit that was undone last, if there is one; waits as {@link #undo} does. */
@@ -217,7 +220,7 @@ public final class UndoController {
 
     /** Sends the commands that redo or undo an edit. */
     void submit(CommandEdit edit, boolean done) {
-        List<Command> commands = done ? edit.redoCommands() : edit.undoCommands(plannedSince);
+        List<Command> commands = done ? edit.redoCommands() : history.undoCommands(edit);
         if (!commands.isEmpty()) {
             submit(commands, results -> commandsExecuted(edit, done, results));
         }
@@ -229,11 +232,7 @@ public final class UndoController {
             if (!done) {
                 undoListener.accept(history.firstTick(edit));
             }
-            history.addChange(
-                    results.get(0).tick(),
-                    edit,
-                    done,
-                    results.stream().map(CommandResult::command).toList());
+            history.addChange(results.get(0).tick(), edit, done, results);
         } else if (results.isEmpty() || !results.stream().allMatch(UndoController::isAboutNothing)) {
             // The world refused the command, or the run has died, so the edit does not change.
             history.mark(edit, !done);
@@ -270,9 +269,14 @@ public final class UndoController {
         }
     }
 
-    /** Follows the run as it advances, possibly past edits that were made before it was moved back. */
+    /**
+     * Follows the run as it advances, possibly past edits that were made before it was moved back, and past commands of
+     * the timeline, which may end what an edit did.
+     */
     public void runAdvanced(long tick) {
-        if (history.advanceTo(tick)) {
+        boolean planned = tick != advancedTo && !plannedSince.apply(advancedTo).isEmpty();
+        advancedTo = tick;
+        if (history.advanceTo(tick) || planned) {
             onStateChange.run();
         }
     }
@@ -290,13 +294,15 @@ public final class UndoController {
         onStateChange.run();
     }
 
-    /** Returns the edit of events that are on the timeline of a setup. */
+    /** Returns an edit of events as one whose executed commands are on the timeline of a setup. */
     private static EventEdit timelineEdit(
-            CommandEdit edit, List<Journal.Entry> executed, SimulationSetup setup, RunController run) {
+            Edit edit, List<CommandResult> executed, SimulationSetup setup, RunController run) {
         List<TimedCommand> events = executed.stream()
-                .map(entry -> new TimedCommand(setup.timeOf(entry.tick()), entry.command()))
+                .map(result -> new TimedCommand(setup.timeOf(result.tick()), result.command()))
                 .toList();
-        return new EventEdit(edit, events, run);
+        return edit instanceof EventEdit earlier
+                ? earlier.with(events)
+                : new EventEdit((CommandEdit) edit, events, run);
     }
 
     /** Follows the end of the work on the run: what has been undone or redone in the meantime takes effect. */
@@ -330,6 +336,16 @@ public final class UndoController {
         requests.clear();
         history.clear();
         onStateChange.run();
+    }
+
+    /** Returns whether there is an edit that {@link #undo} undoes, now or when the run has answered. */
+    public boolean canUndo() {
+        return history.nextUndo().isPresent() || requests.awaitsEdit();
+    }
+
+    /** Returns whether there is an edit that {@link #redo} redoes, now or when the run has answered. */
+    public boolean canRedo() {
+        return history.nextRedo().isPresent() || requests.isWaiting();
     }
 
     /** Returns the name of the edit that {@link #undo} would undo. */

@@ -69,6 +69,16 @@ final class UndoRequests {
         process();
     }
 
+    /** Returns whether the run has not answered all edits, so that one of them may be undone. */
+    boolean awaitsEdit() {
+        return unanswered > 0;
+    }
+
+    /** Returns whether requests wait, so that an edit may be redone later. */
+    boolean isWaiting() {
+        return !waiting.isEmpty();
+    }
+
     /** Executes the requests that need not wait any longer; called when the run has been restarted or moved. */
     void process() {
         while (unanswered == 0 && !waiting.isEmpty()) {

@@ -19,6 +19,7 @@ import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -91,6 +92,14 @@ class SessionTest {
                 session.status().failure().orElseThrow().toString());
         CompletableFuture<Journal> journal = session.journal();
         assertThrows(ExecutionException.class, () -> journal.get(5, TimeUnit.SECONDS));
+    }
+
+    @Test
+    void aCommandAtWhichTheRunBreaksIsAnswered() throws Exception {
+        CompletableFuture<List<CommandResult>> results = new CompletableFuture<>();
+        session.send(Collections.singletonList(null), results::complete);
+        assertEquals(List.of(), results.get(5, TimeUnit.SECONDS));
+        assertTrue(session.status().failure().orElseThrow().toString().contains("NullPointerException"));
     }
 
     /** A controller that needs a permit for each decision from tick 2 on. */

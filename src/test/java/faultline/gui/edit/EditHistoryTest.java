@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
-import faultline.engine.Journal;
 import faultline.geometry.Pose;
 import faultline.gui.document.SensorReference;
 import faultline.gui.document.SensorRename;
@@ -87,8 +86,15 @@ class EditHistoryTest {
     }
 
     private void markUndone(long tick, CommandEdit edit) {
+        List<CommandResult> results = results(tick, history.undoCommands(edit));
         history.mark(edit, false);
-        history.addChange(tick, edit, false, edit.undoCommands(since -> List.of()));
+        history.addChange(tick, edit, false, results);
+    }
+
+    private static List<CommandResult> results(long tick, List<Command> commands) {
+        return commands.stream()
+                .map(command -> (CommandResult) new CommandResult.Executed(tick, command, List.of()))
+                .toList();
     }
 
     @Test
@@ -102,7 +108,7 @@ class EditHistoryTest {
                         new CommandResult.Executed(1, off, List.of(on)),
                         new CommandResult.Executed(1, platform, List.of(platform))));
         assertEquals(List.of(off, platform), edit.redoCommands());
-        assertEquals(List.of(platform, on), edit.undoCommands(tick -> List.of()));
+        assertEquals(List.of(platform, on), history.undoCommands(edit));
         assertFalse(edit.isNoOp());
     }
 
@@ -216,8 +222,8 @@ class EditHistoryTest {
         assertDoneAndUndone(null, null);
     }
 
-    private SetupEdit replacement(List<List<Long>> ticks, List<Journal.Entry> executed) {
-        ticks.add(executed.stream().map(Journal.Entry::tick).toList());
+    private SetupEdit replacement(List<List<Long>> ticks, List<CommandResult> executed) {
+        ticks.add(executed.stream().map(CommandResult::tick).toList());
         return edit(ticks.size());
     }
 
@@ -231,7 +237,7 @@ class EditHistoryTest {
         CommandEdit redone = switchOff(30, "left");
         markUndone(40, redone);
         history.mark(redone, true);
-        history.addChange(50, redone, true, redone.redoCommands());
+        history.addChange(50, redone, true, results(50, redone.redoCommands()));
         List<List<Long>> ticks = new ArrayList<>();
         assertTrue(history.moveTo(5, true, (edit, executed) -> replacement(ticks, executed)));
         assertEquals(List.of(List.of(10L), List.of(30L, 40L, 50L)), ticks);
@@ -267,8 +273,8 @@ class EditHistoryTest {
         return execute(tick, new Command.ConfigureSensor(front.withRange(1.5)), new Command.ConfigureSensor(front));
     }
 
-    private static List<String> sensors(CommandEdit edit) {
-        return Stream.concat(edit.redoCommands().stream(), edit.undoCommands(tick -> List.of()).stream())
+    private List<String> sensors(CommandEdit edit) {
+        return Stream.concat(edit.redoCommands().stream(), history.undoCommands(edit).stream())
                 .flatMap(command -> SensorReference.in(command).stream())
                 .distinct()
                 .toList();

@@ -3,11 +3,14 @@ package faultline.gui.edit;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.HeadlessRun;
+import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.SessionFrames;
 import faultline.robot.MotorFault;
@@ -18,6 +21,7 @@ import faultline.sensor.SignalFault;
 import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -128,14 +132,88 @@ class LaterUndoTest {
     }
 
     @Test
-    void aRepairIsUndoneWithoutEffectAfterTheEndOfTheFault() {
+    void aRepairIsPassedOverAfterTheEndOfTheFault() {
         plan(at(0.45, new Command.InjectFault("front", BIAS)));
+        run.advanceTo(20);
+        run.send(new Command.SwitchSensor("left", false));
         run.advanceTo(29);
         run.send(new Command.ClearFaults("front"));
+        assertEquals("Repair front", callOnEdt(() -> run.edits().undoName().orElseThrow()));
         run.advanceTo(52);
+        assertEquals("Switch left off", callOnEdt(() -> run.edits().undoName().orElseThrow()));
         run.undo();
         assertFaults(BIAS);
-        assertEquals("Repair front", callOnEdt(() -> run.edits().redoName().orElseThrow()));
+        assertEquals("Switch left off", callOnEdt(() -> run.edits().redoName().orElseThrow()));
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+    }
+
+    @Test
+    void aFaultThatIsRedoneAfterItsEndIsUndoneAgain() {
+        plan(at(0.45, new Command.ClearFaults("front")));
+        run.advanceTo(29);
+        run.send(new Command.InjectFault("front", STUCK));
+        run.advanceTo(35);
+        run.undo();
+        run.advanceTo(52);
+        run.redo();
+        assertFaults(STUCK);
+        run.advanceTo(60);
+        run.undo();
+        assertFaults();
+    }
+
+    @Test
+    void aSwitchThatIsRedoneAfterALaterOneIsUndoneAgain() {
+        plan(at(0.45, new Command.SwitchSensor("front", false)), at(0.5, new Command.SwitchSensor("front", true)));
+        run.advanceTo(29);
+        run.send(new Command.SwitchSensor("front", false));
+        run.advanceTo(35);
+        run.undo();
+        run.advanceTo(52);
+        run.redo();
+        run.advanceTo(60);
+        assertEquals("Switch front off", callOnEdt(() -> run.edits().undoName().orElseThrow()));
+        run.undo();
+        run.advanceTo(61);
+        assertSameRun();
+        assertTrue(isFrontOn());
+    }
+
+    private boolean isFrontOn() {
+        return SessionFrames.frame(run.workspace())
+                .snapshot()
+                .sensors()
+                .get(0)
+                .spec()
+                .on();
+    }
+
+    /** The timeline that the scenario has got by a move that was cancelled is not that of the run. */
+    @Test
+    void eventsAreUndoneAfterACancelledMoveAsBefore() {
+        plan();
+        run.advanceTo(50);
+        run.send(new Command.InjectFault("front", STUCK));
+        run.advanceTo(60);
+        run.send(new Command.ClearFaults("front"));
+        run.advanceTo(70);
+        run.undo();
+        run.advanceTo(80);
+        runOnEdt(() -> {
+            run.controller().navigator().seek(10);
+            run.workspace().cancelTask();
+        });
+        Await.until(
+                "the events on the timeline",
+                () -> run.workspace()
+                                .scenario()
+                                .orElseThrow()
+                                .setup()
+                                .timeline()
+                                .size()
+                        == 7);
+        run.undo();
+        assertFaults();
     }
 
     @Test
@@ -156,14 +234,7 @@ class LaterUndoTest {
         run.advanceTo(52);
         run.undo();
         assertSameRun();
-        assertEquals(
-                false,
-                SessionFrames.frame(run.workspace())
-                        .snapshot()
-                        .sensors()
-                        .get(0)
-                        .spec()
-                        .on());
+        assertFalse(isFrontOn());
     }
 
     /** What was undone is removed from the timeline, too. */

@@ -3,6 +3,7 @@ package faultline.gui.edit;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -178,6 +179,22 @@ class UndoControllerTest {
             places.add(x());
         }
         return places;
+    }
+
+    /** A key stroke that comes before the answer is not lost. */
+    @Test
+    void anEditCanBeUndoneBeforeItIsAnswered() {
+        List<Runnable> answers = new ArrayList<>();
+        UndoController late = lateController(answers);
+        assertFalse(callOnEdt(late::canUndo));
+        runOnEdt(() -> late.send(moveTo(4.2)));
+        assertTrue(callOnEdt(late::canUndo));
+        assertFalse(callOnEdt(late::canRedo));
+        runOnEdt(late::undo);
+        assertTrue(callOnEdt(late::canRedo));
+        assertEquals(List.of(4.2, 4.0), places(answers));
+        assertFalse(callOnEdt(late::canUndo));
+        assertTrue(callOnEdt(late::canRedo));
     }
 
     @Test

@@ -329,4 +329,67 @@ class UndoneEventsTest {
         run.undo();
         assertTimes(0.11, 0.16);
     }
+
+    /** The repair and its undo have left the fault as it was, so they are removed with it. */
+    @Test
+    void anUndoneRepairIsRemovedWithItsFault() {
+        sendRepairAndUndoIt();
+        run.restart();
+        assertFaultIsUndoneAndRedone();
+    }
+
+    @Test
+    void anUndoneRepairIsRemovedWithItsFaultAfterAMove() {
+        sendRepairAndUndoIt();
+        run.seek(5);
+        assertFaultIsUndoneAndRedone();
+    }
+
+    /** The fault is on the timeline already when the repair is. */
+    @Test
+    void anUndoneRepairIsRemovedWithAFaultOfAnEarlierRun() {
+        run.send(FAULT);
+        run.advance(5);
+        run.seek(5);
+        run.advance(10);
+        run.send(new Command.ClearFaults("left"));
+        run.advance(5);
+        run.undo();
+        run.advance(5);
+        run.seek(5);
+        assertFaultIsUndoneAndRedone();
+    }
+
+    /** A new edit, which the fault before it does not own, leaves the undone repair to the fault. */
+    @Test
+    void anUndoneRepairIsNotRemovedWithALaterFault() {
+        sendRepairAndUndoIt();
+        run.send(new Command.InjectFault("left", new Fault.Bias(0.1)));
+        run.advance(5);
+        run.restart();
+        run.undo();
+        assertEquals(3, run.timeline().size());
+        assertFaultIsUndoneAndRedone();
+    }
+
+    private void sendRepairAndUndoIt() {
+        run.send(FAULT);
+        run.advance(5);
+        run.send(new Command.ClearFaults("left"));
+        run.advance(5);
+        run.undo();
+        run.advance(5);
+    }
+
+    private void assertFaultIsUndoneAndRedone() {
+        assertEquals(Optional.of("Fault in left"), callOnEdt(run.edits()::undoName));
+        run.undo();
+        assertEquals(List.of(), run.timeline());
+        run.advanceTo(40);
+        assertEquals(List.of(), faults());
+        run.redo();
+        run.advanceTo(50);
+        assertEquals(List.of(new Fault.Stuck(0.13)), faults());
+        assertEquals(3, run.timeline().size());
+    }
 }
