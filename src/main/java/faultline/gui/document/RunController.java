@@ -79,23 +79,42 @@ public final class RunController implements WorkspaceListener {
 
     /** Restarts the run with the edited scenario, asynchronously. */
     public void restart() {
-        restartWith(UnaryOperator.identity());
+        restart(() -> {});
     }
 
-    /** Restarts the run with the edited scenario and the robot at another pose, asynchronously. */
+    /** Moves the robot's start in the edited scenario and restarts the run, asynchronously. */
     public void restartAt(Pose start) {
         restartWith(scenario -> scenario.withSetup(scenario.setup().withStart(start)));
     }
 
+    /** Changes the edited scenario at once and restarts the run; the change is kept whatever becomes of the restart. */
     private void restartWith(UnaryOperator<Scenario> change) {
+        workspace.openDocument().ifPresent(now -> {
+            SimulationSetup before = now.document().initial().setup();
+            now.document().changeForRestart(change);
+            workspace.fire(listener -> listener.editsIncluded(before));
+            workspace.fire(WorkspaceListener::titleChanged);
+            restart(this::reportDeferredChange);
+        });
+    }
+
+    private void reportDeferredChange() {
+        if (workspace.task().isEmpty()) {
+            workspace.fire(WorkspaceListener::setupChangeDeferred);
+        }
+    }
+
+    /** Restarts the run, given what to do if that is cancelled or fails. */
+    private void restart(Runnable otherwise) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
             now.session().stopWaiting();
-            workspace.start(new WorkspaceTask(TaskKind.RESTART, now.document().displayPath()), () -> {
-                Scenario scenario = change.apply(edited.join());
-                // The workspace sets the file when the session has started.
-                return now.restartedAs(new ScenarioDocument(null, null, scenario), workspace);
-            });
+            workspace.start(
+                    new WorkspaceTask(TaskKind.RESTART, now.document().displayPath()),
+                    // The workspace sets the file when the session has started.
+                    () -> now.restartedAs(new ScenarioDocument(null, null, edited.join()), workspace),
+                    () -> {},
+                    otherwise);
         });
     }
 

@@ -95,6 +95,16 @@ final class ScenarioDocument {
         edited = null;
     }
 
+    /**
+     * Changes the edited scenario for a restart: all commands of the run become part of it, so that their ticks no
+     * longer matter, and the document has no edits.
+     */
+    void changeForRestart(UnaryOperator<Scenario> change) {
+        initial = withRecord(change.apply(edited()));
+        editor = editor.restarted(initial.setup());
+        edited = null;
+    }
+
     /** Changes the id of a sensor in the edited scenario and in the commands of the run. */
     void rename(SensorRename rename) {
         renames.add(rename);

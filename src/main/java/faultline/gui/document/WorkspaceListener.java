@@ -15,6 +15,12 @@ public interface WorkspaceListener {
     default void scenarioRestarted(SimulationSetup before) {}
 
     /**
+     * All commands that the run of a setup has executed have become part of the edited scenario, because it has been
+     * changed so that the run must restart.
+     */
+    default void editsIncluded(SimulationSetup before) {}
+
+    /**
      * The run of a setup has been moved to the end of another tick; later edits are still ahead, unless all events of
      * the run, such as faults, have become commands of the timeline. Followed by {@link #sessionStarted}.
      */

@@ -46,9 +46,8 @@ public final class ScenarioEditor {
     /** Moves the robot's start, which restarts the run, given the setup of the run. */
     public void moveStart(SimulationSetup setup, Pose after) {
         Pose before = setup.start();
-        undo.runRestarted(setup, run);
+        run.restartAt(after);
         undo.addSetupEdit(
                 () -> Messages.get("edit.start"), after, () -> run.restartAt(before), () -> run.restartAt(after));
-        run.restartAt(after);
     }
 }

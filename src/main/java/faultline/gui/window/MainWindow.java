@@ -410,6 +410,11 @@ public final class MainWindow extends JFrame {
         }
 
         @Override
+        public void editsIncluded(SimulationSetup before) {
+            undoController.runRestarted(before, runController);
+        }
+
+        @Override
         public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
             undoController.runRepositioned(tick, setup, eventsOnTimeline, runController);
         }

@@ -30,6 +30,11 @@ public final class UndoForwarder implements WorkspaceListener {
     }
 
     @Override
+    public void editsIncluded(SimulationSetup before) {
+        undo.runRestarted(before, run);
+    }
+
+    @Override
     public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
         undo.runRepositioned(tick, setup, eventsOnTimeline, run);
     }

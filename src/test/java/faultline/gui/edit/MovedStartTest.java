@@ -1,0 +1,169 @@
+package faultline.gui.edit;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Pose;
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.SessionFrames;
+import faultline.gui.document.WorkspaceListener;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** Changes that restart the run, together with others before the restart is complete. */
+@ExtendWith(EdtChecker.class)
+class MovedStartTest {
+
+    private static final Command FAULT = new Command.InjectFault("left", new Fault.Stuck(0.5));
+
+    private final EditedRun run = new EditedRun();
+    private final ScenarioEditor editor = callOnEdt(() -> new ScenarioEditor(run.controller(), run.edits()));
+    private Pose start;
+    private Pose moved;
+
+    @BeforeEach
+    void advance() {
+        run.advance(100);
+        start = start();
+        moved = new Pose(start.x() + 0.05, start.y(), start.heading());
+    }
+
+    @AfterEach
+    void close() {
+        run.close();
+    }
+
+    private Pose start() {
+        return run.scenario().setup().start();
+    }
+
+    /** Moves the start, on the event dispatch thread. */
+    private void moveStart() {
+        editor.moveStart(run.workspace().scenario().orElseThrow().setup(), moved);
+    }
+
+    private void assertMoved() {
+        run.rest();
+        assertEquals(moved, start());
+        assertEquals(Optional.of("Move start position"), callOnEdt(run.edits()::undoName));
+    }
+
+    @Test
+    void theStartAndTheEditBeforeAreUndoneInQuickSuccession() {
+        run.send(FAULT);
+        runOnEdt(this::moveStart);
+        assertMoved();
+        runOnEdt(() -> {
+            run.edits().undo();
+            run.edits().undo();
+        });
+        run.rest();
+        assertEquals(List.of(), run.timeline());
+        assertEquals(start, start());
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+    }
+
+    @Test
+    void anotherChangeAtOnceKeepsBoth() {
+        runOnEdt(() -> {
+            moveStart();
+            editor.edit(
+                    "edit.properties",
+                    now -> now.withSetup(now.setup().withSeed(7)),
+                    now -> now.withSetup(now.setup().withSeed(1)));
+        });
+        run.rest();
+        assertEquals(moved, start());
+        assertEquals(7, run.scenario().setup().seed());
+        run.undo();
+        assertMoved();
+        run.undo();
+        assertEquals(start, start());
+    }
+
+    @Test
+    void aMoveOfTheRunAtOnceKeepsTheStart() {
+        runOnEdt(() -> {
+            moveStart();
+            run.controller().navigator().seek(50);
+        });
+        assertMoved();
+        SessionFrames.awaitTick(run.workspace(), 50);
+    }
+
+    @Test
+    void theStartIsKeptIfTheRestartIsCancelled() {
+        run.send(FAULT);
+        AtomicInteger deferred = new AtomicInteger();
+        runOnEdt(() -> {
+            run.workspace().addListener(new WorkspaceListener() {
+                @Override
+                public void setupChangeDeferred() {
+                    deferred.incrementAndGet();
+                }
+            });
+            moveStart();
+            run.workspace().cancelTask();
+        });
+        assertMoved();
+        Await.until("the report", () -> deferred.get() == 1);
+        assertTrue(run.tick() >= 100, "the run is the one before");
+        run.restart();
+        assertEquals(0, run.tick());
+        assertMoved();
+        run.undo();
+        assertEquals(start, start());
+        run.undo();
+        assertEquals(List.of(), run.timeline());
+    }
+
+    @Test
+    void anEditThatIsNotAnsweredYetIsKept() {
+        runOnEdt(() -> {
+            run.edits().send(FAULT);
+            moveStart();
+        });
+        run.rest();
+        assertEquals(moved, start());
+        assertEquals(1, run.timeline().size());
+        run.undo();
+        run.undo();
+        assertEquals(start, start());
+        assertEquals(List.of(), run.timeline());
+    }
+
+    @Test
+    void eventsKeepTheirTimesInTicksOfAnotherLength() {
+        run.send(FAULT);
+        double before = run.timeline().get(0).time();
+        double dt = run.scenario().setup().dt();
+        runOnEdt(() -> {
+            editor.edit(
+                    "edit.controller",
+                    now -> now.withSetup(now.setup().withTick(2 * dt)),
+                    now -> now.withSetup(now.setup().withTick(dt)));
+            editor.edit(
+                    "edit.properties",
+                    now -> now.withSetup(now.setup().withSeed(7)),
+                    now -> now.withSetup(now.setup().withSeed(1)));
+        });
+        run.rest();
+        assertEquals(2 * dt, run.scenario().setup().dt());
+        assertEquals(before, run.timeline().get(0).time());
+        run.undo();
+        run.undo();
+        run.undo();
+        assertEquals(List.of(), run.timeline());
+        assertEquals(dt, run.scenario().setup().dt());
+    }
+}
