@@ -1,5 +1,6 @@
 package faultline.gui.batch;
 
+import faultline.gui.action.CopyableRows;
 import faultline.gui.panel.RowTable;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
@@ -127,6 +128,7 @@ final class ResultTable extends RowTable {
         setIntercellSpacing(new Dimension(0, 1));
         setAutoResizeMode(AUTO_RESIZE_OFF);
         onOpen(row -> onOpen.accept(convertRowIndexToModel(row)));
+        CopyableRows.install(this);
         setHeadingRenderers();
         for (int column = 0; column < columns.size(); column++) {
             if (OCCASIONAL.contains(columns.get(column))) {

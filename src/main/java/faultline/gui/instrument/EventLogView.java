@@ -2,7 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
-import faultline.gui.action.ContextMenu;
+import faultline.gui.action.CopyableRows;
 import faultline.gui.panel.RowTable;
 import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.KeyBindings;
@@ -17,29 +17,18 @@ import java.awt.Graphics;
 import java.awt.GridLayout;
 import java.awt.Insets;
 import java.awt.Point;
-import java.awt.Rectangle;
-import java.awt.datatransfer.StringSelection;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.util.EnumSet;
-import java.util.List;
 import java.util.Set;
-import java.util.function.IntFunction;
 import java.util.function.LongConsumer;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
-import javax.swing.JMenuItem;
 import javax.swing.JPanel;
-import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import javax.swing.ListSelectionModel;
 import javax.swing.RowFilter;
 import javax.swing.ScrollPaneConstants;
-import javax.swing.UIManager;
 import javax.swing.table.TableColumn;
 import javax.swing.table.TableRowSorter;
 
@@ -66,9 +55,7 @@ public final class EventLogView extends JPanel {
         table.onOpen(row ->
                 jump.accept(events.eventAt(table.convertRowIndexToModel(row)).tick()));
         KeyBindings.bind(table, "ESCAPE", table::clearSelection);
-        KeyBindings.bind(table, "menu C", this::copy);
-        KeyBindings.bind(table, "menu A", table::selectAll);
-        installMenu();
+        CopyableRows.install(table);
         scroll.setColumnHeaderView(table.getTableHeader());
         scroll.setBorder(new FocusRing.FocusBorder(false));
         add(createFilter(), BorderLayout.LINE_END);
@@ -114,75 +101,6 @@ public final class EventLogView extends JPanel {
         table.scrollRectToVisible(table.getCellRect(shown, 0, true));
     }
 
-    private void installMenu() {
-        table.addMouseListener(new MouseAdapter() {
-            @Override
-            public void mousePressed(MouseEvent event) {
-                showMenu(event);
-            }
-
-            @Override
-            public void mouseReleased(MouseEvent event) {
-                showMenu(event);
-            }
-
-            private void showMenu(MouseEvent event) {
-                if (event.isPopupTrigger()) {
-                    int row = table.rowAtPoint(event.getPoint());
-                    if (row >= 0 && !table.isRowSelected(row)) {
-                        table.setRowSelectionInterval(row, row);
-                    }
-                    ContextMenu.show(createMenu(), table, event.getX(), event.getY());
-                }
-            }
-        });
-        for (String key : List.of("shift F10", "CONTEXT_MENU")) {
-            KeyBindings.bind(table, key, () -> {
-                Rectangle row = table.getCellRect(Math.max(0, table.getSelectedRow()), 0, true);
-                ContextMenu.show(createMenu(), table, row.x, row.y + row.height);
-            });
-        }
-    }
-
-    JPopupMenu createMenu() {
-        JMenuItem copy = UiText.menuText(new JMenuItem(), "events.menu.copy");
-        copy.setEnabled(table.getSelectedRow() >= 0);
-        copy.addActionListener(event -> copy());
-        JMenuItem all = UiText.menuText(new JMenuItem(), "events.menu.selectAll");
-        all.setEnabled(table.getRowCount() > 0);
-        all.addActionListener(event -> table.selectAll());
-        JPopupMenu menu = new JPopupMenu();
-        menu.add(copy);
-        menu.add(all);
-        return menu;
-    }
-
-    private void copy() {
-        if (table.getSelectedRow() < 0) {
-            return;
-        }
-        try {
-            getToolkit().getSystemClipboard().setContents(new StringSelection(selectedText()), null);
-        } catch (IllegalStateException busy) {
-            // Another program is using the clipboard.
-            UIManager.getLookAndFeel().provideErrorFeedback(table);
-        }
-    }
-
-    /** Returns the headings and the selected rows, with tabs between the columns. */
-    String selectedText() {
-        IntFunction<String> heading = events::getColumnName;
-        return Stream.concat(
-                        Stream.of(line(heading)),
-                        IntStream.of(table.getSelectedRows())
-                                .mapToObj(row -> line(column -> String.valueOf(table.getValueAt(row, column)))))
-                .collect(Collectors.joining("\n", "", "\n"));
-    }
-
-    private String line(IntFunction<String> cell) {
-        return IntStream.range(0, events.getColumnCount()).mapToObj(cell).collect(Collectors.joining("\t"));
-    }
-
     /** Shows whole rows only; a row that is cut off at the bottom would look like a defect. */
     @Override
     public void doLayout() {
@@ -203,7 +121,6 @@ public final class EventLogView extends JPanel {
 
     private void configureTable() {
         UiText.tip(UiText.name(table, "events"), "events.tip");
-        table.setSelectionMode(ListSelectionModel.MULTIPLE_INTERVAL_SELECTION);
         IntStream.range(0, events.getColumnCount()).forEach(column -> rows.setSortable(column, false));
         table.setRowSorter(rows);
         table.setDefaultRenderer(Object.class, new EventCellRenderer(events));

@@ -56,6 +56,12 @@ class ResultTableTest {
     }
 
     @Test
+    void allRowsCanBeSelectedToBeCopied() {
+        runOnEdt(() -> table.getActionMap().get("menu A").actionPerformed(null));
+        assertEquals(4, callOnEdt(table::getSelectedRowCount));
+    }
+
+    @Test
     void enterOpensTheSelectedRowWhateverTheOrder() {
         runOnEdt(() -> {
             table.getRowSorter().toggleSortOrder(1);
