@@ -4,17 +4,19 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SensorRename;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
 import java.awt.EventQueue;
+import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
@@ -28,9 +30,6 @@ import java.util.function.Supplier;
  */
 public final class UndoController {
 
-    /** The longest pause between repeated commands about the same target that form one edit, milliseconds. */
-    private static final long REPEAT_MILLIS = 1000;
-
     /** The kind of the targets of setup edits. */
     private static final String SETUP = "setup";
 
@@ -42,7 +41,7 @@ public final class UndoController {
 
     private final BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel;
     private final Runnable onStateChange;
-    private final LongSupplier clock;
+    private final Gestures gestures;
     private final PendingEdits pendingEdits = new PendingEdits();
     private final EditHistory history = new EditHistory();
     private final UndoRequests requests = new UndoRequests(history, this::apply);
@@ -50,11 +49,7 @@ public final class UndoController {
     private LongConsumer undoListener = tick -> {};
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
     private long advancedTo;
-    private int gestureId;
-    private boolean gestureActive;
     private int generation;
-    private List<EditTarget> lastTargets = List.of();
-    private long lastMillis;
 
     /**
      * Creates a controller without edits. The channel sends commands to the run, to be executed together, and passes
@@ -70,7 +65,7 @@ public final class UndoController {
             LongSupplier clock) {
         this.channel = channel;
         this.onStateChange = onStateChange;
-        this.clock = clock;
+        this.gestures = new Gestures(clock);
     }
 
     /** Returns the commands that have no effect in a frame yet. */
@@ -88,15 +83,12 @@ public final class UndoController {
         undoListener = listener;
     }
 
-    /** Sets what returns the commands of the timeline that were executed after a tick. */
-    public void setPlan(LongFunction<List<Command>> newPlannedSince) {
-        plannedSince = newPlannedSince;
-        history.setPlan(newPlannedSince);
-    }
-
-    /** Sets what returns whether the run is being restarted or moved to another tick. */
-    public void setRepositioning(BooleanSupplier repositioning) {
-        requests.setRepositioning(repositioning);
+    /** Follows the run of a workspace, however it is moved and restarted. */
+    public void follow(Workspace workspace, RunController run) {
+        plannedSince = run::plannedSince;
+        history.setPlan(plannedSince);
+        requests.setRepositioning(run::isRepositioning);
+        workspace.addListener(new RunFollower(run));
     }
 
     /** Sends one command. */
@@ -108,7 +100,7 @@ public final class UndoController {
     public void send(List<Command> commands) {
         assert EventQueue.isDispatchThread();
         if (!commands.isEmpty()) {
-            int id = gestureIdOf(commands.stream()
+            int id = gestures.idOf(commands.stream()
                     .map(command -> EditTarget.ofGesture(command, pendingEdits.controller()))
                     .toList());
             requests.editSent();
@@ -130,20 +122,6 @@ public final class UndoController {
                 onExecuted.accept(results);
             }
         });
-    }
-
-    /** Returns the id of a new gesture, unless one is active or the targets repeat the last ones. */
-    private int gestureIdOf(List<EditTarget> targets) {
-        long now = clock.getAsLong();
-        boolean repeated = targets.equals(lastTargets)
-                && now - lastMillis <= REPEAT_MILLIS
-                && targets.stream().allMatch(EditTarget::repeatable);
-        if (!gestureActive && !repeated) {
-            gestureId++;
-        }
-        lastTargets = targets;
-        lastMillis = now;
-        return gestureId;
     }
 
     private void recordEdit(int sentAs, List<CommandResult> results) {
@@ -176,7 +154,7 @@ public final class UndoController {
      */
     public void addSetupEdit(Supplier<String> name, Object target, Runnable undoAction, Runnable redoAction) {
         assert EventQueue.isDispatchThread();
-        int id = gestureIdOf(List.of(new EditTarget(SETUP, target, true)));
+        int id = gestures.idOf(List.of(new EditTarget(SETUP, target, true)));
         addSetupEdit(new SetupEdit(name, id, undoAction, redoAction));
     }
 
@@ -188,7 +166,7 @@ public final class UndoController {
 
     /** Records that a sensor has got another id, given what changes ids. */
     void addRename(SensorRename rename, Consumer<SensorRename> action) {
-        int id = gestureIdOf(List.of(new EditTarget(SETUP, rename, false)));
+        int id = gestures.idOf(List.of(new EditTarget(SETUP, rename, false)));
         addSetupEdit(new SetupEdit(
                 () -> Messages.get("edit.renameSensor", rename.before(), rename.after()),
                 id,
@@ -248,28 +226,6 @@ public final class UndoController {
     }
 
     /**
-     * Follows the run to another tick, where the commands for the next one have been executed; later edits can be
-     * redone, and are redone automatically when the run reaches them.
-     *
-     * @param tick the tick
-     * @param setup the setup of the run
-     * @param eventsOnTimeline whether all events of the run, such as faults, have become commands of the timeline,
-     *     where they are undone
-     * @param run changes the scenario
-     */
-    public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline, RunController run) {
-        // A change of the setup repositions the run itself, and the next one may continue it.
-        if (!lastTargets.stream().allMatch(target -> target.kind().equals(SETUP))) {
-            endEdit();
-        }
-        boolean changed = history.moveTo(
-                tick + 1, eventsOnTimeline, (edit, executed) -> timelineEdit(edit, executed, setup, run));
-        if (changed || eventsOnTimeline) {
-            onStateChange.run();
-        }
-    }
-
-    /**
      * Follows the run as it advances, possibly past edits that were made before it was moved back, and past commands of
      * the timeline, which may end what an edit did.
      */
@@ -281,55 +237,23 @@ public final class UndoController {
         }
     }
 
-    /**
-     * Follows a restart: all edits are part of the run from its start. Events, such as faults, are on the timeline of
-     * the scenario now, where they are undone.
-     *
-     * @param before the setup of the run before
-     * @param run changes the scenario
-     */
-    public void runRestarted(SimulationSetup before, RunController run) {
-        endEdit();
-        history.restart((edit, executed) -> timelineEdit(edit, executed, before, run));
-        onStateChange.run();
-    }
-
-    /** Returns an edit of events as one whose executed commands are on the timeline of a setup. */
-    private static EventEdit timelineEdit(
-            Edit edit, List<CommandResult> executed, SimulationSetup setup, RunController run) {
-        List<TimedCommand> events = executed.stream()
-                .map(result -> new TimedCommand(setup.timeOf(result.tick()), result.command()))
-                .toList();
-        return edit instanceof EventEdit earlier
-                ? earlier.with(events)
-                : new EventEdit((CommandEdit) edit, events, run);
-    }
-
-    /** Follows the end of the work on the run: what has been undone or redone in the meantime takes effect. */
-    public void taskFinished() {
-        requests.process();
-    }
-
     /** Starts a gesture: all commands until it ends form one edit. */
     public void beginGesture() {
-        endEdit();
-        gestureActive = true;
+        gestures.begin();
     }
 
     public void endGesture() {
-        endEdit();
-        gestureActive = false;
+        gestures.end();
     }
 
-    /** Ends the last edit: later commands form another one. Must be called when the scenario has been saved. */
+    /** Ends the last edit: later commands form another one. */
     public void endEdit() {
         assert EventQueue.isDispatchThread();
-        gestureId++;
-        lastTargets = List.of();
+        gestures.interrupt();
     }
 
     /** Forgets all edits, because another scenario has been opened. */
-    public void clear() {
+    void clear() {
         generation++;
         endEdit();
         pendingEdits.clear();
@@ -356,5 +280,68 @@ public final class UndoController {
     /** Returns the name of the edit that {@link #redo} would redo. */
     public Optional<String> redoName() {
         return history.nextRedo().map(Edit::name);
+    }
+
+    /** Keeps the history in step with the run. */
+    private final class RunFollower implements WorkspaceListener {
+
+        private final RunController run;
+
+        RunFollower(RunController run) {
+            this.run = run;
+        }
+
+        @Override
+        public void scenarioOpened() {
+            clear();
+        }
+
+        @Override
+        public void scenarioSaved(Path file) {
+            endEdit();
+        }
+
+        @Override
+        public void editsIncluded(SimulationSetup before) {
+            scenarioRestarted(before);
+        }
+
+        /** All edits are part of the run from its start. Events are on the timeline now, where they are undone. */
+        @Override
+        public void scenarioRestarted(SimulationSetup before) {
+            endEdit();
+            history.restart((edit, executed) -> timelineEdit(edit, executed, before));
+            onStateChange.run();
+        }
+
+        /** Later edits can be redone, and are redone automatically when the run reaches them. */
+        @Override
+        public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
+            // A change of the setup repositions the run itself, and the next one may continue it.
+            if (!gestures.areLastOf(SETUP)) {
+                endEdit();
+            }
+            // The commands for the next tick have been executed.
+            boolean changed =
+                    history.moveTo(tick + 1, eventsOnTimeline, (edit, executed) -> timelineEdit(edit, executed, setup));
+            if (changed || eventsOnTimeline) {
+                onStateChange.run();
+            }
+        }
+
+        /** Returns an edit of events as one whose executed commands are on the timeline of a setup. */
+        private EventEdit timelineEdit(Edit edit, List<CommandResult> executed, SimulationSetup setup) {
+            List<TimedCommand> events = executed.stream()
+                    .map(result -> new TimedCommand(setup.timeOf(result.tick()), result.command()))
+                    .toList();
+            return edit instanceof EventEdit earlier
+                    ? earlier.with(events)
+                    : new EventEdit((CommandEdit) edit, events, run);
+        }
+
+        @Override
+        public void taskFinished() {
+            requests.process();
+        }
     }
 }

@@ -1,6 +1,5 @@
 package faultline.gui.window;
 
-import faultline.engine.SimulationSetup;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
@@ -191,8 +190,7 @@ public final class MainWindow extends JFrame {
     private void connectUndo() {
         EditNotifier editNotifier = new EditNotifier(workspace, actionRegistry, this::showNote);
         undoController.setForkListener(editNotifier::timelineForked);
-        undoController.setPlan(runController::plannedSince);
-        undoController.setRepositioning(runController::isRepositioning);
+        undoController.follow(workspace, runController);
         undoController.setUndoListener(editNotifier::editUndone);
     }
 
@@ -391,7 +389,6 @@ public final class MainWindow extends JFrame {
 
         @Override
         public void scenarioOpened() {
-            undoController.clear();
             workspace.scenario().ifPresent(scenario -> {
                 mainPanel.startScenario();
                 batchActions.scenarioOpened(scenario);
@@ -405,33 +402,12 @@ public final class MainWindow extends JFrame {
         }
 
         @Override
-        public void scenarioRestarted(SimulationSetup before) {
-            undoController.runRestarted(before, runController);
-        }
-
-        @Override
-        public void editsIncluded(SimulationSetup before) {
-            undoController.runRestarted(before, runController);
-        }
-
-        @Override
-        public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
-            undoController.runRepositioned(tick, setup, eventsOnTimeline, runController);
-        }
-
-        @Override
-        public void taskFinished() {
-            undoController.taskFinished();
-        }
-
-        @Override
         public void setupChangeDeferred() {
             showNote(Messages.get("edit.deferred"));
         }
 
         @Override
         public void scenarioSaved(Path file) {
-            undoController.endEdit();
             preferences.recentFiles().add(file);
             showSavedNote(file);
         }

@@ -18,7 +18,6 @@ import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.UndoController;
-import faultline.gui.edit.UndoForwarder;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
@@ -63,7 +62,8 @@ class RunNavigatorTest {
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
             edits = new UndoController(run::send, () -> {});
-            workspace.addListener(new UndoForwarder(run, edits));
+            edits.follow(workspace, run);
+            workspace.addListener(new TaskFailures());
             edits.setForkListener(forks::add);
             edits.setUndoListener(undone::add);
             documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));

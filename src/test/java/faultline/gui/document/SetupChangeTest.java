@@ -17,7 +17,6 @@ import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.StoppedClock;
 import faultline.gui.edit.UndoController;
-import faultline.gui.edit.UndoForwarder;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
@@ -56,7 +55,8 @@ class SetupChangeTest {
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
             edits = StoppedClock.undoController(run::send);
-            workspace.addListener(new UndoForwarder(run, edits));
+            edits.follow(workspace, run);
+            workspace.addListener(new TaskFailures());
             workspace.addListener(new WorkspaceListener() {
                 @Override
                 public void setupChangeDeferred() {

@@ -8,6 +8,7 @@ import faultline.gui.Await;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
+import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
@@ -26,7 +27,8 @@ final class EditedRun {
             workspace = new Workspace();
             controller = new RunController(workspace);
             edits = StoppedClock.undoController(controller::send);
-            workspace.addListener(new UndoForwarder(controller, edits));
+            edits.follow(workspace, controller);
+            workspace.addListener(new TaskFailures());
             new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
         });
         SessionFrames.awaitScenario(workspace);

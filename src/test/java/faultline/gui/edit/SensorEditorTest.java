@@ -17,6 +17,7 @@ import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
+import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.robot.RobotSpec;
@@ -66,7 +67,8 @@ class SensorEditorTest {
             documentStore = new DocumentStore(workspace);
             edits = StoppedClock.undoController(run::send);
             sensors = new SensorEditor(workspace, new ScenarioEditor(run, edits), notes::add);
-            workspace.addListener(new UndoForwarder(run, edits));
+            edits.follow(workspace, run);
+            workspace.addListener(new TaskFailures());
             workspace.addListener(new WorkspaceListener() {
                 @Override
                 public void journalSaved(Path file) {

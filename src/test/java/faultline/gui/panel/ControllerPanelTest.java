@@ -23,10 +23,10 @@ import faultline.gui.action.UiAction;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
+import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
-import faultline.gui.edit.UndoForwarder;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
@@ -70,7 +70,8 @@ class ControllerPanelTest {
             run = new RunController(workspace);
             documents = new DocumentStore(workspace);
             undo = new UndoController(run::send, () -> {});
-            workspace.addListener(new UndoForwarder(run, undo));
+            undo.follow(workspace, run);
+            workspace.addListener(new TaskFailures());
             panel = new ControllerPanel(
                     undo,
                     new ScenarioEditor(run, undo),

@@ -21,11 +21,11 @@ import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SensorReference;
 import faultline.gui.document.SessionFrames;
+import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
-import faultline.gui.edit.UndoForwarder;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
@@ -78,7 +78,8 @@ class RandomEditsTest {
             timeline = new TimelineEditor(workspace, run, undo);
             properties = new ScenarioEditor(run, undo);
             sensors = new SensorEditor(workspace, properties, note -> {});
-            workspace.addListener(new UndoForwarder(run, undo));
+            undo.follow(workspace, run);
+            workspace.addListener(new TaskFailures());
         });
     }
 
