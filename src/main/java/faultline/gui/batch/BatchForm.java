@@ -20,8 +20,10 @@ import faultline.scenario.Scenario;
 import faultline.sensor.SensorSpec;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.GridLayout;
+import java.awt.Insets;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -62,13 +64,16 @@ final class BatchForm extends JPanel {
     private final JTextField onset = new JTextField(COLUMNS);
     private final JCheckBox healthy = UiText.text(new JCheckBox("", true), "batch.healthy");
     private final List<JCheckBox> sensors;
+    private final GridLayout sensorLayout = new GridLayout(0, 2);
+    private final JPanel sensorBoxes = new JPanel(sensorLayout);
     private final FaultChoices faults;
     private final JLabel count = new JLabel(" ");
     private final JLabel remark = new JLabel(" ");
-    private final BorderLayout columnLayout = new BorderLayout();
-    private final JPanel columns = new JPanel(columnLayout);
-    private final JPanel first;
-    private final JPanel second;
+    private final GridBagLayout layout = new GridBagLayout();
+    private final JPanel sections = new JPanel(layout);
+    private final TitledSection runSection;
+    private final TitledSection sensorSection = new TitledSection("batch.section.sensors", sensorBoxes);
+    private final TitledSection faultSection;
     private final JScrollPane scroll;
     private int row;
 
@@ -82,43 +87,86 @@ final class BatchForm extends JPanel {
         sensors = robot.sensors().stream().map(this::createSensorBox).toList();
         faults = new FaultChoices(this::updateCount);
         setInitialValues();
-        first = atTop(
-                new TitledSection("batch.section.runs", createRunFields()),
-                new TitledSection("batch.section.sensors", createSensorFields()));
-        second = atTop(new TitledSection("batch.section.faults", faults));
-        columns.add(first, BorderLayout.LINE_START);
-        columns.add(second, BorderLayout.CENTER);
-        scroll = ScreenFit.scrolling(columns);
+        sensors.forEach(sensorBoxes::add);
+        runSection = new TitledSection("batch.section.runs", createRunFields());
+        faultSection = new TitledSection("batch.section.faults", faults);
+        Stream.of(runSection, sensorSection, faultSection).forEach(sections::add);
+        scroll = ScreenFit.scrolling(sections);
         add(scroll, BorderLayout.CENTER);
         RefreshSteps.add(count, label -> updateCount());
     }
 
-    /**
-     * Shows the faults in as many columns as there is room for, below the other fields if there is none beside them.
-     */
+    /** The ways to arrange the sections, with the numbers of columns of the faults and of the sensors. */
+    private enum Arrangement {
+        /** The faults beside the runs, in two columns, and the sensors below the faults. */
+        WIDE(2, 4),
+        /** The faults beside the runs, and the sensors below the runs. */
+        MEDIUM(1, 2),
+        /** The faults below the sensors, and those below the runs. */
+        NARROW(1, 4);
+
+        private final int faultColumns;
+        private final int sensorColumns;
+
+        Arrangement(int faultColumns, int sensorColumns) {
+            this.faultColumns = faultColumns;
+            this.sensorColumns = sensorColumns;
+        }
+    }
+
+    /** Arranges the sections in the widest way that there is room for. */
     @Override
     public void doLayout() {
         int room = getWidth() - scroll.getVerticalScrollBar().getPreferredSize().width;
-        boolean beside = fitBeside(2, room) || fitBeside(1, room);
-        columnLayout.removeLayoutComponent(first);
-        columnLayout.addLayoutComponent(first, beside ? BorderLayout.LINE_START : BorderLayout.PAGE_START);
-        columns.invalidate();
+        if (widthOf(Arrangement.WIDE) > room && widthOf(Arrangement.MEDIUM) > room) {
+            arrange(Arrangement.NARROW);
+        }
         super.doLayout();
     }
 
-    /** Returns a size that shows the faults in two columns beside the other fields. */
+    /** Returns a size in which the form is wide. */
     @Override
     public Dimension getPreferredSize() {
-        faults.arrange(2);
         int bar = scroll.getVerticalScrollBar().getPreferredSize().width;
-        return new Dimension(
-                first.getPreferredSize().width + second.getPreferredSize().width + bar,
-                super.getPreferredSize().height);
+        return new Dimension(widthOf(Arrangement.WIDE) + bar, super.getPreferredSize().height);
     }
 
-    private boolean fitBeside(int faultColumns, int room) {
-        faults.arrange(faultColumns);
-        return first.getPreferredSize().width + second.getPreferredSize().width <= room;
+    private int widthOf(Arrangement arrangement) {
+        arrange(arrangement);
+        return layout.preferredLayoutSize(sections).width;
+    }
+
+    private void arrange(Arrangement arrangement) {
+        faults.arrange(arrangement.faultColumns);
+        boolean wide = arrangement == Arrangement.WIDE;
+        boolean narrow = arrangement == Arrangement.NARROW;
+        arrangeSensors(arrangement.sensorColumns, (wide ? faultSection : runSection).getPreferredSize().width);
+        place(runSection, 0, 0, wide ? 2 : 1);
+        place(sensorSection, wide ? 1 : 0, 1, 1);
+        place(faultSection, narrow ? 0 : 1, narrow ? 2 : 0, arrangement == Arrangement.MEDIUM ? 2 : 1);
+        sections.invalidate();
+    }
+
+    private void place(TitledSection section, int column, int row, int height) {
+        GridBagConstraints cell = FormConstraints.cell(column, row);
+        cell.insets = new Insets(0, 0, 0, 0);
+        cell.anchor = GridBagConstraints.FIRST_LINE_START;
+        cell.fill = GridBagConstraints.HORIZONTAL;
+        cell.gridheight = height;
+        cell.weightx = section == faultSection ? 1 : 0;
+        cell.weighty = row + height > 1 ? 1 : 0;
+        layout.setConstraints(section, cell);
+    }
+
+    /** Shows the sensors in as many columns as fit into a width, at most a number, at least one. */
+    private void arrangeSensors(int maxColumns, int width) {
+        int columns = maxColumns;
+        sensorLayout.setColumns(columns);
+        while (columns > 1 && sensorLayout.preferredLayoutSize(sensorBoxes).width > width) {
+            columns--;
+            sensorLayout.setColumns(columns);
+        }
+        sensorBoxes.invalidate();
     }
 
     private void setInitialValues() {
@@ -229,25 +277,11 @@ final class BatchForm extends JPanel {
 
     private void addField(JPanel fields, String key, JComponent field, String unit) {
         fields.add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
-        fields.add(field, FormConstraints.cell(1, row));
+        GridBagConstraints cell = FormConstraints.cell(1, row);
+        cell.fill = GridBagConstraints.HORIZONTAL;
+        fields.add(field, cell);
         fields.add(new JLabel(unit), FormConstraints.fillCell(2, row));
         row++;
-    }
-
-    private JPanel createSensorFields() {
-        JPanel boxes = new JPanel(new GridLayout(0, 2));
-        sensors.forEach(boxes::add);
-        return boxes;
-    }
-
-    private static JPanel atTop(JComponent... sections) {
-        JPanel column = new JPanel(new GridBagLayout());
-        for (int i = 0; i < sections.length; i++) {
-            column.add(sections[i], FormConstraints.fillRow(0, i));
-        }
-        JPanel top = new JPanel(new BorderLayout());
-        top.add(column, BorderLayout.NORTH);
-        return top;
     }
 
     private void updateCount() {

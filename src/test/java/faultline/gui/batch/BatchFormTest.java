@@ -184,11 +184,31 @@ class BatchFormTest {
         }
         assertEquals(locationOf("off, no reading").y, locationOf("dropout in bursts").y, 1);
         assertTrue(locationOf("dropout in bursts").x > locationOf("Value of the fault: stuck").x);
+        assertEquals(locationOf("front").y, locationOf("rear-left").y, "four sensors in a row");
+        assertTrue(locationOf("front").y < locationOf("rear").y);
+        assertTrue(locationOf("front").y > locationOf("quantised").y, "below the faults");
         runOnEdt(() -> form.setSize(600, 600));
         for (int pass = 0; pass < 2; pass++) {
             runOnEdt(() -> ComponentFinder.layOut(form));
         }
         assertTrue(locationOf("dropout in bursts").y > locationOf("Value of the fault: stuck").y);
+    }
+
+    @Test
+    void sensorsWithLongIdsAreInFewerColumns() {
+        form = callOnEdt(() -> new BatchForm(scenario.withSetup(scenario.setup()
+                .withRobot(scenario.setup()
+                        .robot()
+                        .withSensors(scenario.setup().robot().sensors().stream()
+                                .map(sensor -> sensor.withId(sensor.id() + "-of-the-upper-deck"))
+                                .toList())))));
+        runOnEdt(() -> form.setSize(1050, 600));
+        for (int pass = 0; pass < 2; pass++) {
+            runOnEdt(() -> ComponentFinder.layOut(form));
+        }
+        assertTrue(locationOf("front-of-the-upper-deck").y < locationOf("rear-left-of-the-upper-deck").y);
+        assertEquals(
+                locationOf("off, no reading").y, locationOf("dropout in bursts").y, 1, "the faults keep their columns");
     }
 
     /** Returns where a check box or a field is in the form. */
