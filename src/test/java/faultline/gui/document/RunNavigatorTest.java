@@ -335,17 +335,14 @@ class RunNavigatorTest {
     }
 
     private void edit(Command command) {
-        Optional<String> before = callOnEdt(edits::undoName);
-        SessionFrame frame = SessionFrames.frame(workspace);
+        SessionFrame before = SessionFrames.frame(workspace);
         runOnEdt(() -> {
             edits.beginGesture();
             edits.send(command);
             edits.endGesture();
         });
-        Await.until(
-                "the edit after " + before,
-                () -> SessionFrames.frame(workspace) != frame
-                        && edits.undoName().isPresent());
+        SessionFrames.awaitFrame(workspace, command + " to be executed", frame -> frame != before);
+        assertTrue(callOnEdt(() -> edits.undoName().isPresent()));
     }
 
     private void seek(long tick) {
@@ -387,9 +384,9 @@ class RunNavigatorTest {
     }
 
     private void waitForPole(Pose pose) {
-        Await.until(
+        SessionFrames.awaitFrame(
+                workspace,
                 "the pole at " + pose,
-                () -> pole(SessionFrames.frame(workspace).snapshot().obstacles())
-                        .equals(pose));
+                frame -> pole(frame.snapshot().obstacles()).equals(pose));
     }
 }

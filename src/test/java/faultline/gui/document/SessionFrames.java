@@ -45,8 +45,13 @@ public final class SessionFrames {
         awaitFrame(workspace, "tick " + tick, frame -> frame.snapshot().tick() == tick);
     }
 
-    /** Waits until the latest frame meets a condition. */
+    /**
+     * Waits until the latest frame meets a condition and the run has answered all commands. A frame that shows the
+     * effect of a command is published before the answer, which changes the edited scenario and what can be undone.
+     */
     public static void awaitFrame(Workspace workspace, String what, Predicate<SessionFrame> condition) {
-        Await.until(what, () -> poll(workspace).filter(condition).isPresent());
+        Await.until(
+                what,
+                () -> poll(workspace).filter(condition).isPresent() && !workspace.awaitsCommands());
     }
 }

@@ -91,17 +91,13 @@ class ControllerPanelTest {
 
     /** Waits for a frame whose controller meets a condition, and shows every frame on the way. */
     private void await(String what, Predicate<ControllerSpec> condition) {
-        Await.until(what, () -> {
-            SessionFrames.poll(workspace).ifPresent(frame -> {
-                undo.pendingEdits().setRobot(frame.snapshot().robot());
-                panel.setSettings(
-                        frame.controller(),
-                        frame.controllerName(),
-                        workspace.scenario().orElseThrow().setup());
-            });
-            return SessionFrames.poll(workspace)
-                    .filter(frame -> condition.test(frame.controller()))
-                    .isPresent();
+        SessionFrames.awaitFrame(workspace, what, frame -> {
+            undo.pendingEdits().setRobot(frame.snapshot().robot());
+            panel.setSettings(
+                    frame.controller(),
+                    frame.controllerName(),
+                    workspace.scenario().orElseThrow().setup());
+            return condition.test(frame.controller());
         });
     }
 
