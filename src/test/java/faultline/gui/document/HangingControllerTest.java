@@ -37,7 +37,7 @@ class HangingControllerTest {
 
     private static final Command OFF = new Command.SwitchSensor("left", false);
 
-    /** Answers the observations before tick ANSWERS and hangs then. */
+    /** Answers the observations before tick ANSWERS and hangs then, or as soon as its input is closed. */
     private static final String PROGRAM =
             """
             read hello
@@ -48,7 +48,7 @@ class HangingControllerTest {
               echo "{\\"type\\":\\"drive\\",\\"tick\\":$i,\\"left_v\\":1,\\"right_v\\":1}"
               i=$((i+1))
             done
-            : > 'PID.hangs'
+            [ $i -lt ANSWERS ] || : > 'PID.hangs'
             while :; do sleep 0.1; done
             """;
 

@@ -385,8 +385,7 @@ class RunNavigatorTest {
 
     private void waitForPole(Pose pose) {
         SessionFrames.awaitFrame(
-                workspace,
-                "the pole at " + pose,
-                frame -> pole(frame.snapshot().obstacles()).equals(pose));
+                workspace, "the pole at " + pose, frame -> pole(frame.snapshot().obstacles())
+                        .equals(pose));
     }
 }

@@ -50,8 +50,6 @@ public final class SessionFrames {
      * effect of a command is published before the answer, which changes the edited scenario and what can be undone.
      */
     public static void awaitFrame(Workspace workspace, String what, Predicate<SessionFrame> condition) {
-        Await.until(
-                what,
-                () -> poll(workspace).filter(condition).isPresent() && !workspace.awaitsCommands());
+        Await.until(what, () -> poll(workspace).filter(condition).isPresent() && !workspace.awaitsCommands());
     }
 }
