@@ -56,11 +56,19 @@ record OpenDocument(ScenarioDocument document, Session session, boolean ownContr
     }
 
     /**
-     * Returns the scenario as edited by all commands that have been sent. The future completes on the event dispatch
-     * thread, after their results. If the session has ended, these are the edits that are known.
+     * Returns the scenario as edited by all commands that have been sent, and by those that were waiting for their
+     * answers. The future completes on the event dispatch thread, after their results. If the session has ended, these
+     * are the edits that are known.
      */
     CompletableFuture<Scenario> edited() {
         // The session answers in order, so the results of earlier commands are already in the queue.
-        return session.journal().handleAsync((journal, ended) -> document.edited(), EventQueue::invokeLater);
+        return session.journal()
+                .handleAsync(
+                        (journal, ended) -> ended == null && document.awaitsCommands()
+                                // Such as those of an undo, which are sent when the results arrive.
+                                ? edited()
+                                : CompletableFuture.completedFuture(document.edited()),
+                        EventQueue::invokeLater)
+                .thenCompose(Function.identity());
     }
 }

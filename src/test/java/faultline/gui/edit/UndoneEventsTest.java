@@ -8,20 +8,26 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.document.DocumentStore;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TimelineEvents;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Faults and switches of a run, undone after a restart, when they are on the timeline. */
 @ExtendWith(EdtChecker.class)
@@ -84,6 +90,22 @@ class UndoneEventsTest {
         assertEquals(List.of(), faults());
         assertEquals(original, run.scenario());
         assertTrue(broken != SessionFrames.trajectoryHash(run.workspace()));
+    }
+
+    /** The undo waits for the answer to the edit, and the file for that to the undo. */
+    @Test
+    void aSaveRightAfterAnUndoIsWithoutTheEdit(@TempDir Path folder) throws ScenarioException {
+        Path file = folder.resolve("saved.xml");
+        AtomicBoolean saved = new AtomicBoolean();
+        runOnEdt(() -> {
+            run.edits().send(FAULT);
+            run.edits().undo();
+            new DocumentStore(run.workspace()).save(file, () -> saved.set(true));
+        });
+        Await.until("the save", saved::get);
+        run.rest();
+        assertEquals(run.scenario(), Scenario.load(file));
+        assertFalse(callOnEdt(run.workspace()::isChanged));
     }
 
     private List<Fault> faults() {
