@@ -9,6 +9,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -82,10 +83,11 @@ public final class FileWatch implements AutoCloseable {
             polling = true;
             FileVersion seen = lastSeen;
             FileVersion read = lastRead;
+            Scenario saved = workspace.savedScenario().orElse(null);
             BackgroundTasks.run(
                     () -> inspect(file.get(), seen, read),
-                    this::inspected,
-                    unreadable -> notInspected(file.get(), unreadable));
+                    result -> end(saved, () -> inspected(result)),
+                    unreadable -> end(saved, () -> notInspected(file.get(), unreadable)));
         }
     }
 
@@ -107,11 +109,18 @@ public final class FileWatch implements AutoCloseable {
         }
     }
 
-    private void inspected(PollResult result) {
+    /**
+     * Ends a poll, given what the file held when it began, null for nothing. The result does not count if the file has
+     * been saved since then.
+     */
+    private void end(Scenario savedBefore, Runnable result) {
         polling = false;
-        if (busy.getAsBoolean()) {
-            return;
+        if (!busy.getAsBoolean() && Objects.equals(workspace.savedScenario().orElse(null), savedBefore)) {
+            result.run();
         }
+    }
+
+    private void inspected(PollResult result) {
         lastSeen = result.version();
         if (!workspace.file().equals(Optional.of(lastSeen.file()))) {
             return;
@@ -128,10 +137,6 @@ public final class FileWatch implements AutoCloseable {
 
     /** Reports a file that is missing at two polls; programs that replace a file may delete it for a moment. */
     private void notInspected(Path file, Throwable failure) {
-        polling = false;
-        if (busy.getAsBoolean()) {
-            return;
-        }
         if (failure instanceof NoSuchFileException && workspace.file().equals(Optional.of(file))) {
             FileVersion none = new FileVersion(file, null, 0);
             if (none.equals(lastSeen) && !none.equals(lastRead)) {

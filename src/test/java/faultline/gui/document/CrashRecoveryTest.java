@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
 import faultline.gui.Await;
+import faultline.gui.BackgroundThreads;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
@@ -28,6 +29,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.logging.Logger;
 import java.util.stream.Stream;
@@ -134,11 +136,10 @@ class CrashRecoveryTest {
     @Test
     void aDeletedFileIsSavedAgainUnlessAnotherProgramHasWrittenAnotherOneInItsPlace() throws Exception {
         edit();
-        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
+        FileWatch watch = watch(() -> false);
         String whole = Files.readString(file);
         Files.delete(file);
         poll(watch, 4);
-        runOnEdt(watch::close);
         assertEquals(List.of(file), deleted);
         Files.writeString(file, whole.replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
         assertSaveIsQuestioned(change -> assertNull(change.problem()));
@@ -380,7 +381,7 @@ class CrashRecoveryTest {
 
     @Test
     void anotherScenarioInTheFileIsReportedOnce() throws IOException {
-        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
+        FileWatch watch = watch(() -> false);
         poll(watch, 3);
         assertEquals(List.of(), changedFiles);
         rewrite(Files.readString(file)
@@ -390,15 +391,13 @@ class CrashRecoveryTest {
         assertEquals(List.of(), changedFiles, "the file may still be growing");
         poll(watch, 4);
         assertEquals(List.of(file), changedFiles);
-        runOnEdt(watch::close);
     }
 
     /** The dialog shows values of the scenario that the user may choose to replace. */
     @Test
     void nothingIsReportedWhileADialogIsOpen() throws IOException {
         AtomicBoolean dialogOpen = new AtomicBoolean(true);
-        FileWatch watch = callOnEdt(
-                () -> new FileWatch(workspace, dialogOpen::get, changedFiles::add, broken::add, deleted::add));
+        FileWatch watch = watch(dialogOpen::get);
         rewrite(Files.readString(file).replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
         poll(watch, 4);
         assertEquals(List.of(), changedFiles);
@@ -412,21 +411,19 @@ class CrashRecoveryTest {
         dialogOpen.set(false);
         poll(watch, 2);
         assertEquals(List.of(file), deleted);
-        runOnEdt(watch::close);
     }
 
     @Test
     void theSameScenarioInAnotherFormatIsNotReported() throws IOException {
-        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
+        FileWatch watch = watch(() -> false);
         rewrite(Files.readString(file).replace("\n", "\n\n"));
         poll(watch, 4);
         assertEquals(List.of(), changedFiles);
-        runOnEdt(watch::close);
     }
 
     @Test
     void aFileThatBecomesInvalidIsReportedOnceAndReadAgainWhenItIsRepaired() throws IOException {
-        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
+        FileWatch watch = watch(() -> false);
         String whole = Files.readString(file);
         rewrite("<scenario");
         poll(watch, 1);
@@ -445,12 +442,11 @@ class CrashRecoveryTest {
         poll(watch, 4);
         assertEquals(List.of(file), changedFiles);
         assertEquals(1, broken.size());
-        runOnEdt(watch::close);
     }
 
     @Test
     void aDeletedFileMakesTheScenarioUnsavedUntilItIsBack() throws IOException {
-        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
+        FileWatch watch = watch(() -> false);
         String whole = Files.readString(file);
         poll(watch, 2);
         Files.delete(file);
@@ -466,7 +462,34 @@ class CrashRecoveryTest {
         Files.delete(file);
         poll(watch, 4);
         assertEquals(List.of(file, file), deleted);
-        runOnEdt(watch::close);
+    }
+
+    @Test
+    void whatAPollHasReadBeforeASaveIsNotReported() throws IOException {
+        FileWatch watch = watch(() -> false);
+        poll(watch, 1);
+        edit();
+        runOnEdt(() -> {
+            watch.poll();
+            while (BackgroundThreads.count() > 0) {
+                Thread.onSpinWait();
+            }
+            // The result of the poll is in the event queue, and that of a save comes before it.
+            OpenDocument open = workspace.openDocument().orElseThrow();
+            documentStore.markSaved(open.document(), file, open.document().edited());
+        });
+        Await.until("the end of the poll", () -> !watch.isPolling());
+        assertEquals(List.of(), changedFiles);
+        assertFalse(callOnEdt(workspace::isChanged));
+    }
+
+    /** Returns a watch that is polled only by the test, not by its timer, however long the test takes. */
+    private FileWatch watch(BooleanSupplier busy) {
+        return callOnEdt(() -> {
+            FileWatch watch = new FileWatch(workspace, busy, changedFiles::add, broken::add, deleted::add);
+            watch.close();
+            return watch;
+        });
     }
 
     private void rewrite(String text) throws IOException {
