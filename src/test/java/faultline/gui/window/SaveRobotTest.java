@@ -94,7 +94,8 @@ class SaveRobotTest {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
         driver.clickButton("Unsaved changes", "Cancel");
         driver.waitForTitle("office.xml*");
-        assertEquals(0.41, driver.frame().snapshot().robot().speed());
+        // The run is simulated again with the new speed.
+        driver.waitForFrame("the speed", frame -> frame.snapshot().robot().speed() == 0.41);
     }
 
     @Test
@@ -111,9 +112,11 @@ class SaveRobotTest {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
         driver.clickButton("Unsaved changes", "Cancel");
         driver.waitForTitle("office.xml*");
-        assertEquals(
-                List.of(new Vector2(1, 2)),
-                driver.frame().snapshot().obstacles().get(0).motion().waypoints());
+        List<Vector2> typed = List.of(new Vector2(1, 2));
+        driver.waitForFrame(
+                "the waypoints",
+                frame ->
+                        frame.snapshot().obstacles().get(0).motion().waypoints().equals(typed));
     }
 
     @Test
@@ -319,6 +322,8 @@ class SaveRobotTest {
     void undoingAllEditsLeavesNoUnsavedChanges() {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
         driver.waitForTitle("office.xml");
-        assertEquals(before, shown());
+        driver.waitForFrame(
+                "the obstacle is where it was",
+                frame -> frame.snapshot().obstacles().get(0).pose().equals(before));
     }
 }
