@@ -26,6 +26,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
+import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
@@ -220,7 +221,9 @@ class BatchEndRobotTest {
         assertTrue(callOnEdt(suggested::getText).endsWith("-batch"));
         Path results = folder.resolve("results");
         driver.enterFile(title, results);
-        Await.until("the results are there", () -> Files.exists(results));
+        // The folder is there shortly before the dialog learns of it.
+        driver.robot().waitFor("the results are saved", () -> ComponentFinder.findAll(dialog, JLabel.class)
+                .anyMatch(label -> "Saved as results".equals(label.getText())));
         assertEquals(181, Files.readAllLines(results.resolve("runs.csv")).size());
         try (Stream<Path> files = Files.list(folder)) {
             assertEquals(
