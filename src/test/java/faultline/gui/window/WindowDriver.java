@@ -6,6 +6,7 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import faultline.engine.Frame;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.BackgroundThreads;
 import faultline.gui.ComponentFinder;
 import faultline.gui.GuiRobot;
 import faultline.gui.canvas.SimulationCanvas;
@@ -294,9 +295,11 @@ final class WindowDriver implements AutoCloseable {
         });
     }
 
+    /** Closes the window and waits until its work in the background has ended, which may write files of the test. */
     @Override
     public void close() {
         robot.close(window);
+        BackgroundThreads.awaitEnd();
     }
 
     /** Returns the items of the open context menu; on the event dispatch thread. */
