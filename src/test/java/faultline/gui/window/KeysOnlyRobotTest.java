@@ -211,6 +211,7 @@ class KeysOnlyRobotTest {
         driver.robot().waitFor("the obstacles show", () -> tabs.getSelectedIndex() == 3);
         JList<?> list = ComponentFinder.find(driver.window(), JList.class, "Obstacles");
         tabTo(list);
+        driver.robot().waitFor("the list is filled", () -> list.getModel().getSize() > 0);
         press(KeyEvent.VK_HOME);
         JTextField x = ComponentFinder.find(driver.window(), JTextField.class, "x, m");
         driver.robot().waitFor("the first one is selected", x::isEnabled);
