@@ -17,6 +17,7 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.accessibility.Accessible;
@@ -48,6 +49,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 class LiveChoicesRobotTest {
 
     private static final int TREE = 3;
+    /** Enough for the next frame; a failing test then says what differs. */
+    private static final int MAX_LOOKS = 300;
+
     private static final Path SCENARIO = Path.of("scenarios/yard.xml");
 
     private static WindowDriver open(Language language, TextSize size) {
@@ -60,12 +64,30 @@ class LiveChoicesRobotTest {
         return driver;
     }
 
-    /** What a user reads, with what a screen reader says, in the order of the components. */
     private static List<String> texts(WindowDriver driver) {
-        return callOnEdt(() -> Stream.concat(
+        return callOnEdt(() -> textsNow(driver));
+    }
+
+    /**
+     * What a user reads, with what a screen reader says, in the order of the components. Event dispatch thread only.
+     */
+    private static List<String> textsNow(WindowDriver driver) {
+        return Stream.concat(
                         Stream.of(driver.window().getTitle()),
                         ComponentFinder.tree(driver.window()).flatMap(LiveChoicesRobotTest::textsOf))
-                .toList());
+                .toList();
+    }
+
+    /** Asserts that a window comes to have these texts; those of the readings change with the next frame. */
+    private static void assertTexts(List<String> expected, WindowDriver driver) {
+        waitUntilSettled(driver);
+        AtomicInteger looks = new AtomicInteger();
+        driver.robot()
+                .waitFor(
+                        "the texts have changed",
+                        () -> looks.incrementAndGet() == MAX_LOOKS
+                                || differences(expected, textsNow(driver)).isEmpty());
+        assertEquals(List.of(), differences(expected, texts(driver)));
     }
 
     private static Stream<String> textsOf(Component part) {
@@ -130,11 +152,9 @@ class LiveChoicesRobotTest {
             english = texts(driver);
             assertNotEquals(polish, english);
             driver.choose("languagePolish");
-            waitUntilSettled(driver);
-            assertEquals(List.of(), differences(polish, texts(driver)));
+            assertTexts(polish, driver);
             driver.choose("languageEnglish");
-            waitUntilSettled(driver);
-            assertEquals(List.of(), differences(english, texts(driver)));
+            assertTexts(english, driver);
         }
     }
 
@@ -165,6 +185,7 @@ class LiveChoicesRobotTest {
                     ComponentFinder.findAll(driver.window(), JTabbedPane.class).toList());
             runOnEdt(() -> tabs.forEach(pane -> pane.setSelectedIndex(pane.getTabCount() - 1)));
             JTextField field = ComponentFinder.find(driver.window(), JTextField.class, "x, m");
+            driver.robot().waitFor("the form shows the selected obstacle", field::isEnabled);
             driver.click(field);
             driver.robot().waitFor("the field has the focus", field::isFocusOwner);
             JScrollPane scroll = callOnEdt(
