@@ -18,6 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /** The folder of a campaign: its tables, a copy of its plan, and the scenarios that replay its worst runs. */
@@ -202,7 +203,7 @@ public final class CampaignFolder {
         inputs.addAll(ControllerProviders.jars().values());
         checkTables(inputs);
         if (earlier.isEmpty()) {
-            OtherFiles.requireNone(this, plan);
+            OtherFiles.requireNone(this, plan, Set.of());
         }
         removeTemporaryFiles();
         if (earlier.isEmpty()) {

@@ -13,8 +13,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 
 /** Merges the parts of a campaign. The table is the same as that of a campaign that was not divided. */
@@ -96,13 +98,12 @@ public final class CampaignMerge {
             for (ShardFolder part : parts) {
                 requireHeader(part.folder.runs());
             }
-            // An interrupted merge may have left its own table, but no other file is replaced.
             if (Files.exists(out.runs())) {
                 requireHeader(out.runs());
             }
-            OtherFiles.requireNone(out, plan);
-            long broken = concatenate(out.runs(), CampaignFolder::runs, true);
-            concatenate(out.timing(), CampaignFolder::timing, false);
+            OtherFiles.requireNone(out, plan, mergedTables(out));
+            long broken = write(out.runs(), CampaignFolder::runs, true);
+            write(out.timing(), CampaignFolder::timing, false);
             new WorstRuns(plan, out).writeReplays();
             out.writeMerged(plan, manifest);
             return new CampaignRunner.RunCounts(plan.runCount(), plan.runCount(), broken);
@@ -115,18 +116,46 @@ public final class CampaignMerge {
         }
     }
 
-    private long concatenate(Path target, Function<CampaignFolder, Path> table, boolean complete) throws IOException {
-        long broken = 0;
+    /** Returns the tables that an interrupted merge of these parts has written; each is complete. */
+    private Set<Path> mergedTables(CampaignFolder out) throws IOException {
+        Set<Path> merged = new HashSet<>();
+        if (isMerged(out.runs(), CampaignFolder::runs, true)) {
+            merged.add(out.runs());
+        }
+        if (isMerged(out.timing(), CampaignFolder::timing, false)) {
+            merged.add(out.timing());
+        }
+        return merged;
+    }
+
+    private boolean isMerged(Path file, Function<CampaignFolder, Path> table, boolean complete) throws IOException {
+        if (Files.notExists(file)) {
+            return false;
+        }
+        try (FileComparison comparison = new FileComparison(file)) {
+            concatenate(comparison, table, complete);
+            return comparison.isEqual();
+        }
+    }
+
+    private long write(Path target, Function<CampaignFolder, Path> table, boolean complete) throws IOException {
         try (AtomicFile out = AtomicFile.create(target)) {
-            boolean header = true;
-            for (ShardFolder part : parts) {
-                long first = part.shard.firstRun(plan.runCount());
-                long end = part.shard.endRun(plan.runCount());
-                TableCopy rows = new TableCopy(table.apply(part.folder), out.stream(), header);
-                broken += rows.copy(first, end, complete, part);
-                header = false;
-            }
+            long broken = concatenate(out.stream(), table, complete);
             out.commit();
+            return broken;
+        }
+    }
+
+    private long concatenate(OutputStream out, Function<CampaignFolder, Path> table, boolean complete)
+            throws IOException {
+        long broken = 0;
+        boolean header = true;
+        for (ShardFolder part : parts) {
+            long first = part.shard.firstRun(plan.runCount());
+            long end = part.shard.endRun(plan.runCount());
+            TableCopy rows = new TableCopy(table.apply(part.folder), out, header);
+            broken += rows.copy(first, end, complete, part);
+            header = false;
         }
         return broken;
     }

@@ -9,29 +9,34 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /**
  * Finds the files that a campaign would replace or delete in a folder without a manifest, which no campaign has
  * written. A process that was killed before it wrote the manifest has left copies of the plan's files, and a merge also
- * its tables and replays; those are not such files.
+ * its tables and replays; those are not such files. A merge knows its own tables by their content, because other
+ * campaigns have tables with the same columns.
  */
 final class OtherFiles {
 
     private final CampaignFolder folder;
     private final CampaignPlan plan;
-    /** Whether a merge of this campaign was interrupted here; it writes this table first. */
-    private final boolean merged;
+    /** The tables that an interrupted merge of this campaign has written. */
+    private final Set<Path> merged;
 
-    private OtherFiles(CampaignFolder folder, CampaignPlan plan) throws IOException {
+    private OtherFiles(CampaignFolder folder, CampaignPlan plan, Set<Path> merged) {
         this.folder = folder;
         this.plan = plan;
-        merged = begins(folder.runs(), ResultColumns.header(plan));
+        this.merged = merged;
     }
 
-    /** Throws an exception if there is such a file in a folder without a manifest. */
-    static void requireNone(CampaignFolder folder, CampaignPlan plan) throws IOException {
-        Optional<Path> found = new OtherFiles(folder, plan).find();
+    /**
+     * Throws an exception if there is such a file in a folder without a manifest, in which an interrupted merge of this
+     * campaign has written some tables, none or all.
+     */
+    static void requireNone(CampaignFolder folder, CampaignPlan plan, Set<Path> merged) throws IOException {
+        Optional<Path> found = new OtherFiles(folder, plan, merged).find();
         if (found.isPresent()) {
             throw new IOException(found.get() + ": the campaign would replace or delete this file,"
                     + " and the folder has no campaign.json; use another folder");
@@ -40,12 +45,9 @@ final class OtherFiles {
 
     private Optional<Path> find() throws IOException {
         List<Path> found = new ArrayList<>();
-        if (Files.exists(folder.runs()) && !merged) {
-            found.add(folder.runs());
-        }
-        if (Files.exists(folder.timing()) && !(merged && begins(folder.timing(), RunTable.TIMING_HEADER))) {
-            found.add(folder.timing());
-        }
+        Stream.of(folder.runs(), folder.timing())
+                .filter(table -> Files.exists(table) && !merged.contains(table))
+                .forEach(found::add);
         Stream.of(folder.plan(), folder.replays())
                 .filter(inside -> Files.exists(inside) && !Files.isDirectory(inside))
                 .forEach(found::add);
@@ -55,21 +57,13 @@ final class OtherFiles {
                 found.add(file);
             }
         }
-        if (!merged && Files.isDirectory(folder.replays())) {
+        // A merge writes replays after this table.
+        if (!merged.contains(folder.runs()) && Files.isDirectory(folder.replays())) {
             try (Stream<Path> files = Files.list(folder.replays())) {
                 files.filter(WorstRuns::isReplay).sorted().findFirst().ifPresent(found::add);
             }
         }
         return found.stream().findFirst();
-    }
-
-    private static boolean begins(Path table, String header) throws IOException {
-        if (Files.notExists(table)) {
-            return false;
-        }
-        try (LineReader in = new LineReader(table)) {
-            return in.next().equals(header);
-        }
     }
 
     private static boolean hasContent(Path file, byte[] content) throws IOException {
