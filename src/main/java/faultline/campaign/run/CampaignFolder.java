@@ -15,6 +15,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -177,8 +178,8 @@ public final class CampaignFolder {
     }
 
     /**
-     * Writes the copy of the plan and the manifest. If they exist, checks instead that they belong to the same
-     * campaign.
+     * Writes the copy of the plan and the manifest. If there is a manifest, checks instead that it belongs to the same
+     * campaign, and writes only what is missing of the copy.
      */
     void prepare(CampaignPlan plan, Shard shard, boolean resume) throws IOException {
         CampaignManifest manifest = CampaignManifest.of(plan, shard);
@@ -208,23 +209,37 @@ public final class CampaignFolder {
         removeTemporaryFiles();
         if (earlier.isEmpty()) {
             write(plan, manifest);
+        } else {
+            restoreCopy(plan);
         }
     }
 
     /** Writes the copy of the plan, and after it the manifest, which shows that the copy is complete. */
     private void write(CampaignPlan plan, CampaignManifest manifest) throws IOException {
+        writeCopies(plan, plan.files().copies());
+        AtomicFile.write(manifest(), manifest.text().getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Writes the files that are missing in the copy of the plan. Others stay as they are. */
+    private void restoreCopy(CampaignPlan plan) throws IOException {
+        Map<String, byte[]> missing = new LinkedHashMap<>(plan.files().copies());
+        missing.keySet().removeIf(name -> !Files.notExists(plan().resolve(name)));
+        if (!missing.isEmpty()) {
+            writeCopies(plan, missing);
+        }
+    }
+
+    private void writeCopies(CampaignPlan plan, Map<String, byte[]> copies) throws IOException {
         Files.createDirectories(plan());
-        List<Path> copies = plan.files().copies().keySet().stream()
-                .map(name -> plan().resolve(name))
-                .toList();
-        Optional<Path> conflict = LinkResolver.findConflict(plan.files().paths(), copies);
+        List<Path> files =
+                copies.keySet().stream().map(name -> plan().resolve(name)).toList();
+        Optional<Path> conflict = LinkResolver.findConflict(plan.files().paths(), files);
         if (conflict.isPresent()) {
             throw new IOException(conflict.get() + ": the plan is made of this file; expected another folder");
         }
-        for (Map.Entry<String, byte[]> file : plan.files().copies().entrySet()) {
-            AtomicFile.write(plan().resolve(file.getKey()), file.getValue());
+        for (Map.Entry<String, byte[]> copy : copies.entrySet()) {
+            AtomicFile.write(plan().resolve(copy.getKey()), copy.getValue());
         }
-        AtomicFile.write(manifest(), manifest.text().getBytes(StandardCharsets.UTF_8));
     }
 
     /** Writes the copy of the plan and the manifest of a whole campaign, given that of a part. */

@@ -18,6 +18,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class CampaignRunnerTest {
 
@@ -250,6 +252,35 @@ class CampaignRunnerTest {
     private CampaignRunner.RunCounts merged(Path campaign) throws Exception {
         return new CampaignMerge(List.of(new CampaignFolder(campaign)))
                 .writeTo(new CampaignFolder(folder.resolve("merged")));
+    }
+
+    /** Without the copy, the campaign can neither be reported nor opened in the window. */
+    @ParameterizedTest
+    @ValueSource(strings = {"plan.xml", "scenario-1.xml", "plan.xml scenario-1.xml"})
+    void aResumedCampaignWritesWhatIsMissingOfTheCopyOfThePlan(String names) throws Exception {
+        runs(folder, Shard.ALL, 2, false);
+        Path copy = folder.resolve("plan");
+        for (String name : names.split(" ")) {
+            Files.delete(copy.resolve(name));
+        }
+        if (names.contains(" ")) {
+            Files.delete(copy);
+        }
+        assertArrayEquals(expected, runs(folder, Shard.ALL, 2, true));
+        assertEquals(PLAN, Files.readString(copy.resolve("plan.xml")));
+        assertEquals(SamplePlan.ROOM, Files.readString(copy.resolve("scenario-1.xml")));
+        assertEquals(36, new CampaignFolder(folder).readPlan().runCount());
+    }
+
+    @Test
+    void aResumedCampaignLeavesACopyOfThePlanThatTheUserHasChanged() throws Exception {
+        runs(folder, Shard.ALL, 2, false);
+        Path copy = folder.resolve("plan");
+        Files.writeString(copy.resolve("plan.xml"), "mine");
+        Files.delete(copy.resolve("scenario-1.xml"));
+        assertArrayEquals(expected, runs(folder, Shard.ALL, 2, true));
+        assertEquals("mine", Files.readString(copy.resolve("plan.xml")));
+        assertEquals(SamplePlan.ROOM, Files.readString(copy.resolve("scenario-1.xml")));
     }
 
     @Test

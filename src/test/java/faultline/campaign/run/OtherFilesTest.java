@@ -160,8 +160,7 @@ class OtherFilesTest {
         List<CampaignFolder> parts = new ArrayList<>();
         for (int part = 1; part <= 2; part++) {
             CampaignFolder in = new CampaignFolder(folder.resolve("part" + part));
-            new CampaignRunner(plan(2), in, new Shard(part, 2), 1)
-                    .run(false, (made, runs) -> {}, () -> false);
+            new CampaignRunner(plan(2), in, new Shard(part, 2), 1).run(false, (made, runs) -> {}, () -> false);
             parts.add(in);
         }
         Path out = folder.resolve("out");
