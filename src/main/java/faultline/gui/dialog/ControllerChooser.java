@@ -90,8 +90,13 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
         actions.add(UiAction.of(
                 "compareController", () -> ask("compareController", ghostChoice).ifPresent(chosen -> {
                     ghostChoice = chosen;
-                    comparison.compareWith(chosen, errorLines.forGhost());
+                    startGhost();
                 })));
+    }
+
+    private void startGhost() {
+        ControllerSelection chosen = ghostChoice;
+        comparison.compareWith(chosen, errorLines.forGhost(), () -> remember(chosen));
     }
 
     private void returnToScenarios() {
@@ -182,7 +187,7 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
         scenarioController.setEnabled(!started.isScenarios());
         if (ghostPending) {
             ghostPending = false;
-            comparison.compareWith(ghostChoice, errorLines.forGhost());
+            startGhost();
         }
         watch.stop();
         // The restart has loaded a changed file.

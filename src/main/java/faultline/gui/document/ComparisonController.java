@@ -16,6 +16,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import java.util.function.LongPredicate;
 
 /**
  * Compares the run with a reference run and finds the first tick in which they differ. Opening another scenario removes
@@ -74,23 +75,32 @@ public final class ComparisonController implements WorkspaceListener {
 
     /**
      * Runs the edited scenario from its start to its duration with another controller and makes that the reference run,
-     * asynchronously. {@code errors} receives each line that a controller in another process writes to standard error.
+     * asynchronously. {@code errors} receives each line that a controller in another process writes to standard error;
+     * {@code onStarted} is called when the controller has started.
      */
-    public void compareWith(ControllerSelection controller, Consumer<String> errors) {
+    public void compareWith(ControllerSelection controller, Consumer<String> errors, Runnable onStarted) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
             start(now.document().displayPath(), progress -> {
                 Scenario scenario = edited.join();
                 SimulationSetup setup = controller.applyTo(scenario.setup(), scenario.name(), errors);
                 String name = controller.isScenarios() ? scenario.name() : controller.text();
-                return replay(name, new Journal(setup, List.of(), setup.ticks()), progress);
+                return replay(name, new Journal(setup, List.of(), setup.ticks()), tick -> {
+                    if (tick == 0) {
+                        EventQueue.invokeLater(onStarted);
+                    }
+                    return progress.isActive();
+                });
             });
         });
     }
 
     private static RunComparison replay(String name, Journal journal, TaskProgress progress) {
-        ReferenceRun run = ReferenceRun.replay(journal, tick -> progress.isActive());
-        return new RunComparison(name, run, false);
+        return replay(name, journal, tick -> progress.isActive());
+    }
+
+    private static RunComparison replay(String name, Journal journal, LongPredicate onward) {
+        return new RunComparison(name, ReferenceRun.replay(journal, onward), false);
     }
 
     /** Replays a reference run. */

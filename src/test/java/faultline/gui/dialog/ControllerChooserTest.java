@@ -54,6 +54,10 @@ class ControllerChooserTest {
     private Workspace workspace;
     private DocumentStore store;
     private RunController run;
+    private ComparisonController comparison;
+    /** How often there was no ghost, or one that is complete or has failed. */
+    private int ghosts;
+
     private ControllerChooser chooser;
 
     @BeforeEach
@@ -68,14 +72,15 @@ class ControllerChooserTest {
                     failures.add(task);
                     opensWithoutChoice = task == TaskKind.OPEN && chooser.openFailed(failure);
                 }
+
+                @Override
+                public void comparisonChanged() {
+                    ghosts += comparison.isLoading() ? 0 : 1;
+                }
             });
+            comparison = new ComparisonController(workspace, run.navigator());
             chooser = new ControllerChooser(
-                    null,
-                    workspace,
-                    run,
-                    new ComparisonController(workspace, run.navigator()),
-                    new Notes(text -> {}, text -> {}),
-                    preferences.recentCommands());
+                    null, workspace, run, comparison, new Notes(text -> {}, text -> {}), preferences.recentCommands());
             store.open(OFFICE);
         });
         SessionFrames.awaitScenario(workspace);
@@ -158,6 +163,25 @@ class ControllerChooserTest {
         assertEquals(
                 List.of("sh " + program + " newer", "sh " + program + " older"),
                 callOnEdt(() -> preferences.recentCommands().texts()));
+    }
+
+    /** The program of the ghost starts and gives a wrong answer, after which it can be repaired and tried again. */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the program is a shell script")
+    void theCommandsThatHaveStartedAGhostAreRemembered(@TempDir Path folder) throws IOException {
+        String command = "sh " + writeProgram(folder);
+        for (String text : List.of(command, "none", MISSING.text())) {
+            int before = callOnEdt(() -> ghosts);
+            runOnEdt(() -> {
+                chooser.select(ControllerSelection.SCENARIO, new ControllerSelection(text, List.of()));
+                run.restart();
+            });
+            Await.until("the end of the ghost", () -> ghosts > before);
+            BackgroundThreads.awaitEnd();
+        }
+        assertEquals(List.of(TaskKind.GHOST, TaskKind.GHOST), callOnEdt(() -> List.copyOf(failures)));
+        assertEquals(
+                List.of(command), callOnEdt(() -> preferences.recentCommands().texts()));
     }
 
     /** The jars are not searched each time that the run is moved. */

@@ -167,7 +167,7 @@ class ComparisonControllerTest {
     }
 
     private ReferenceRun ghostWith(ControllerSelection selection, String name) {
-        runOnEdt(() -> controller.compareWith(selection, line -> {}));
+        runOnEdt(() -> controller.compareWith(selection, line -> {}, () -> {}));
         waitFor("the ghost", comparison -> comparison
                 .filter(made -> name.equals(made.name()))
                 .isPresent());

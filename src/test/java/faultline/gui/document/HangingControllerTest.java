@@ -170,7 +170,7 @@ class HangingControllerTest {
         ComparisonController comparison = callOnEdt(() -> new ComparisonController(workspace, run.navigator()));
         program(-1);
         String command = "sh '" + folder.resolve(programs + ".sh") + "'";
-        runOnEdt(() -> comparison.compareWith(new ControllerSelection(command, List.of()), line -> {}));
+        runOnEdt(() -> comparison.compareWith(new ControllerSelection(command, List.of()), line -> {}, () -> {}));
         ProcessHandle program = runningProgram();
         long removed = System.nanoTime();
         runOnEdt(comparison::removeReference);
