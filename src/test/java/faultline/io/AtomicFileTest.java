@@ -360,17 +360,18 @@ class AtomicFileTest {
     void whatAKilledProcessHasLeftIsDeletedUnlessItIsStillWritten() throws IOException {
         Path killed = Files.createFile(folder.resolve(".faultline-1.tmp"));
         Path young = Files.createFile(folder.resolve(".faultline-2.tmp"));
+        Path notes = Files.createFile(folder.resolve(".faultline-notes"));
         Path other = Files.createFile(folder.resolve(".other.tmp"));
         Path written = Files.createFile(folder.resolve(".faultline-3.tmp"));
         FileTime old = FileTime.from(Instant.now().minusSeconds(60));
-        for (Path file : List.of(killed, other, written)) {
+        for (Path file : List.of(killed, notes, other, written)) {
             Files.setLastModifiedTime(file, old);
         }
         try (FileChannel channel = FileChannel.open(written, StandardOpenOption.WRITE)) {
             channel.lock();
             write(folder.resolve("a.txt"), "new", true);
         }
-        assertEquals(List.of(young, written, other, folder.resolve("a.txt")), files());
+        assertEquals(List.of(young, written, notes, other, folder.resolve("a.txt")), files());
     }
 
     /** The temporary files of another user cannot be opened. */

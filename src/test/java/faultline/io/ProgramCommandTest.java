@@ -99,6 +99,18 @@ class ProgramCommandTest {
                 "faultline", command(Map.of("faultline.command", "faultline", "java.class.path", "" + jar), "", jar));
     }
 
+    /** An empty part is not the root folder, where something else has the name of the launcher. */
+    @Test
+    void anEmptyPartOfThePathIsPassedOver() throws Exception {
+        Path launcher = Files.createFile(folder.resolve(folder.getName(0)));
+        assertTrue(launcher.toFile().setExecutable(true));
+        Map<String, String> properties = Map.of("faultline.command", "faultline", "jpackage.app-path", "" + launcher);
+        assertEquals("faultline", command(properties, File.pathSeparator + folder, folder));
+        assertEquals(
+                ShellText.quoted("" + launcher),
+                command(properties, folder.getRoot() + File.pathSeparator + folder, folder));
+    }
+
     @Test
     void anAppImageIsNamedByItsPathIfItsNameStartsNothingOrAnotherProgram() throws Exception {
         Path launcher = launcher("my image");

@@ -62,6 +62,13 @@ class ValueSyntaxTest {
     }
 
     @Test
+    void idsInQuotesAreNoMoreThanOtherValues() {
+        String most = "left ".repeat(ValueSyntax.MAX_VALUES - 1) + "\"front nose\"";
+        assertEquals(2, ValueSyntax.parseIds(most, "stream").orElseThrow().size());
+        assertEquals(Optional.empty(), ValueSyntax.parseIds(most + " left", "stream"));
+    }
+
+    @Test
     void aGridIsEvenlySpacedAndHasBothBounds() {
         assertEquals(List.of("0.1", "0.2", "0.3", "0.4"), texts("0.1..0.4/4", 0));
         assertEquals(List.of("-1", "0", "1"), texts("-1..1/3", 0));

@@ -170,11 +170,13 @@ class CampaignRunnerTest {
         List<String> names = List.of("", "plan", "replays");
         for (String name : names) {
             Files.createFile(folder.resolve(name).resolve(".faultline-1.tmp"));
+            Files.createFile(folder.resolve(name).resolve(".faultline-notes"));
             Files.createFile(folder.resolve(name).resolve(".other.tmp"));
         }
         runs(folder, Shard.ALL, 1, true);
         for (String name : names) {
             assertTrue(Files.notExists(folder.resolve(name).resolve(".faultline-1.tmp")), name);
+            assertTrue(Files.exists(folder.resolve(name).resolve(".faultline-notes")), name);
             assertTrue(Files.exists(folder.resolve(name).resolve(".other.tmp")), name);
         }
     }

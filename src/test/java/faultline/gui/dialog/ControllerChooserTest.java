@@ -208,6 +208,18 @@ class ControllerChooserTest {
         assertFalse(callOnEdt(chooser::isWatching));
     }
 
+    /** The times of the files are read in the background, and arrive after the end. */
+    @Test
+    void noFilesAreWatchedAfterTheEnd() {
+        runOnEdt(() -> {
+            chooser.select(new ControllerSelection("wall-follower", List.of()));
+            chooser.sessionStarted();
+            chooser.close();
+        });
+        BackgroundThreads.awaitEnd();
+        assertFalse(callOnEdt(chooser::isWatching));
+    }
+
     @Test
     void aFileThatCannotBeReadIsNotOpenedAgain() {
         runOnEdt(() -> {

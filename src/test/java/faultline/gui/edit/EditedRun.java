@@ -14,6 +14,7 @@ import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** A run of the office, paused, that is edited, moved and restarted. Each call waits until it has taken effect. */
 final class EditedRun {
@@ -21,12 +22,13 @@ final class EditedRun {
     private Workspace workspace;
     private RunController controller;
     private UndoController edits;
+    private Optional<String> shownUndo = Optional.empty();
 
     EditedRun() {
         runOnEdt(() -> {
             workspace = new Workspace();
             controller = new RunController(workspace);
-            edits = StoppedClock.undoController(controller::send);
+            edits = StoppedClock.undoController(controller::send, () -> shownUndo = edits.undoName());
             edits.follow(workspace, controller);
             workspace.addListener(new TaskFailures());
             new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
@@ -48,6 +50,11 @@ final class EditedRun {
 
     UndoController edits() {
         return edits;
+    }
+
+    /** Returns the name of the edit that is undone next, as it was when the edits were said to have changed. */
+    Optional<String> shownUndo() {
+        return callOnEdt(() -> shownUndo);
     }
 
     Scenario scenario() {

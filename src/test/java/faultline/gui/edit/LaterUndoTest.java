@@ -95,6 +95,18 @@ class LaterUndoTest {
                 SessionFrames.trajectoryHash(run.workspace()));
     }
 
+    /** The timeline injects the same fault again and repairs it once, though its file has the repair first. */
+    @Test
+    void theTimelineIsFollowedInTheOrderOfItsTimes() {
+        plan(at(0.30, new Command.ClearFault("front", BIAS)), at(0.20, new Command.InjectFault("front", BIAS)));
+        run.advanceTo(15);
+        run.send(new Command.InjectFault("front", BIAS));
+        run.advanceTo(35);
+        assertFaults(DRIFT, BIAS);
+        run.undo();
+        assertFaults(DRIFT);
+    }
+
     @Test
     void aFaultThatHasEndedDoesNotReturn() {
         plan();

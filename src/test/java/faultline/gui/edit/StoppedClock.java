@@ -13,6 +13,12 @@ public final class StoppedClock {
 
     /** Returns a controller without edits that sends commands through a channel. */
     public static UndoController undoController(BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel) {
-        return new UndoController(channel, () -> {}, () -> 0);
+        return undoController(channel, () -> {});
+    }
+
+    /** Returns such a controller that runs an action when its edits change. */
+    static UndoController undoController(
+            BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel, Runnable onStateChange) {
+        return new UndoController(channel, onStateChange, () -> 0);
     }
 }

@@ -11,6 +11,7 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
+import faultline.gui.document.SensorRename;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TimelineEvents;
 import faultline.robot.MotorFault;
@@ -319,6 +320,37 @@ class UndoneEventsTest {
         assertUndone("Fault in left");
         run.undo();
         assertEquals(original, run.scenario());
+    }
+
+    /** The scenario without the event, whose sensor gets another id, is not one that never had it. */
+    @Test
+    void anEventThatIsPutOnTheTimelineAgainAfterARenamingIsUndoneThere() {
+        run.send(FAULT);
+        run.advance(5);
+        List<TimedCommand> events = run.timeline();
+        runOnEdt(() -> run.controller().change(now -> TimelineEvents.without(now, events)));
+        run.rest();
+        runOnEdt(() -> run.controller().rename(new SensorRename("front", "nose")));
+        run.rest();
+        runOnEdt(() -> run.controller().change(now -> TimelineEvents.with(now, events)));
+        run.rest();
+        run.seek(3);
+        assertUndone("Fault in left");
+        run.undo();
+        assertEquals(List.of(), run.timeline());
+    }
+
+    /** The move undoes no edit, but puts all events on the timeline, which lacks those that cancel each other. */
+    @Test
+    void theNameOfTheNextUndoIsShownWhenEventsHaveBecomeCommandsOfTheTimeline() {
+        run.send(FAULT);
+        run.advance(5);
+        run.send(OFF);
+        run.send(ON);
+        run.advance(5);
+        assertEquals(Optional.of("Switch left on"), run.shownUndo());
+        run.seek(3);
+        assertEquals(Optional.of("Fault in left"), run.shownUndo());
     }
 
     /** What was executed before the restart, or before the move back, is no longer part of the edit. */

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -130,6 +131,20 @@ class OpenResultsRobotTest {
         driver.robot().waitFor("the results show again", dialog::isShowing);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
         driver.dialog("Batch of Yard");
+    }
+
+    /** The dialog that is hidden is that of the same folder, so it has gone and does not come back. */
+    @Test
+    void resultsThatAreOpenedAgainReplaceThoseThatAreHidden() {
+        JDialog first = openResults();
+        openRun(first);
+        assertNotSame(first, openResults());
+        assertFalse(first.isDisplayable());
+        runOnEdt(() -> driver.window().open(folder.resolve("short.xml")));
+        driver.waitForTitle("short.xml");
+        driver.chooseLater("batch");
+        driver.dialog("Batch of Yard");
+        assertFalse(first.isDisplayable());
     }
 
     @Test
