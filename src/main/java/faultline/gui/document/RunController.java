@@ -211,6 +211,14 @@ public final class RunController implements WorkspaceListener {
         return from <= tick && tick <= to;
     }
 
+    /** Returns the time of a tick of the run, seconds; 0 without a run. */
+    public double timeOf(long tick) {
+        return workspace
+                .openDocument()
+                .map(open -> open.session().setup().timeOf(tick))
+                .orElse(0.0);
+    }
+
     private void commandsExecuted(OpenDocument open, List<CommandResult> results) {
         open.document().commandsAnswered();
         if (results.stream().anyMatch(result -> result.refusal().isEmpty())) {

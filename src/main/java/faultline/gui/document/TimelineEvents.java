@@ -46,7 +46,7 @@ public final class TimelineEvents {
      * Returns the events among executed commands that changed something, without those of one tick that cancel out,
      * such as a fault that was undone while the run was paused.
      */
-    static List<CommandResult> in(List<CommandResult> executed) {
+    public static List<CommandResult> in(List<CommandResult> executed) {
         List<CommandResult> events = executed.stream()
                 .filter(result -> !result.isNoOp() && isEvent(result.command()))
                 .toList();

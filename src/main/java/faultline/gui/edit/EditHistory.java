@@ -144,7 +144,11 @@ final class EditHistory {
 
     private void mark(Edit edit, boolean done, boolean ahead) {
         int index = edits.indexOf(edit);
-        if (index >= 0 && index < cursor != done) {
+        if (index < 0 && done) {
+            // A new edit has dropped it after it was undone, and the run has been moved to a tick before that.
+            edits.add(cursor, edit);
+            cursor++;
+        } else if (index >= 0 && index < cursor != done) {
             edits.remove(index);
             cursor += done ? 0 : -1;
             edits.add(cursor, edit);
@@ -253,7 +257,33 @@ final class EditHistory {
         List<Edit> done = edits.subList(0, cursor);
         ExecutedEvents executed = new ExecutedEvents(done);
         changes.stream().filter(IS_EVENT).forEach(change -> executed.add(change.edit(), change.executed()));
-        done.replaceAll(edit -> executed.of(edit).isEmpty() ? edit : replacement.apply(edit, executed.of(edit)));
+        done.replaceAll(edit -> executed.count(edit) == 0 ? edit : replacement.apply(edit, executed.of(edit)));
+    }
+
+    /**
+     * Lets an edit whose events are on the timeline also have what was executed in this run for later edits of the same
+     * switches and faults that have been undone. Returns the edit that takes its place, or itself if there is nothing.
+     */
+    EventEdit withUndoneEdits(EventEdit edit) {
+        ExecutedEvents executed = new ExecutedEvents(edits.subList(0, cursor));
+        List<Change> owned = new ArrayList<>();
+        for (Change change : changes.subList(0, passed)) {
+            int before = executed.count(edit);
+            if (IS_EVENT.test(change)) {
+                executed.add(change.edit(), change.executed());
+            }
+            if (executed.count(edit) - before == change.executed().size()) {
+                owned.add(change);
+            }
+        }
+        if (owned.isEmpty()) {
+            return edit;
+        }
+        changes.removeAll(owned);
+        passed -= owned.size();
+        EventEdit replaced = edit.withExecuted(executed.of(edit));
+        edits.set(edits.indexOf(edit), replaced);
+        return replaced;
     }
 
     private void forgetChanges() {

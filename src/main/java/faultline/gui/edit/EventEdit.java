@@ -4,6 +4,7 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.RunController;
 import faultline.gui.document.TimelineEvents;
 import faultline.scenario.Scenario;
+import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -36,6 +37,13 @@ record EventEdit(CommandEdit edit, List<TimedCommand> events, RunController run)
         List<TimedCommand> all = new ArrayList<>(events);
         all.addAll(more);
         return new EventEdit(edit, all, run);
+    }
+
+    /** Returns this edit with more events, which were executed in the present run. */
+    EventEdit withExecuted(List<CommandResult> executed) {
+        return with(executed.stream()
+                .map(result -> new TimedCommand(run.timeOf(result.tick()), result.command()))
+                .toList());
     }
 
     private Scenario removedFrom(Scenario scenario) {

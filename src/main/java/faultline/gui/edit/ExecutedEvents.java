@@ -12,12 +12,16 @@ import java.util.Map;
 /**
  * What was executed in a run for the edits of events that are done. An event of another edit, which has been undone,
  * and the one that undid it, change nothing together, but only as long as the edit before them is done: they count as
- * executed for the last edit before that changed the same switch or faults.
+ * executed for the last edit before that changed the same switch or faults. Without one, they count as executed for the
+ * first edit after them: if it was executed at the tick of the undo, both have cancelled out and the event of the
+ * undone edit is in effect.
  */
 final class ExecutedEvents {
 
     private final Map<Edit, List<CommandResult>> events = new IdentityHashMap<>();
     private final Map<Object, Edit> lastEdits = new HashMap<>();
+    /** Events without an edit before them, by what they change. */
+    private final Map<Object, List<CommandResult>> waiting = new HashMap<>();
 
     /** Takes the edits that are done. */
     ExecutedEvents(Collection<Edit> done) {
@@ -38,18 +42,28 @@ final class ExecutedEvents {
     /** Adds what was executed when an edit was done, undone or redone; must be called in the order of execution. */
     void add(CommandEdit edit, List<CommandResult> executed) {
         for (CommandResult result : executed) {
+            Object subject = subject(result);
             if (events.containsKey(edit)) {
-                lastEdits.put(subject(result), edit);
+                lastEdits.put(subject, edit);
+                events.get(edit).addAll(waiting.getOrDefault(subject, List.of()));
+                waiting.remove(subject);
             }
-            Edit owner = lastEdits.get(subject(result));
-            if (owner != null) {
-                events.get(owner).add(result);
-            }
+            Edit owner = lastEdits.get(subject);
+            (owner == null ? waiting.computeIfAbsent(subject, none -> new ArrayList<>()) : events.get(owner))
+                    .add(result);
         }
     }
 
-    /** Returns what was executed for an edit; empty for one of other commands, or that is not done. */
+    /**
+     * Returns what was executed for an edit, without events of one tick that cancel out, which the timeline lacks;
+     * empty for an edit of other commands, or that is not done.
+     */
     List<CommandResult> of(Edit edit) {
-        return events.getOrDefault(edit, List.of());
+        return TimelineEvents.in(events.getOrDefault(edit, List.of()));
+    }
+
+    /** Returns the number of events that were executed for an edit, also of those that cancel out. */
+    int count(Edit edit) {
+        return events.getOrDefault(edit, List.of()).size();
     }
 }

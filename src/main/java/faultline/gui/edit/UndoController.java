@@ -191,8 +191,9 @@ public final class UndoController {
     }
 
     private void apply(Edit edit, boolean done) {
-        history.mark(edit, done);
-        edit.apply(this, done);
+        Edit applied = edit instanceof EventEdit events && !done ? history.withUndoneEdits(events) : edit;
+        history.mark(applied, done);
+        applied.apply(this, done);
         onStateChange.run();
     }
 

@@ -426,6 +426,46 @@ class UndoneEventsTest {
         assertFaultIsUndoneAndRedone();
     }
 
+    @Test
+    void anUndoneRepairIsRemovedWithAFaultThatIsOnTheTimeline() {
+        run.send(FAULT);
+        run.restart();
+        run.advance(20);
+        run.send(new Command.ClearFaults("left"));
+        run.advance(5);
+        run.undo();
+        run.advance(5);
+        assertFaultIsUndoneAndRedone();
+    }
+
+    /** Both events of the tick cancel out, so the fault is that of the first edit. */
+    @Test
+    void aFaultThatReplacesAnUndoneOneAtItsTickIsUndone() {
+        run.send(FAULT);
+        run.advance(5);
+        run.undo();
+        run.send(FAULT);
+        assertEquals(1, run.timeline().size());
+        run.restart();
+        run.undo();
+        assertEquals(List.of(), run.timeline());
+    }
+
+    /** The new edit has dropped the undone one, which is in effect again before the tick of its undo. */
+    @Test
+    void anUndoneFaultCanBeUndoneAgainBeforeThatTick() {
+        run.send(FAULT);
+        run.advance(5);
+        run.undo();
+        run.send(FAULT);
+        run.seek(12);
+        run.send(new Command.SwitchSensor("front", false));
+        run.undo();
+        run.undo();
+        run.advance(1);
+        assertEquals(List.of(), faults());
+    }
+
     private void sendRepairAndUndoIt() {
         run.send(FAULT);
         run.advance(5);

@@ -1,0 +1,199 @@
+package faultline.gui.edit;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.session.Session;
+import faultline.geometry.Pose;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.SessionFrames;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
+import faultline.scenario.Scenario;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.SensorSnapshot;
+import faultline.world.Snapshot;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Random switches, faults and repairs in a run whose timeline has some as well, with undo and redo, moves, cancelled
+ * ones, restarts and moves of the start. The edited scenario always leads to the run that the window shows. The system
+ * property {@code faultline.edits} sets the number of sequences.
+ */
+@ExtendWith(EdtChecker.class)
+class RandomUndoTest {
+
+    private static final int SEEDS = Integer.getInteger("faultline.edits", 10);
+    private static final int STEPS = 40;
+    private static final int MAX_TICKS = 200;
+    private static final List<String> SENSORS = List.of("front", "left");
+    private static final List<Fault> FAULTS = List.of(new Fault.Stuck(0.3), new Fault.Bias(0.1));
+    private static final MotorFault WEAK = new MotorFault.Weak(0.9);
+
+    private final EditedRun run = new EditedRun();
+    private final ScenarioEditor editor = callOnEdt(() -> new ScenarioEditor(run.controller(), run.edits()));
+    private final List<String> steps = new ArrayList<>();
+
+    @AfterEach
+    void close() {
+        run.close();
+    }
+
+    static Stream<Integer> seeds() {
+        return IntStream.range(0, SEEDS).boxed();
+    }
+
+    private static Command event(Random random) {
+        String sensor = SENSORS.get(random.nextInt(SENSORS.size()));
+        Fault fault = FAULTS.get(random.nextInt(FAULTS.size()));
+        List<IntFunction<Command>> kinds = List.of(
+                kind -> new Command.SwitchSensor(sensor, random.nextBoolean()),
+                kind -> new Command.InjectFault(sensor, fault),
+                kind -> new Command.InjectFault(sensor, fault),
+                kind -> new Command.ClearFault(sensor, fault),
+                kind -> new Command.ClearFaults(sensor),
+                kind -> new Command.InjectMotorFault(MotorSide.LEFT, WEAK),
+                kind -> new Command.ClearMotorFault(MotorSide.LEFT, WEAK));
+        int kind = random.nextInt(kinds.size());
+        return kinds.get(kind).apply(kind);
+    }
+
+    private void plan(Random random) {
+        List<TimedCommand> timeline = IntStream.range(0, 6)
+                .mapToObj(i -> new TimedCommand((1 + random.nextInt(MAX_TICKS)) / 100.0, event(random)))
+                .toList();
+        runOnEdt(() -> run.controller().change(now -> now.withSetup(now.setup().withTimeline(timeline))));
+        run.rest();
+    }
+
+    private void step(Random random) {
+        int kind = random.nextInt(20);
+        if (kind < 6) {
+            Command event = event(random);
+            note(event.toString());
+            run.send(event);
+        } else if (kind < 10) {
+            note("undo " + callOnEdt(run.edits()::undoName));
+            run.undo();
+        } else if (kind < 12) {
+            note("redo " + callOnEdt(run.edits()::redoName));
+            run.redo();
+        } else if (kind < 16) {
+            int ticks = random.nextInt(20);
+            note("advance by " + ticks);
+            run.advance(ticks);
+        } else if (kind < 18) {
+            move(random);
+        } else if (kind == 18) {
+            note("restart");
+            run.restart();
+        } else {
+            moveStart(random);
+        }
+    }
+
+    private void note(String step) {
+        steps.add(step);
+    }
+
+    private void move(Random random) {
+        long tick = random.nextInt((int) run.tick() + 20);
+        boolean cancelled = random.nextInt(3) == 0;
+        note((cancelled ? "cancel a move to " : "move to ") + tick);
+        if (cancelled) {
+            runOnEdt(() -> {
+                run.controller().navigator().seek(tick);
+                run.workspace().cancelTask();
+            });
+            run.rest();
+        } else {
+            run.seek(tick);
+        }
+    }
+
+    private void moveStart(Random random) {
+        SimulationSetup setup = run.scenario().setup();
+        Pose start = setup.start();
+        double by = (1 + random.nextInt(5)) / 100.0;
+        note("move the start by " + by);
+        runOnEdt(() -> editor.moveStart(setup, new Pose(start.x() + by, start.y(), start.heading())));
+        run.rest();
+    }
+
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void theEditedScenarioLeadsToTheRunThatIsShown(int seed) {
+        Random random = new Random(seed);
+        plan(random);
+        for (int i = 0; i < STEPS; i++) {
+            step(random);
+            if (run.tick() > 0) {
+                assertEquals(
+                        headlessHash(run.scenario(), run.tick()),
+                        SessionFrames.trajectoryHash(run.workspace()),
+                        "seed " + seed + ": " + steps);
+            }
+        }
+    }
+
+    private static long headlessHash(Scenario scenario, long ticks) {
+        SimulationSetup setup = scenario.setup();
+        return HeadlessRun.run(setup.withDuration(setup.timeOf(ticks)), ControllerMode.DIRECT, List.of())
+                .trajectoryHash();
+    }
+
+    /** Faults may be in another order if the timeline has changed them in the meantime. */
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void withoutEditsTheTimelineAloneDecides(int seed) {
+        Random random = new Random(seed);
+        plan(random);
+        SimulationSetup planned = run.scenario().setup();
+        long last = MAX_TICKS;
+        for (int i = 0; i < STEPS; i++) {
+            step(random);
+            last = Math.max(last, run.tick());
+        }
+        for (int i = 0; i < STEPS && callOnEdt(run.edits()::canUndo); i++) {
+            note("undo " + callOnEdt(run.edits()::undoName));
+            run.undo();
+        }
+        // An edit that was undone at a later tick is in effect until then, whenever the run is made again.
+        run.advanceTo(Math.max(last, run.tick()) + 2);
+        try (Session expected = Session.replay(new Journal(planned, List.of(), 0), run.tick(), tick -> true)) {
+            assertEquals(
+                    state(expected.frame().snapshot()),
+                    state(SessionFrames.frame(run.workspace()).snapshot()),
+                    "seed " + seed + ": " + planned.timeline() + "\n" + steps);
+        }
+    }
+
+    private static List<Object> state(Snapshot snapshot) {
+        List<Object> state = new ArrayList<>();
+        for (SensorSnapshot sensor : snapshot.sensors()) {
+            state.add(List.of(sensor.spec().id(), sensor.spec().on(), sorted(sensor.faults())));
+        }
+        state.add(sorted(snapshot.motorFaults().left()));
+        return state;
+    }
+
+    private static List<String> sorted(List<?> faults) {
+        return faults.stream().map(Object::toString).sorted().toList();
+    }
+}
