@@ -23,6 +23,7 @@ final class LayerRules {
             "control.ladder",
             "engine",
             "engine.recording",
+            "engine.walls",
             "engine.metrics",
             "engine.session",
             "scenario.xml",

@@ -3,8 +3,8 @@ package faultline.app;
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.metrics.HeadlessRun;
-import faultline.engine.metrics.RunOutcome;
 import faultline.engine.metrics.RunResult;
+import faultline.engine.walls.Coverage;
 import faultline.external.ControllerChoice;
 import faultline.scenario.RunJson;
 import faultline.scenario.RunSummary;
@@ -96,7 +96,7 @@ final class RunCommand {
         if (result.isPathTooLong()) {
             output.printError(
                     "the coverage is not known: the path along the wall has too many places; expected at most "
-                            + RunOutcome.MAX_PATH_PLACES);
+                            + Coverage.MAX_PATH_PLACES);
         }
         unmet.forEach(output::printError);
         return unmet.isEmpty() ? ExitCode.SUCCESS : ExitCode.EXPECTATION_FAILED;

@@ -10,7 +10,6 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.CarryOnMetrics;
 import faultline.engine.metrics.DiagnosisMetrics;
-import faultline.engine.metrics.WallCircuit;
 import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
@@ -101,7 +100,7 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
 
     Outcome run() {
         SimulationSetup setup = setup();
-        CarryOnMetrics metrics = new CarryOnMetrics(setup, WallCircuit.forCarryOn(setup));
+        CarryOnMetrics metrics = new CarryOnMetrics(setup, CarryOnMetrics.circuit(setup));
         DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
         try (Simulation simulation = new Simulation(
                 setup, ControllerFactory.create(setup.controller()), ControllerMode.DIRECT, CommandListener.NONE)) {

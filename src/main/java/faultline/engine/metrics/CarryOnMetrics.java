@@ -7,10 +7,13 @@ import faultline.control.wallfollower.WallFollower;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import faultline.engine.walls.WallCircuit;
+import faultline.engine.walls.WallReference;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
+import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 
@@ -61,7 +64,7 @@ public final class CarryOnMetrics implements TickObserver {
      * Creates metrics of one run.
      *
      * @param setup the setup of the run
-     * @param circuit the circuit of its world, at {@link #wantedDistance}
+     * @param circuit the {@link #circuit} of its world
      */
     public CarryOnMetrics(SimulationSetup setup, WallCircuit circuit) {
         this(circuit, setup.robot().speed(), faultTimes(setup).max().orElse(0));
@@ -85,6 +88,24 @@ public final class CarryOnMetrics implements TickObserver {
 
     private double allowedTime(double length) {
         return ALLOWED_LAPS * (length / speed + CORNER_TIME);
+    }
+
+    /**
+     * {@return the circuit that the robot's centre can drive along the walls; without any path if the robot follows no
+     * wall}
+     *
+     * @param setup the setup of the run
+     * @throws WallReference.PathTooLongException if the path is too long
+     */
+    public static WallCircuit circuit(SimulationSetup setup) {
+        OptionalDouble distance = wantedDistance(setup);
+        if (distance.isEmpty()) {
+            return WallCircuit.empty();
+        }
+        double spacing = 0.02;
+        List<WallReference.WallSample> places =
+                new WallReference(setup.world()).samplesAlongPath(distance.getAsDouble(), spacing);
+        return new WallCircuit(places, spacing, 0.04, 0.15);
     }
 
     /**

@@ -4,6 +4,8 @@ import faultline.control.FollowerState;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import faultline.engine.walls.WallCircuit;
+import faultline.engine.walls.WallReference;
 import java.util.OptionalDouble;
 
 /**
@@ -44,7 +46,7 @@ public final class RunMeter implements TickObserver {
     /** Returns the path that the robot follows; if it is too long, no laps are measured. */
     private WallCircuit circuit() {
         try {
-            return WallCircuit.forCarryOn(setup);
+            return CarryOnMetrics.circuit(setup);
         } catch (WallReference.PathTooLongException e) {
             return WallCircuit.empty();
         }

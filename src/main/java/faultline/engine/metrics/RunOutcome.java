@@ -9,12 +9,6 @@ import java.util.OptionalDouble;
 /** The state of a run that expectations are compared with, during the run or at its end. */
 public interface RunOutcome {
 
-    /**
-     * The maximum number of places on the path along the wall, which limits the memory that they take. It is twice that
-     * of a campaign, whose places are twice as far apart.
-     */
-    int MAX_PATH_PLACES = 2 * WallReference.MAX_PLACES;
-
     /** {@return the controller's last state} */
     ControllerState finalState();
 

@@ -1,6 +1,8 @@
 package faultline.engine.metrics;
 
 import faultline.engine.SimulationSetup;
+import faultline.engine.walls.WallCircuit;
+import faultline.engine.walls.WallReference;
 import faultline.world.WorldSpec;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -19,7 +21,7 @@ public final class WallCircuits {
     private record CircuitKey(WorldSpec world, double distance) {}
 
     /**
-     * {@return the circuit for {@link CarryOnMetrics}}
+     * {@return {@link CarryOnMetrics#circuit}, perhaps found by an earlier call}
      *
      * @param setup the setup of the run
      * @throws WallReference.PathTooLongException if the path is too long
@@ -33,7 +35,7 @@ public final class WallCircuits {
                 return known;
             }
         }
-        WallCircuit circuit = WallCircuit.forCarryOn(setup);
+        WallCircuit circuit = CarryOnMetrics.circuit(setup);
         synchronized (kept) {
             kept.put(key, circuit);
             while (kept.size() > MAX_KEPT || keptPlaces() > WallReference.MAX_PLACES) {

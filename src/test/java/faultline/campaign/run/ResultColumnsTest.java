@@ -13,7 +13,6 @@ import faultline.engine.metrics.CarryOnMetrics;
 import faultline.engine.metrics.DiagnosisMetrics;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
-import faultline.engine.metrics.WallCircuit;
 import faultline.scenario.RunSummary;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -75,7 +74,7 @@ class ResultColumnsTest {
         static MeasuredRun of(CampaignPlan plan, int index) throws Exception {
             PlannedRun run = plan.run(index);
             SimulationSetup setup = plan.scenario(run).setup();
-            CarryOnMetrics carry = new CarryOnMetrics(setup, WallCircuit.forCarryOn(setup));
+            CarryOnMetrics carry = new CarryOnMetrics(setup, CarryOnMetrics.circuit(setup));
             DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
             RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(carry, diagnosis));
             String row = ResultColumns.row(run, result, carry, diagnosis);

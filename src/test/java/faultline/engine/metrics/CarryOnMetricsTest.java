@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.engine.SimulationSetup;
+import faultline.engine.walls.WallCircuit;
+import faultline.engine.walls.WallReference;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.MotorFault;

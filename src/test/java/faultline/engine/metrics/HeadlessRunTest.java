@@ -8,6 +8,7 @@ import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
+import faultline.engine.walls.Coverage;
 import faultline.geometry.Pose;
 import faultline.sensor.Fault;
 import faultline.world.Command;

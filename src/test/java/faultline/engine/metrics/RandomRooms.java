@@ -1,5 +1,6 @@
 package faultline.engine.metrics;
 
+import faultline.engine.walls.WallReference;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import java.util.ArrayList;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
+import faultline.engine.walls.WallCircuit;
 import faultline.geometry.Pose;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;

@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.walls;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -238,7 +238,7 @@ class CoverageTest {
             obstacles.add(new Obstacle("o" + i, new ObstacleShape.RectangleShape(0.5, 0.5), pose));
         }
         WorldSpec world = new WorldSpec(130, 90, true, 3, obstacles);
-        PlaceMap places = new PlaceMap(new WallReference(world), WANTED, 0.01, 0.025, RunOutcome.MAX_PATH_PLACES);
+        PlaceMap places = new PlaceMap(new WallReference(world), WANTED, 0.01, 0.025, Coverage.MAX_PATH_PLACES);
         places.sampleNear(new Vector2(65, 41 + 0.25 + WANTED), 0.1);
         PlaceBlock touched = places.blocks().stream()
                 .flatMap(List::stream)

@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.walls;
 
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Segment;
@@ -11,7 +11,7 @@ import java.util.Arrays;
  * Finds the nearest wall of points along a path. The walls around a point are kept for the next points, with their
  * distances; while the path is near that point, most of them are certainly farther away than the nearest one.
  */
-final class NearestWall {
+public final class NearestWall {
 
     /** The walls are searched again when the path is farther than this from the point of the last search, metres. */
     private static final double MAX_MOVED = 0.1;
@@ -28,8 +28,13 @@ final class NearestWall {
     /** The index of the last nearest wall, which often is the nearest again. */
     private int last;
 
-    /** Creates a search that ignores walls beyond a distance, metres. */
-    NearestWall(SpatialIndex walls, double range) {
+    /**
+     * Creates a search.
+     *
+     * @param walls the walls
+     * @param range the distance beyond which walls are ignored, metres
+     */
+    public NearestWall(SpatialIndex walls, double range) {
         this.walls = walls;
         this.range = range;
     }
@@ -41,14 +46,15 @@ final class NearestWall {
      * @param foot its nearest point
      * @param straight whether it is straight there
      */
-    record Wall(double distance, Vector2 foot, boolean straight) {}
+    public record Wall(double distance, Vector2 foot, boolean straight) {}
 
     /**
-     * Returns the nearest wall of a point; of several, the first in the world.
+     * {@return the nearest wall of a point; of several, the first in the world}
      *
+     * @param point the point
      * @param margin the smallest distance of the foot from the ends of a straight wall, metres
      */
-    Wall of(Vector2 point, double margin) {
+    public Wall of(Vector2 point, double margin) {
         double moved = point.distanceTo(searched);
         if (moved > MAX_MOVED) {
             search(point);

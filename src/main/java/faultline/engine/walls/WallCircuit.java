@@ -1,10 +1,8 @@
-package faultline.engine.metrics;
+package faultline.engine.walls;
 
-import faultline.engine.SimulationSetup;
 import faultline.geometry.Vector2;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import java.util.stream.DoubleStream;
 
@@ -29,24 +27,6 @@ public final class WallCircuit {
 
     private final int[] before;
 
-    /**
-     * {@return the circuit that the robot's centre can drive along the walls, for {@link CarryOnMetrics}; without any
-     * path if the robot follows no wall}
-     *
-     * @param setup the setup of the run
-     * @throws WallReference.PathTooLongException if the path is too long
-     */
-    public static WallCircuit forCarryOn(SimulationSetup setup) {
-        OptionalDouble distance = CarryOnMetrics.wantedDistance(setup);
-        if (distance.isEmpty()) {
-            return empty();
-        }
-        double spacing = 0.02;
-        List<WallReference.WallSample> places =
-                new WallReference(setup.world()).samplesAlongPath(distance.getAsDouble(), spacing);
-        return new WallCircuit(places, spacing, 0.04, 0.15);
-    }
-
     /** {@return a circuit without any path, for robots that follow no wall} */
     public static WallCircuit empty() {
         return new WallCircuit(List.of(), 1, 1, 1);
@@ -60,7 +40,7 @@ public final class WallCircuit {
      * @param joinDistance places nearer to each other than this belong to one path, metres
      * @param tolerance the maximum distance from a place at which a robot passes it, at least the join distance, metres
      */
-    WallCircuit(List<WallReference.WallSample> places, double spacing, double joinDistance, double tolerance) {
+    public WallCircuit(List<WallReference.WallSample> places, double spacing, double joinDistance, double tolerance) {
         this.places = new ArrayList<>(places);
         this.tolerance = tolerance;
         int count = places.size();
@@ -134,38 +114,59 @@ public final class WallCircuit {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** Calls back with every place that a robot passes at a point. */
-    void forEachPassed(Vector2 point, IntConsumer action) {
+    /**
+     * Calls back with every place that a robot passes at a point.
+     *
+     * @param point the robot's centre
+     * @param action takes the indices of the places
+     */
+    public void forEachPassed(Vector2 point, IntConsumer action) {
         forEachNear(point.x(), point.y(), tolerance, action);
     }
 
-    /** Returns how many places there are on all paths together. */
-    int size() {
+    /** {@return how many places there are on all paths together} */
+    public int size() {
         return places.size();
     }
 
-    /** Returns the path that a place is on, identified by its first place. */
-    int path(int place) {
+    /**
+     * {@return the path that a place is on, identified by its first place}
+     *
+     * @param place the index of the place
+     */
+    public int path(int place) {
         return paths[place];
     }
 
-    /** Returns the length of wall that belongs to a place, metres. */
-    double wallLength(int place) {
+    /**
+     * {@return the length of wall that belongs to a place, metres}
+     *
+     * @param place the index of the place
+     */
+    public double wallLength(int place) {
         return places.get(place).wallLength();
     }
 
-    /** Returns the approximate length of a path, metres. */
-    double length(int path) {
+    /**
+     * {@return the approximate length of a path, metres}
+     *
+     * @param path the index of its first place
+     */
+    public double length(int path) {
         return lengths[path];
     }
 
-    /** Returns the length of the longest path, metres; 0 if there is none. */
-    double maxLength() {
+    /** {@return the length of the longest path, metres; 0 if there is none} */
+    public double maxLength() {
         return maxLength;
     }
 
-    /** Returns the place nearest to a point, -1 if there is none. */
-    int nearestPlace(Vector2 point) {
+    /**
+     * {@return the index of the place nearest to a point, -1 if there is none}
+     *
+     * @param point the point
+     */
+    public int nearestPlace(Vector2 point) {
         int nearest = -1;
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < paths.length; i++) {

@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.walls;
 
 import faultline.engine.Simulation;
 import faultline.geometry.ConvexShape;
@@ -22,7 +22,7 @@ public final class WallReference {
     static final double ROUNDING = 1e-9;
 
     /** The maximum number of places of a world, because every place takes about 130 bytes. */
-    static final int MAX_PLACES = 2_000_000;
+    public static final int MAX_PLACES = 2_000_000;
 
     private final WorldSpec world;
     private final CandidateBuffer candidates = new CandidateBuffer();
@@ -42,27 +42,32 @@ public final class WallReference {
         this.world = world;
     }
 
-    /** Uses the index of a simulation if it is of the same world and no index exists yet. */
-    void share(Simulation simulation) {
+    /**
+     * Uses the index of a simulation if it is of the same world and no index exists yet.
+     *
+     * @param simulation the simulation
+     */
+    public void share(Simulation simulation) {
         if (index == null && simulation.setup().world() == world) {
             index = simulation.startIndex();
         }
     }
 
-    SpatialIndex walls() {
+    /** {@return the index of the walls} */
+    public SpatialIndex walls() {
         if (index == null) {
             index = SpatialIndex.ofStaticShapes(world);
         }
         return index;
     }
 
-    /** Returns the number of shapes that the walls consist of. */
-    int size() {
+    /** {@return the number of shapes that the walls consist of} */
+    public int size() {
         return walls().size();
     }
 
-    /** Returns the length of all walls, metres; of an ellipse that of a circle around it. */
-    double length() {
+    /** {@return the length of all walls, metres; of an ellipse that of a circle around it} */
+    public double length() {
         if (Double.isNaN(length)) {
             length = IntStream.range(0, size())
                     .mapToObj(walls()::shape)
@@ -85,13 +90,15 @@ public final class WallReference {
     }
 
     /**
-     * Returns the points at a distance from a wall and not nearer to any other wall, in the order of the walls. They
-     * are spaced along the path of the robot if {@code reach} is its distance from the walls, and along the walls if it
-     * is 0.
+     * {@return the points at a distance from a wall and not nearer to any other wall, in the order of the walls}
      *
+     * @param distance the distance from the wall, metres
+     * @param spacing the spacing of the points, metres
+     * @param reach where they are spaced: along the path of the robot if it is its distance from the walls, and along
+     *     the walls if it is 0, metres
      * @throws PathTooLongException if there are too many places
      */
-    List<WallSample> samples(double distance, double spacing, double reach) {
+    public List<WallSample> samples(double distance, double spacing, double reach) {
         List<WallSample> places = new ArrayList<>();
         if (walls().size() == 0) {
             return places;

@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.walls;
 
 import faultline.geometry.Vector2;
 import java.util.List;
@@ -10,13 +10,19 @@ import java.util.OptionalDouble;
  * followed. A place is passed if the robot's centre was within {@link #TOLERANCE} of it. Walls are sampled only where
  * the robot was, and where they are connected to such walls. If there are too many places, there is no share.
  */
-final class Coverage {
+public final class Coverage {
 
     /** The greatest distance at which the robot passes a place, metres. */
     static final double TOLERANCE = 0.05;
 
     /** Points of the robot's path farther from each other than this could miss a place, metres. */
-    static final double MAX_STEP = TOLERANCE / 2;
+    public static final double MAX_STEP = TOLERANCE / 2;
+
+    /**
+     * The maximum number of places on the path along the wall, which limits the memory that they take. It is twice that
+     * of a campaign, whose places are twice as far apart.
+     */
+    public static final int MAX_PATH_PLACES = 2 * WallReference.MAX_PLACES;
 
     /** Samples along the walls are this far apart, metres. */
     private static final double SPACING = 0.01;
@@ -47,20 +53,35 @@ final class Coverage {
     private double share = Double.NaN;
     private boolean pathTooLong;
 
-    /** Creates a record of passing walls at a distance from the robot's centre, metres. */
-    Coverage(WallReference walls, double distance) {
-        this(walls, distance, RunOutcome.MAX_PATH_PLACES);
+    /**
+     * Creates a record of passing walls.
+     *
+     * @param walls the walls
+     * @param distance the distance of the walls from the robot's centre, metres
+     */
+    public Coverage(WallReference walls, double distance) {
+        this(walls, distance, MAX_PATH_PLACES);
     }
 
-    /** Creates a record with another maximum number of places. */
-    Coverage(WallReference walls, double distance, int maxPlaces) {
+    /**
+     * Creates a record with another maximum number of places.
+     *
+     * @param walls the walls
+     * @param distance the distance of the walls from the robot's centre, metres
+     * @param maxPlaces the maximum number of places on the path along the walls
+     */
+    public Coverage(WallReference walls, double distance, int maxPlaces) {
         this.walls = walls;
         this.distance = distance;
         this.maxPlaces = maxPlaces;
     }
 
-    /** Records that the robot's centre was at a point; one point a square centimetre is kept. */
-    void visit(Vector2 centre) {
+    /**
+     * Records that the robot's centre was at a point; one point a square centimetre is kept.
+     *
+     * @param centre the point
+     */
+    public void visit(Vector2 centre) {
         if (!pathTooLong && centre.distanceTo(last) >= MIN_STEP) {
             long cell = CellKey.of(centre, SPACING);
             if (!visited.contains(cell)) {
@@ -72,21 +93,21 @@ final class Coverage {
         }
     }
 
-    /** Returns whether no point has been recorded. */
-    boolean isEmpty() {
+    /** {@return whether no point has been recorded} */
+    public boolean isEmpty() {
         return visited.isEmpty();
     }
 
-    /** Returns whether the share is not known, because there are too many places. */
-    boolean isPathTooLong() {
+    /** {@return whether the share is not known, because there are too many places} */
+    public boolean isPathTooLong() {
         return pathTooLong;
     }
 
     /**
-     * Returns the share so far, in [0, 1]; empty if nothing was passed, or if there are too many places. May be called
+     * {@return the share so far, in [0, 1]; empty if nothing was passed, or if there are too many places} May be called
      * repeatedly during a run.
      */
-    OptionalDouble share() {
+    public OptionalDouble share() {
         if (!pathTooLong && !pending.points().isEmpty()) {
             share = computeShare();
             pending.clear();

@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.walls;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
