@@ -25,6 +25,7 @@ final class LayerRules {
             "engine.recording",
             "engine.walls",
             "engine.metrics",
+            "engine.trace",
             "engine.session",
             "scenario.xml",
             "scenario",

@@ -2,7 +2,7 @@ package faultline.app;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
-import faultline.engine.metrics.TraceFormat;
+import faultline.engine.trace.TraceFormat;
 import faultline.external.ControllerChoice;
 import faultline.io.DidYouMean;
 import faultline.scenario.Scenario;

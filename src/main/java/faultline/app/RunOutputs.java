@@ -5,7 +5,7 @@ import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
-import faultline.engine.metrics.TraceWriter;
+import faultline.engine.trace.TraceWriter;
 import faultline.io.AtomicFileGroup;
 import faultline.io.Sha256;
 import faultline.paint.export.FrameRenderer;

@@ -2,7 +2,7 @@ package faultline.app;
 
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
-import faultline.engine.metrics.TraceColumn;
+import faultline.engine.trace.TraceColumn;
 import faultline.io.JsonWriter;
 import faultline.io.ProgramVersion;
 import java.util.HexFormat;

@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.trace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.trace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -11,6 +11,7 @@ import faultline.control.Decision;
 import faultline.control.Telemetry;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
+import faultline.engine.metrics.HeadlessRun;
 import faultline.geometry.Angles;
 import faultline.scenario.Scenario;
 import faultline.sensor.Reading;

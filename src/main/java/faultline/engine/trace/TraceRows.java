@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.trace;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.trace;
 
 import faultline.robot.RobotSpec;
 import java.util.List;

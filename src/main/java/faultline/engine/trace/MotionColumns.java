@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.trace;
 
 import faultline.engine.Simulation;
 import faultline.geometry.Angles;

@@ -1,4 +1,4 @@
-package faultline.engine.metrics;
+package faultline.engine.trace;
 
 /**
  * A column of a trace.
