@@ -29,13 +29,12 @@ final class HealthReport {
     /**
      * Reports a sensor.
      *
-     * @param inspected the sensor
+     * @param sensor the sensor
      * @param assessment the assessment of all sensors
      * @param tick now
      */
-    void update(InspectedSensor inspected, TrustAssessment assessment, long tick) {
-        int sensor = inspected.index();
-        SensorFinding finding = inspected.finding();
+    void update(int sensor, TrustAssessment assessment, long tick) {
+        SensorFinding finding = assessment.finding(sensor);
         double share = assessment.evidence(sensor);
         SensorHealth before = health.get(sensor);
         if (share == shares[sensor] && finding == before.finding()) {

@@ -1,19 +1,9 @@
 package faultline.control.diagnosis;
 
-import faultline.control.SensorFinding;
 import faultline.control.diagnosis.EvidenceGrid.RowParity;
 
-/** A sensor under diagnosis: its mounting, its recent measurements, and the findings against it. */
+/** A sensor under diagnosis: its mounting and its recent measurements. */
 final class InspectedSensor {
-
-    /** A sensor that is not trusted is tried again after this time, seconds; each further finding doubles it. */
-    private static final double FIRST_PROBATION = 3;
-
-    /**
-     * The maximum of this time, seconds. It applies from the first time to a finding that takes a long time to be made
-     * again.
-     */
-    private static final double MAX_PROBATION = 48;
 
     /** Sensors that look ahead or to the wall's side matter most; the evidence of others is added less often. */
     private static final double AHEAD = StrictMath.toRadians(60);
@@ -29,16 +19,6 @@ final class InspectedSensor {
     private final MeasurementRing measurements = new MeasurementRing();
     private MountedCone cone;
     private ConeTable table;
-    private SensorFinding finding = SensorFinding.NONE;
-    private double since;
-    private double offAt = Double.NEGATIVE_INFINITY;
-    private double probation = FIRST_PROBATION;
-    private boolean wasDistrusted;
-    private double confirmations;
-    private int disagreement;
-    private double blindAt = -1;
-    private double jumpedAt = Double.NEGATIVE_INFINITY;
-    private PredictedSurface missed;
     private double sideways;
     private boolean looksAway;
     private double markedDistance = Double.NEGATIVE_INFINITY;
@@ -135,101 +115,5 @@ final class InspectedSensor {
 
     ConeTable table() {
         return table;
-    }
-
-    SensorFinding finding() {
-        return finding;
-    }
-
-    boolean isTrusted() {
-        return finding == SensorFinding.NONE;
-    }
-
-    /** Returns when its trust changed last, or when it failed again while it was not trusted, seconds. */
-    double since() {
-        return since;
-    }
-
-    /** Returns whether it has been distrusted for as long as its findings require. */
-    boolean hasServedProbation(double time) {
-        return time - since > probation;
-    }
-
-    /** Records a reason not to trust it. */
-    void distrust(SensorFinding reason, double time) {
-        if (isTrusted()) {
-            finding = reason;
-            boolean costly = reason == SensorFinding.MISLEADING;
-            probation = costly ? MAX_PROBATION : wasDistrusted ? Math.min(MAX_PROBATION, 2 * probation) : probation;
-            wasDistrusted = true;
-            disagreement = 0;
-        }
-        if (reason == SensorFinding.OFF) {
-            offAt = time;
-        }
-        since = time;
-        confirmations = 0;
-    }
-
-    /** Returns when it last gave no answer, seconds. */
-    double offAt() {
-        return offAt;
-    }
-
-    /** Resets the time after which it is tried again. */
-    void clearHistory() {
-        wasDistrusted = false;
-        probation = FIRST_PROBATION;
-    }
-
-    /** Trusts it again. */
-    void trust(double time) {
-        finding = SensorFinding.NONE;
-        since = time;
-    }
-
-    /** Returns how often others recently saw what it measured; counts decay. */
-    double confirmations() {
-        return confirmations;
-    }
-
-    void confirm(double weight) {
-        confirmations += weight;
-    }
-
-    void fadeConfirmations(double share) {
-        confirmations *= share;
-    }
-
-    /** Counts the successive inspections in which it and another contradict only each other, and returns the count. */
-    int countDisagreement(boolean stands) {
-        disagreement = stands ? disagreement + 1 : 0;
-        return disagreement;
-    }
-
-    /** Records that its reading jumped. */
-    void jump(double time) {
-        jumpedAt = time;
-    }
-
-    /** Returns when its reading jumped last, seconds. */
-    double jumpedAt() {
-        return jumpedAt;
-    }
-
-    /** Records that it did not see what another sensor predicted. */
-    void missSurface(PredictedSurface surface, double time) {
-        missed = surface;
-        blindAt = time;
-    }
-
-    /** Returns what it did not see last, null if there is none. */
-    PredictedSurface missed() {
-        return missed;
-    }
-
-    /** Returns when it last did not see what another sensor predicted, seconds. */
-    double blindAt() {
-        return blindAt;
     }
 }

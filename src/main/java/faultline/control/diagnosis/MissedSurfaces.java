@@ -11,13 +11,60 @@ final class MissedSurfaces {
      */
     private static final double DRIVING = 0.06;
 
+    /**
+     * A place on the robot's path where a surface was predicted that the front sensor did not see.
+     *
+     * @param x metres
+     * @param y metres
+     * @param cos the cosine of the direction of the path
+     * @param sin the sine of it
+     */
+    record PredictedSurface(double x, double y, double cos, double sin) {
+
+        /** The surface may be nearer than predicted by this, metres. */
+        private static final double NEARER = 0.05;
+
+        /** It may be farther by this, metres. */
+        static final double FARTHER = 0.15;
+
+        private static final double STEP = EvidenceGrid.CELL;
+
+        /** Returns the surface at a distance from a sensor that looks ahead. */
+        static PredictedSurface ahead(DeadReckoning reckoning, MountedCone cone, double distance) {
+            double cos = reckoning.headingCos();
+            double sin = reckoning.headingSin();
+            double forward = cone.x() + distance;
+            return new PredictedSurface(
+                    reckoning.x() + cos * forward - sin * cone.y(),
+                    reckoning.y() + sin * forward + cos * cone.y(),
+                    cos,
+                    sin);
+        }
+
+        /** Returns whether the whole part of the path where the surface can be was seen free. */
+        boolean isRefuted(EvidenceGrid grid, int oldest, int asked) {
+            for (double along = -NEARER; along < FARTHER; along += STEP) {
+                int column = EvidenceGrid.cellOf(x + along * cos);
+                int row = EvidenceGrid.cellOf(y + along * sin);
+                if (grid.freeBy(column, row, oldest, asked) == 0) {
+                    return false;
+                }
+            }
+            return true;
+        }
+    }
+
     private final InspectedSensor[] sensors;
+    /** The last surface that each sensor missed. */
+    private final PredictedSurface[] missed;
+
     private final TrustAssessment assessment;
     private final EvidenceGrid grid;
     private final DeadReckoning reckoning;
 
     MissedSurfaces(InspectedSensor[] sensors, TrustAssessment assessment, EvidenceGrid grid, DeadReckoning reckoning) {
         this.sensors = sensors;
+        this.missed = new PredictedSurface[sensors.length];
         this.assessment = assessment;
         this.grid = grid;
         this.reckoning = reckoning;
@@ -43,7 +90,7 @@ final class MissedSurfaces {
             testFront(cone, ApproachCheck.expectedAhead(sensor), readings, oldest, time);
         }
         if (NearSurfaceCheck.applies(cone)
-                && assessment.mayBeRight(sensor)
+                && assessment.mayBeRight(sensor.index())
                 && reckoning.odometer().v() > DRIVING) {
             double turnRate = reckoning.odometer().omega();
             testFront(
@@ -68,13 +115,14 @@ final class MissedSurfaces {
         for (InspectedSensor front : sensors) {
             double due = expected + by.x() - front.cone().x();
             boolean blind = applies(front.cone())
-                    && front.isTrusted()
+                    && assessment.isTrusted(front.index())
                     && readings[front.index()] >= front.cone().range()
                     && due + PredictedSurface.FARTHER < front.cone().range();
             if (blind) {
                 PredictedSurface surface = PredictedSurface.ahead(reckoning, front.cone(), due);
                 if (!isRefuted(surface, front, oldest)) {
-                    assessment.addMissedSurface(front, surface, time);
+                    missed[front.index()] = surface;
+                    assessment.addMissedSurface(front.index(), time);
                 }
             }
         }
@@ -82,7 +130,7 @@ final class MissedSurfaces {
 
     /** Returns whether other sensors or the robot's body have found the place of the last missed surface free. */
     boolean isRefuted(InspectedSensor sensor, int oldest) {
-        return isRefuted(sensor.missed(), sensor, oldest);
+        return isRefuted(missed[sensor.index()], sensor, oldest);
     }
 
     private boolean isRefuted(PredictedSurface surface, InspectedSensor sensor, int oldest) {

@@ -108,14 +108,14 @@ public final class SensorDiagnosis {
         }
         updateReach();
         wallComparison.refit(new WallLine(sensors));
-        inspection.refit(sensors, robot.width() / 2, assessment);
+        inspection.refit(robot.width() / 2);
     }
 
     private void makeChecks() {
         grid = new EvidenceGrid(sensors.length + 1);
         report = new HealthReport(robot);
-        assessment = new TrustAssessment(sensors);
-        inspection = new SensorInspection(grid, reckoning, clock, motion, report);
+        assessment = new TrustAssessment(sensors.length);
+        inspection = new SensorInspection(sensors, assessment, grid, reckoning, clock, motion, report);
         inspection.setWantedDistance(wantedDistance);
         reach = EvidenceReach.LEAST;
         JumpCheck jumpCheck = new JumpCheck(motion, assessment, inspection);
@@ -136,17 +136,17 @@ public final class SensorDiagnosis {
             }
             SensorFinding finding = signal.test(reading);
             if (signal.jumped()) {
-                sensors[i].jump(motion.time());
+                assessment.addJump(i, motion.time());
                 wallComparison.jump(sensors[i]);
             }
             if (finding != SensorFinding.NONE) {
-                assessment.distrust(sensors[i], finding, motion.time());
-                refreshReport(sensors[i]);
+                distrust(i, finding);
             }
         }
     }
 
-    private void refreshReport(InspectedSensor sensor) {
+    private void distrust(int sensor, SensorFinding finding) {
+        assessment.distrust(sensor, finding, motion.time());
         report.update(sensor, assessment, tick);
     }
 
@@ -196,18 +196,12 @@ public final class SensorDiagnosis {
      * @param sensor its place in the robot's list
      */
     public void distrustMisleading(int sensor) {
-        assessment.distrust(sensors[sensor], SensorFinding.MISLEADING, motion.time());
-        refreshReport(sensors[sensor]);
+        distrust(sensor, SensorFinding.MISLEADING);
     }
 
     /** {@return whether a sensor has been found blind just now, because it misses a surface ahead of the robot} */
     public boolean hasMissedSurface() {
-        for (InspectedSensor sensor : sensors) {
-            if (sensor.finding() == SensorFinding.BLIND && sensor.since() == motion.time()) {
-                return true;
-            }
-        }
-        return false;
+        return assessment.hasFoundBlind(motion.time());
     }
 
     /** {@return the number of sensors that are diagnosed} */
@@ -222,7 +216,7 @@ public final class SensorDiagnosis {
      * @return whether it is; false if there is a finding
      */
     public boolean isTrusted(int sensor) {
-        return sensor >= sensors.length || sensors[sensor].isTrusted();
+        return sensor >= sensors.length || assessment.isTrusted(sensor);
     }
 
     /** {@return whether all diagnosed sensors are trusted} */

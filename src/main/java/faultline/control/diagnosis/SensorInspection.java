@@ -48,19 +48,20 @@ final class SensorInspection extends PacedCheck {
     /** A surface this near to a sensor that looks diagonally ahead may cross the path, metres. */
     private static final double CLOSE = 0.2;
 
+    private final InspectedSensor[] sensors;
+    private final TrustAssessment assessment;
     private final EvidenceGrid grid;
     private final DeadReckoning reckoning;
     private final MotionClock clock;
     private final MotionAccumulator motion;
     private final HealthReport report;
     private final ArcCheck arcCheck;
+    private final MissedSurfaces missedSurfaces;
     /** The sensors in the order in which they are inspected. */
-    private InspectedSensor[] sensors = {};
+    private InspectedSensor[] inOrder = {};
     /** The indices of those that look diagonally ahead. */
     private int[] diagonal = {};
 
-    private TrustAssessment assessment;
-    private MissedSurfaces missedSurfaces;
     private boolean alert;
     private InspectionRate rate = InspectionRate.FULL;
     /** When the next inspection is due, seconds. */
@@ -74,37 +75,49 @@ final class SensorInspection extends PacedCheck {
     private double bodyMarkedDistance = Double.NEGATIVE_INFINITY;
     private double wantedDistance = Double.POSITIVE_INFINITY;
 
+    /**
+     * Creates an inspection.
+     *
+     * @param sensors all sensors in the robot's order
+     * @param assessment the assessment of the sensors
+     * @param grid the evidence
+     * @param reckoning the robot's pose
+     * @param clock the motion clock
+     * @param motion the robot's motion
+     * @param report the health of the sensors
+     */
     SensorInspection(
+            InspectedSensor[] sensors,
+            TrustAssessment assessment,
             EvidenceGrid grid,
             DeadReckoning reckoning,
             MotionClock clock,
             MotionAccumulator motion,
             HealthReport report) {
         super(MotionAccumulator.Total.TIME);
+        this.sensors = sensors;
+        this.assessment = assessment;
         this.grid = grid;
         this.reckoning = reckoning;
         this.clock = clock;
         this.motion = motion;
         this.report = report;
         this.arcCheck = new ArcCheck(grid);
+        this.missedSurfaces = new MissedSurfaces(sensors, assessment, grid, reckoning);
     }
 
     /**
-     * Sets the sensors, which may be new or have new settings.
+     * Applies the settings of the sensors, before the first inspection and whenever they change.
      *
-     * @param refitted all sensors in the robot's order
      * @param radius the radius of the disc that the robot's body covers, metres
-     * @param trust the assessment of the sensors
      */
-    void refit(InspectedSensor[] refitted, double radius, TrustAssessment trust) {
+    void refit(double radius) {
         bodyRadius = Math.min(radius, EvidenceReach.LEAST.distance());
-        sensors = inOrder(refitted);
-        diagonal = Arrays.stream(refitted)
+        inOrder = inOrder(sensors);
+        diagonal = Arrays.stream(sensors)
                 .filter(sensor -> NearSurfaceCheck.applies(sensor.cone()))
                 .mapToInt(InspectedSensor::index)
                 .toArray();
-        assessment = trust;
-        missedSurfaces = new MissedSurfaces(refitted, trust, grid, reckoning);
     }
 
     /** Returns sensors in order of bearing, from the front towards the wall, so that both sides work alike. */
@@ -132,12 +145,12 @@ final class SensorInspection extends PacedCheck {
     void run(double[] readings, long tick) {
         double time = motion.time();
         alert = isSuspicious(time);
-        for (InspectedSensor sensor : sensors) {
+        for (InspectedSensor sensor : inOrder) {
             inspect(sensor, readings, time);
         }
         // After all of them, because the judgement of one sensor can restore the trust in another.
-        for (InspectedSensor sensor : sensors) {
-            report.update(sensor, assessment, tick);
+        for (InspectedSensor sensor : inOrder) {
+            report.update(sensor.index(), assessment, tick);
         }
         if (alert || reckoning.distance() - bodyMarkedDistance > MARKING) {
             bodyMarkedDistance = reckoning.distance();
@@ -229,11 +242,13 @@ final class SensorInspection extends PacedCheck {
                 missedSurfaces.test(sensor, readings, wantedDistance, clock.moment() - MEMORY, time);
             }
         }
-        assessment.fade(sensor, rate.fade());
-        if (sensor.finding() == SensorFinding.BLIND && missedSurfaces.isRefuted(sensor, clock.moment() - MEMORY)) {
-            assessment.restore(sensor, time);
+        int index = sensor.index();
+        assessment.fade(index, rate.fade());
+        if (assessment.finding(index) == SensorFinding.BLIND
+                && missedSurfaces.isRefuted(sensor, clock.moment() - MEMORY)) {
+            assessment.restore(index, time);
         }
-        assessment.assess(sensor, time);
+        assessment.assess(index, time);
     }
 
     private void addMeasurement(InspectedSensor sensor, double reading) {
@@ -266,7 +281,7 @@ final class SensorInspection extends PacedCheck {
         if (due) {
             int inspections = sensor.mark(reckoning);
             if (sees && isConfirmed(sensor)) {
-                sensor.confirm(inspections * rate.interval());
+                assessment.addConfirmation(sensor.index(), inspections * rate.interval());
             }
         }
         if (radius > 0 && (due || small)) {

@@ -73,7 +73,8 @@ final class WallComparison extends PacedCheck {
         if (inspection.isClose(readings)) {
             inspection.hasten();
         }
-        curvature.update(line.distance(readings), line.sag(readings), rolled, turned - curvature.curvature() * rolled);
+        double sag = line.sag(readings, assessment.trusted());
+        curvature.update(line.distance(readings), sag, rolled, turned - curvature.curvature() * rolled);
         reckoning.setCurvature(curvature.curvature());
         int differs = agreement.update(line, readings, distance, heading);
         if (differs != WallAgreement.NONE) {

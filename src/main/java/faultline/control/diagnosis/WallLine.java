@@ -118,11 +118,12 @@ final class WallLine {
      * behind.
      *
      * @param readings the readings of all sensors
+     * @param trusted the trusted sensors, a bit for each
      * @return metres; NaN if one of the three sees nothing or the one that faces the wall is not trusted. The others
      *     may be suspected only because the path bends, and a wrong result does no harm then
      */
-    double sag(double[] readings) {
-        if (!isSeen(readings) || !facing.sensor.isTrusted()) {
+    double sag(double[] readings, int trusted) {
+        if (!isSeen(readings) || (trusted & facing.sensor.bit()) == 0) {
             return Double.NaN;
         }
         double beside = readings[facing.index];

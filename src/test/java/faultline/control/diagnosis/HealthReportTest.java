@@ -18,12 +18,12 @@ class HealthReportTest {
     private final InspectedSensor[] sensors = IntStream.range(0, 8)
             .mapToObj(i -> new InspectedSensor(i, new MountedCone(0, 0, i, 0.2, 0.8)))
             .toArray(InspectedSensor[]::new);
-    private final TrustAssessment assessment = new TrustAssessment(sensors);
+    private final TrustAssessment assessment = new TrustAssessment(sensors.length);
     private final HealthReport report = new HealthReport(RobotSpec.DEFAULT);
 
     private void assertTrust(SensorTrust trust, double evidence, double share) {
-        assessment.fade(sensors[0], share / assessment.evidence(0));
-        report.update(sensors[0], assessment, 1);
+        assessment.fade(0, share / assessment.evidence(0));
+        report.update(0, assessment, 1);
         SensorHealth health = report.all().get(0);
         assertEquals(trust, health.trust(), "at " + share + " of the threshold");
         assertEquals(evidence, health.evidence());
@@ -43,27 +43,30 @@ class HealthReportTest {
     /** The first sensor is contradicted only by two that are inspected, and lose trust, after it. */
     @Test
     void aSensorIsReportedAsTrustedInTheInspectionThatRestoresTheTrustInIt() {
-        InspectedSensor first = sensors[0];
-        InspectedSensor second = sensors[1];
-        InspectedSensor third = sensors[2];
         MotionAccumulator motion = new MotionAccumulator();
         SensorInspection inspection = new SensorInspection(
-                new EvidenceGrid(sensors.length + 1), new DeadReckoning(), new MotionClock(), motion, report);
-        inspection.refit(sensors, 0.1, assessment);
+                sensors,
+                assessment,
+                new EvidenceGrid(sensors.length + 1),
+                new DeadReckoning(),
+                new MotionClock(),
+                motion,
+                report);
+        inspection.refit(0.1);
         double[] readings = new double[sensors.length];
         Arrays.fill(readings, Reading.NOTHING);
 
-        assessment.addContradiction(0, second.bit() | third.bit(), 10);
+        assessment.addContradiction(0, 0b0110, 10);
         motion.advance(0, 0, 1);
         inspection.run(readings, 100);
         assertEquals(SensorFinding.CONTRADICTED, report.all().get(0).finding());
 
-        assessment.addContradiction(1, second.bit(), 20);
-        assessment.addContradiction(2, third.bit(), 15);
+        assessment.addContradiction(1, 0b0010, 20);
+        assessment.addContradiction(2, 0b0100, 15);
         motion.advance(0, 0, 1);
         inspection.run(readings, 200);
-        assertFalse(second.isTrusted() || third.isTrusted());
-        assertTrue(first.isTrusted());
+        assertFalse(assessment.isTrusted(1) || assessment.isTrusted(2));
+        assertTrue(assessment.isTrusted(0));
         SensorHealth restored = report.all().get(0);
         assertEquals(SensorTrust.TRUSTED, restored.trust());
         assertEquals(200, restored.sinceTick());

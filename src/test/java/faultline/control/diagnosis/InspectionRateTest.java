@@ -34,10 +34,16 @@ class InspectionRateTest {
             sensors[i] = new InspectedSensor(i, MountedCone.of(robot.sensors().get(i), WallSide.LEFT));
         }
         Arrays.fill(readings, Reading.NOTHING);
-        assessment = new TrustAssessment(sensors);
+        assessment = new TrustAssessment(sensors.length);
         inspection = new SensorInspection(
-                new EvidenceGrid(sensors.length + 1), reckoning, new MotionClock(), motion, new HealthReport(robot));
-        inspection.refit(sensors, 0.1, assessment);
+                sensors,
+                assessment,
+                new EvidenceGrid(sensors.length + 1),
+                reckoning,
+                new MotionClock(),
+                motion,
+                new HealthReport(robot));
+        inspection.refit(0.1);
     }
 
     private InspectionRate rateAfter(double leftVolts, double rightVolts) {
@@ -63,7 +69,7 @@ class InspectionRateTest {
 
     @Test
     void aSensorThatIsNotTrustedBringsTheFullRate() {
-        assessment.distrust(sensors[robot.indexOf("rear")], SensorFinding.STUCK, 0);
+        assessment.distrust(robot.indexOf("rear"), SensorFinding.STUCK, 0);
         assertEquals(InspectionRate.FULL, rateAfter(VOLTS, VOLTS));
     }
 

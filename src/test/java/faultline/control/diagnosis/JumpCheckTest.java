@@ -29,8 +29,10 @@ class JumpCheckTest {
                     i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), WallSide.LEFT)))
             .toArray(InspectedSensor[]::new);
     private final MotionAccumulator motion = new MotionAccumulator();
-    private final TrustAssessment assessment = new TrustAssessment(sensors);
+    private final TrustAssessment assessment = new TrustAssessment(sensors.length);
     private final SensorInspection inspection = new SensorInspection(
+            sensors,
+            assessment,
             new EvidenceGrid(sensors.length + 1),
             new DeadReckoning(),
             new MotionClock(),
@@ -41,7 +43,7 @@ class JumpCheckTest {
 
     @BeforeEach
     void begin() {
-        inspection.refit(sensors, 0.1, assessment);
+        inspection.refit(0.1);
         check.begin(new WallLine(sensors), WALL);
     }
 

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.diagnosis.MissedSurfaces.PredictedSurface;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import org.junit.jupiter.api.Test;

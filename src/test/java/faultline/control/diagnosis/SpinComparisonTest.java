@@ -26,7 +26,8 @@ class SpinComparisonTest {
     private final InspectedSensor[] sensors = IntStream.range(0, 8)
             .mapToObj(i -> new InspectedSensor(i, MountedCone.of(ROBOT.sensors().get(i), WallSide.LEFT)))
             .toArray(InspectedSensor[]::new);
-    private final SpinComparison comparison = new SpinComparison(sensors, reckoning, new TrustAssessment(sensors));
+    private final SpinComparison comparison =
+            new SpinComparison(sensors, reckoning, new TrustAssessment(sensors.length));
     private final MotionAccumulator motion = new MotionAccumulator();
     private final double[] errors = new double[8];
 

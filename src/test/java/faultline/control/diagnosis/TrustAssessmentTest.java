@@ -5,56 +5,171 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.SensorFinding;
-import java.util.stream.IntStream;
+import faultline.control.diagnosis.TrustAssessment.TrustRecord;
 import org.junit.jupiter.api.Test;
 
 class TrustAssessmentTest {
 
-    private final InspectedSensor[] sensors = IntStream.range(0, 4)
-            .mapToObj(i -> new InspectedSensor(i, new MountedCone(0, 0, i, 0.2, 0.8)))
-            .toArray(InspectedSensor[]::new);
-    private final TrustAssessment assessment = new TrustAssessment(sensors);
+    private final TrustAssessment assessment = new TrustAssessment(4);
 
     /** Counts contradictions of the first sensor by the second and the third until it is not trusted. */
     private void contradictFirst(double time) {
         assessment.addContradiction(0, 0b0110, 10);
-        assessment.assess(sensors[0], time);
-        assertEquals(SensorFinding.CONTRADICTED, sensors[0].finding());
+        assessment.assess(0, time);
+        assertEquals(SensorFinding.CONTRADICTED, assessment.finding(0));
     }
 
     /** Counts contradictions of a sensor with itself until it is not trusted. */
     private void contradictItself(int sensor, double time) {
-        assessment.addContradiction(sensor, sensors[sensor].bit(), 20);
-        assessment.assess(sensors[sensor], time);
-        assertEquals(SensorFinding.INCONSISTENT, sensors[sensor].finding());
+        assessment.addContradiction(sensor, 1 << sensor, 20);
+        assessment.assess(sensor, time);
+        assertEquals(SensorFinding.INCONSISTENT, assessment.finding(sensor));
     }
 
     @Test
     void aSensorIsTrustedAgainWhenAllThatContradictedItHaveLostTrust() {
         contradictFirst(1);
         contradictItself(1, 3);
-        assertFalse(sensors[0].isTrusted(), "the third still contradicts it");
+        assertFalse(assessment.isTrusted(0), "the third still contradicts it");
         contradictItself(2, 3);
-        assertTrue(sensors[0].isTrusted());
+        assertTrue(assessment.isTrusted(0));
         assertEquals(0b1001, assessment.trusted());
     }
 
     @Test
     void aContradictedSensorThatGivesNoAnswerIsNotTrustedAgain() {
         contradictFirst(1);
-        assessment.distrust(sensors[0], SensorFinding.OFF, 3);
+        assessment.distrust(0, SensorFinding.OFF, 3);
         contradictItself(1, 3);
         contradictItself(2, 3);
-        assertFalse(sensors[0].isTrusted());
+        assertFalse(assessment.isTrusted(0));
         assertEquals(0b1000, assessment.trusted());
     }
 
     @Test
     void aContradictedSensorThatAnswersAgainIsTrustedAgain() {
         contradictFirst(1);
-        assessment.distrust(sensors[0], SensorFinding.OFF, 2);
+        assessment.distrust(0, SensorFinding.OFF, 2);
         contradictItself(1, 3);
         contradictItself(2, 3);
-        assertTrue(sensors[0].isTrusted());
+        assertTrue(assessment.isTrusted(0));
+    }
+
+    private static void assertProbation(double seconds, double from, TrustRecord sensor) {
+        assertFalse(sensor.hasServedProbation(from + seconds));
+        assertTrue(sensor.hasServedProbation(from + seconds + 0.01));
+    }
+
+    @Test
+    void eachFurtherFindingDoublesTheProbationUpTo48Seconds() {
+        TrustRecord sensor = new TrustRecord();
+        double time = 10;
+        for (double probation : new double[] {3, 6, 12, 24, 48, 48}) {
+            sensor.distrust(SensorFinding.NOISY, time);
+            assertProbation(probation, time, sensor);
+            sensor.trust(time + 60);
+            assertTrue(sensor.isTrusted());
+            time += 100;
+        }
+        sensor.clearHistory();
+        sensor.distrust(SensorFinding.NOISY, time);
+        assertProbation(3, time, sensor);
+    }
+
+    @Test
+    void aMisleadingSensorIsNotTriedAgainFor48Seconds() {
+        TrustRecord sensor = new TrustRecord();
+        sensor.distrust(SensorFinding.MISLEADING, 5);
+        assertProbation(48, 5, sensor);
+    }
+
+    @Test
+    void afterItsFirstFindingItKeepsItButTheProbationBeginsAgain() {
+        assessment.distrust(0, SensorFinding.STUCK, 5);
+        assessment.distrust(0, SensorFinding.OFF, 7);
+        assertEquals(SensorFinding.STUCK, assessment.finding(0));
+        assessment.addConfirmation(0, 13);
+        assessment.assess(0, 10);
+        assertFalse(assessment.isTrusted(0));
+        assessment.assess(0, 10.01);
+        assertTrue(assessment.isTrusted(0));
+    }
+
+    @Test
+    void confirmationsFadeAndAFurtherFindingEndsThem() {
+        assessment.distrust(0, SensorFinding.STUCK, 0);
+        assessment.addConfirmation(0, 20);
+        assessment.fade(0, 0.5);
+        assessment.assess(0, 4);
+        assertFalse(assessment.isTrusted(0), "10 are left");
+        assessment.addConfirmation(0, 3);
+        assessment.distrust(0, SensorFinding.STUCK, 4);
+        assessment.assess(0, 8);
+        assertFalse(assessment.isTrusted(0), "none is left");
+        assessment.addConfirmation(0, 12.5);
+        assessment.assess(0, 8);
+        assertTrue(assessment.isTrusted(0));
+    }
+
+    /** Lets two sensors contradict only each other, and returns after how many inspections one is not trusted. */
+    private int inspectionsOfDisagreement() {
+        for (int inspections = 1; inspections < 100; inspections++) {
+            assessment.addContradiction(0, 0b0010, 10);
+            assessment.assess(0, 20);
+            if (!assessment.isTrusted(0)) {
+                return inspections;
+            }
+        }
+        return 100;
+    }
+
+    @Test
+    void ofTwoThatContradictOnlyEachOtherOneLosesTrustAfter25Inspections() {
+        assertEquals(26, inspectionsOfDisagreement());
+        assertEquals(SensorFinding.CONTRADICTED, assessment.finding(0));
+    }
+
+    @Test
+    void onlySuccessiveInspectionsCount() {
+        for (int i = 0; i < 25; i++) {
+            assessment.addContradiction(0, 0b0010, 10);
+            assessment.assess(0, 20);
+        }
+        assessment.fade(0, 0);
+        assessment.assess(0, 20);
+        assertEquals(26, inspectionsOfDisagreement());
+    }
+
+    @Test
+    void theOneThatOthersConfirmMoreKeepsTrust() {
+        assessment.addConfirmation(0, 1);
+        assertEquals(100, inspectionsOfDisagreement());
+    }
+
+    @Test
+    void theOneThatJumpedUpToFourSecondsAgoLosesTrustAfter3Inspections() {
+        assessment.addConfirmation(0, 1);
+        assessment.addJump(0, 16.01);
+        assertEquals(4, inspectionsOfDisagreement());
+    }
+
+    @Test
+    void anEarlierJumpDoesNotCount() {
+        assessment.addJump(0, 16);
+        assertEquals(26, inspectionsOfDisagreement());
+    }
+
+    @Test
+    void aSensorThatMissesTwoSurfacesIsBlind() {
+        assessment.addMissedSurface(2, 5);
+        assessment.assess(2, 5);
+        assertTrue(assessment.isTrusted(2));
+        assessment.addMissedSurface(2, 5.1);
+        assessment.assess(2, 5.1);
+        assertEquals(SensorFinding.BLIND, assessment.finding(2));
+        assertTrue(assessment.hasFoundBlind(5.1));
+        assertFalse(assessment.hasFoundBlind(5));
+        assessment.restore(2, 6);
+        assertTrue(assessment.allTrusted());
     }
 }

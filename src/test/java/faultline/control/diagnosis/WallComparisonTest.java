@@ -30,16 +30,22 @@ class WallComparisonTest {
             .mapToObj(i -> new InspectedSensor(i, MountedCone.of(robot.sensors().get(i), WallSide.LEFT)))
             .toArray(InspectedSensor[]::new);
     private final WallLine line = new WallLine(sensors);
-    private final TrustAssessment assessment = new TrustAssessment(sensors);
+    private final TrustAssessment assessment = new TrustAssessment(sensors.length);
     private final SensorInspection inspection = new SensorInspection(
-            new EvidenceGrid(sensors.length + 1), reckoning, new MotionClock(), motion, new HealthReport(robot));
+            sensors,
+            assessment,
+            new EvidenceGrid(sensors.length + 1),
+            reckoning,
+            new MotionClock(),
+            motion,
+            new HealthReport(robot));
     private final JumpCheck jumpCheck = new JumpCheck(motion, assessment, inspection);
     private final WallComparison check = new WallComparison(motion, reckoning, assessment, inspection, jumpCheck);
 
     @BeforeEach
     void refit() {
         check.refit(line);
-        inspection.refit(sensors, 0.1, assessment);
+        inspection.refit(0.1);
     }
 
     /** Returns what the sensors read beside a wall at a distance from the robot's centre line. */
