@@ -13,9 +13,26 @@ final class ArcCheck {
     private static final double ARC_MARGIN = 0.025;
 
     private final EvidenceGrid grid;
+    /**
+     * The sample of each sensor's measured arc that no sensor had seen free in the last test: the next test most likely
+     * ends there too.
+     */
+    private final int[] unseenSamples;
 
-    ArcCheck(EvidenceGrid grid) {
+    /**
+     * Creates a check.
+     *
+     * @param grid the map
+     * @param sensors the number of sensors
+     */
+    ArcCheck(EvidenceGrid grid, int sensors) {
         this.grid = grid;
+        this.unseenSamples = new int[sensors];
+    }
+
+    /** Returns the sample of a sensor's arc at which its next test begins. */
+    int unseenSample(int sensor) {
+        return unseenSamples[sensor];
     }
 
     /**
@@ -34,7 +51,7 @@ final class ArcCheck {
         double axisSin = measurements.axisSin(age);
         double reading = measurements.reading(age);
         int all = asked;
-        int i = sensor.unseenSample();
+        int i = unseenSamples[sensor.index()];
         for (int tested = 0; tested < ConeTable.SAMPLES; tested++) {
             double cos = table.cos(i, axisCos, axisSin);
             double sin = table.sin(i, axisCos, axisSin);
@@ -45,7 +62,7 @@ final class ArcCheck {
                     oldest,
                     asked);
             if (by == 0) {
-                sensor.setUnseenSample(i);
+                unseenSamples[sensor.index()] = i;
                 return POSSIBLE;
             }
             all &= by;

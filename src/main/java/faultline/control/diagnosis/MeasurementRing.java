@@ -25,6 +25,11 @@ final class MeasurementRing {
         data[slot + 6] = clock;
     }
 
+    /** Returns the number of measurements that were ever added. */
+    int count() {
+        return count;
+    }
+
     /** Returns whether there is a measurement of some age, counted in measurements, 0 for the last. */
     boolean has(int age) {
         return age < Math.min(count, SIZE);

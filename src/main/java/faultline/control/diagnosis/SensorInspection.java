@@ -1,7 +1,6 @@
 package faultline.control.diagnosis;
 
 import faultline.control.SensorFinding;
-import faultline.control.diagnosis.EvidenceGrid.RowParity;
 import faultline.sensor.Reading;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -17,22 +16,7 @@ final class SensorInspection extends PacedCheck {
     private static final double STEP = 0.01;
 
     /** The time for which free-space evidence counts in a test, on the motion clock. */
-    private static final int MEMORY = 700;
-
-    /** A sector is free up to this far before the reading, metres. */
-    private static final double FREE_MARGIN = 0.04;
-
-    /**
-     * As long as nothing is suspicious, a measurement is added to the grid after the sensor's cone has moved sideways
-     * by this, metres.
-     */
-    private static final double MARKING = 0.05;
-
-    /**
-     * A sector of less than this radius takes little time to mark. As long as nothing is suspicious, the free-space
-     * evidence of sensors that look away from the path and the wall extends up to this distance only, metres.
-     */
-    private static final double NEAR = 0.5;
+    static final int MEMORY = 700;
 
     /** The time for which a contradiction is suspicious, seconds. */
     private static final double SUSPICION = 1;
@@ -50,12 +34,12 @@ final class SensorInspection extends PacedCheck {
 
     private final InspectedSensor[] sensors;
     private final TrustAssessment assessment;
-    private final EvidenceGrid grid;
     private final DeadReckoning reckoning;
     private final MotionClock clock;
     private final MotionAccumulator motion;
     private final HealthReport report;
     private final ArcCheck arcCheck;
+    private final EvidenceMarker marker;
     private final MissedSurfaces missedSurfaces;
     /** The sensors in the order in which they are inspected. */
     private InspectedSensor[] inOrder = {};
@@ -72,7 +56,6 @@ final class SensorInspection extends PacedCheck {
     private double maxDistance = EvidenceReach.LEAST.distance();
 
     private double bodyRadius;
-    private double bodyMarkedDistance = Double.NEGATIVE_INFINITY;
     private double wantedDistance = Double.POSITIVE_INFINITY;
 
     /**
@@ -97,12 +80,12 @@ final class SensorInspection extends PacedCheck {
         super(MotionAccumulator.Total.TIME);
         this.sensors = sensors;
         this.assessment = assessment;
-        this.grid = grid;
         this.reckoning = reckoning;
         this.clock = clock;
         this.motion = motion;
         this.report = report;
-        this.arcCheck = new ArcCheck(grid);
+        this.arcCheck = new ArcCheck(grid, sensors.length);
+        this.marker = new EvidenceMarker(sensors.length, grid, arcCheck, assessment, reckoning, clock);
         this.missedSurfaces = new MissedSurfaces(sensors, assessment, grid, reckoning);
     }
 
@@ -145,6 +128,7 @@ final class SensorInspection extends PacedCheck {
     void run(double[] readings, long tick) {
         double time = motion.time();
         alert = isSuspicious(time);
+        marker.begin(alert, rate.interval());
         for (InspectedSensor sensor : inOrder) {
             inspect(sensor, readings, time);
         }
@@ -152,10 +136,7 @@ final class SensorInspection extends PacedCheck {
         for (InspectedSensor sensor : inOrder) {
             report.update(sensor.index(), assessment, tick);
         }
-        if (alert || reckoning.distance() - bodyMarkedDistance > MARKING) {
-            bodyMarkedDistance = reckoning.distance();
-            grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), bodyRadius, clock.moment());
-        }
+        marker.addBody(bodyRadius);
         rate = rateAfter(readings, time);
         waitFor(Math.max(time, due + STEP * sensors.length * rate.interval()));
     }
@@ -236,7 +217,7 @@ final class SensorInspection extends PacedCheck {
             if (sees) {
                 test(sensor, 0, clock.moment() - MEMORY);
             }
-            addEvidence(sensor, sees, Math.min(reading, limit));
+            marker.add(sensor, sees, Math.min(reading, limit));
             retest(sensor);
             if (sees) {
                 missedSurfaces.test(sensor, readings, wantedDistance, clock.moment() - MEMORY, time);
@@ -266,55 +247,9 @@ final class SensorInspection extends PacedCheck {
                         clock.ticks());
     }
 
-    /**
-     * Adds the last measurement to the grid: at once if that takes little time, otherwise after some motion.
-     *
-     * @param sensor the sensor that measured
-     * @param sees whether it sees something
-     * @param free the distance up to which it sees nothing, metres
-     */
-    private void addEvidence(InspectedSensor sensor, boolean sees, double free) {
-        sensor.countInspection();
-        boolean due = alert || sensor.movedSinceMark(reckoning) > MARKING;
-        double radius = free - FREE_MARGIN;
-        boolean small = radius < NEAR;
-        if (due) {
-            int inspections = sensor.mark(reckoning);
-            if (sees && isConfirmed(sensor)) {
-                assessment.addConfirmation(sensor.index(), inspections * rate.interval());
-            }
-        }
-        if (radius > 0 && (due || small)) {
-            boolean near = sensor.looksAway() && !alert;
-            markFree(
-                    sensor,
-                    near ? Math.min(radius, NEAR) : radius,
-                    alert || small || !sensor.looksAside() ? RowParity.ALL : sensor.nextRows());
-        }
-    }
-
-    private boolean isConfirmed(InspectedSensor sensor) {
-        int now = clock.moment();
-        return arcCheck.confirm(sensor, now, now - MEMORY, assessment.trusted() & ~sensor.bit());
-    }
-
-    private void markFree(InspectedSensor sensor, double radius, RowParity rows) {
-        MeasurementRing ring = sensor.measurements();
-        grid.markSector(
-                sensor.index(),
-                ring.x(0),
-                ring.y(0),
-                ring.axisCos(0),
-                ring.axisSin(0),
-                sensor.table(),
-                radius,
-                clock.moment(),
-                rows);
-    }
-
     private void retest(InspectedSensor sensor) {
         if (!alert) {
-            retest(sensor, rate.retest(sensor.inspections() % InspectionRate.RETESTS));
+            retest(sensor, rate.retest(sensor.measurements().count() % InspectionRate.RETESTS));
             return;
         }
         for (int i = 0; i < InspectionRate.RETESTS; i++) {

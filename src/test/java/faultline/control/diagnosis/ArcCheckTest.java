@@ -16,7 +16,7 @@ class ArcCheckTest {
     private static final int ASKED = 0b1110;
 
     private final EvidenceGrid grid = new EvidenceGrid(4);
-    private final ArcCheck check = new ArcCheck(grid);
+    private final ArcCheck check = new ArcCheck(grid, 1);
     private final InspectedSensor sensor = new InspectedSensor(0, new MountedCone(0, 0, 0, HALF, 0.8));
 
     private void measure(double axis) {
@@ -49,7 +49,7 @@ class ArcCheckTest {
         measure(axis);
         seeFree(1, axis, 1, 5);
         assertEquals(ArcCheck.POSSIBLE, check.contradicting(sensor, 0, 5, ASKED));
-        assertTrue(sensor.unseenSample() < ConeTable.SAMPLES / 2, "sample " + sensor.unseenSample());
+        assertTrue(check.unseenSample(0) < ConeTable.SAMPLES / 2, "sample " + check.unseenSample(0));
         seeFree(2, axis, -1, 5);
         assertEquals(0, check.contradicting(sensor, 0, 5, ASKED));
     }
@@ -59,10 +59,10 @@ class ArcCheckTest {
         measure(0);
         seeFree(1, 0, -1, 5);
         assertEquals(ArcCheck.POSSIBLE, check.contradicting(sensor, 0, 5, ASKED));
-        int unseen = sensor.unseenSample();
+        int unseen = check.unseenSample(0);
         assertTrue(unseen > ConeTable.SAMPLES / 2, "sample " + unseen);
         assertEquals(ArcCheck.POSSIBLE, check.contradicting(sensor, 0, 5, ASKED));
-        assertEquals(unseen, sensor.unseenSample());
+        assertEquals(unseen, check.unseenSample(0));
         seeFree(1, 0, 1, 5);
         assertEquals(0b0010, check.contradicting(sensor, 0, 5, ASKED));
     }
