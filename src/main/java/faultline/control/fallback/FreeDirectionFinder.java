@@ -14,6 +14,7 @@ final class FreeDirectionFinder {
     private static final double MARGIN = 0.025;
 
     private final LocalMap map;
+    private double direction;
     private double unknownX;
     private double unknownY;
 
@@ -22,27 +23,33 @@ final class FreeDirectionFinder {
     }
 
     /**
-     * Returns the first direction that is free.
+     * Finds the first direction that is free.
      *
      * @param at the position of the robot
      * @param from the direction of the wall, radians
      * @param length the length that must be free, metres
      * @param distance to be kept from surfaces, metres
-     * @return radians; not a number if no direction is free
+     * @return whether a direction is free; if none is, the last one that was found remains
      */
-    double along(DeadReckoning at, double from, double length, double distance) {
+    boolean find(DeadReckoning at, double from, double length, double distance) {
         for (int i = 0; i < DIRECTIONS; i++) {
-            double direction = from - i * STEP;
-            if (isOpen(at, direction, length, distance)) {
-                return direction;
+            double candidate = from - i * STEP;
+            if (isOpen(at, candidate, length, distance)) {
+                direction = candidate;
+                return true;
             }
         }
-        return Double.NaN;
+        return false;
     }
 
-    private boolean isOpen(DeadReckoning at, double direction, double length, double distance) {
-        double cos = StrictMath.cos(direction);
-        double sin = StrictMath.sin(direction);
+    /** Returns the direction that was found last, radians. */
+    double direction() {
+        return direction;
+    }
+
+    private boolean isOpen(DeadReckoning at, double candidate, double length, double distance) {
+        double cos = StrictMath.cos(candidate);
+        double sin = StrictMath.sin(candidate);
         double end = map.toSurface(at.x() + length * cos, at.y() + length * sin);
         if (end < distance) {
             return false;
@@ -56,15 +63,15 @@ final class FreeDirectionFinder {
      * robot, ahead of its front.
      *
      * @param at the position of the robot
-     * @param direction radians
+     * @param towards the direction, radians
      * @param limit metres
      * @param front from the centre to the platform's front, metres
      * @param half half the platform's width, metres
      * @return metres
      */
-    double known(DeadReckoning at, double direction, double limit, double front, double half) {
-        double cos = StrictMath.cos(direction);
-        double sin = StrictMath.sin(direction);
+    double known(DeadReckoning at, double towards, double limit, double front, double half) {
+        double cos = StrictMath.cos(towards);
+        double sin = StrictMath.sin(towards);
         for (double way = 0; way < limit; way += SPACING) {
             double ahead = front + MARGIN + way;
             for (int side = -1; side <= 1; side++) {

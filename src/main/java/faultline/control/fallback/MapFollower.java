@@ -4,8 +4,6 @@ import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry.WallControl;
 import faultline.control.diagnosis.DeadReckoning;
-import faultline.control.diagnosis.EvidenceGrid;
-import faultline.control.diagnosis.MountedCone;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.control.wallfollower.WallFollower;
 import faultline.geometry.Angles;
@@ -18,29 +16,26 @@ import faultline.robot.Velocity;
  */
 public final class MapFollower {
 
-    /** The time for which an observation counts, on the motion clock. */
+    /** The time for which an observation counts, on the motion clock: one metre, ten radians or 100 seconds. */
     private static final int MEMORY = 1000;
 
-    /** The time between two plans, in seconds. */
-    private static final double PLANNING = 0.08;
+    /** The time between two plans, seconds; eight sensors are inspected as often at the full rate. */
+    private static final double PLAN_INTERVAL = 0.08;
 
-    /** The time between two plans while the robot scans, in seconds: a scan ends as soon as enough has been seen. */
-    private static final double SCAN_PLANNING = 0.04;
+    /** The time between two plans while the robot scans, seconds: a scan ends as soon as enough has been seen. */
+    private static final double SCAN_PLAN_INTERVAL = 0.04;
 
     /** The distance that it looks ahead along the wall, metres. */
     private static final double LOOK_AHEAD = 0.2;
 
     /** The distance by which it leaves a wall that is too near while it drives as far as it looks ahead, metres. */
-    private static final double LEAVING = 0.1;
+    private static final double STEP_AWAY = 0.1;
 
-    /** The amount by which the distance may become less while the robot keeps it, metres. */
-    private static final double KEEPING = 0.025;
-
-    /** The free margin around the robot, metres. */
-    private static final double CLEARANCE = 0.02;
+    /** The amount by which the distance may become less while the robot keeps it: one cell of the map, metres. */
+    private static final double MAY_COME_NEARER = 0.025;
 
     /** Ground within this of the turning circle is taken to be free, because no sensor can see it, metres. */
-    private static final double NEAR = 0.05;
+    private static final double UNSEEN_NEAR_BODY = 0.05;
 
     /**
      * The amount by which the planned distance to the wall is less than the wanted one, because surfaces are enlarged
@@ -49,47 +44,29 @@ public final class MapFollower {
     private static final double COARSENESS = 0.04;
 
     /** The amount by which the wall may be farther away than wanted, metres; surfaces beyond it are not the wall. */
-    private static final double NEAR_WALL = 0.35;
+    private static final double WALL_WITHIN = 0.35;
 
-    /** In a search, the amount by which the wall may be farther away than planned, metres. */
-    private static final double FOUND_WALL = 0.1;
-
-    /** A surface whose direction differs from that of the wall by at most this can be the wall, radians. */
-    private static final double WALL_SECTOR = StrictMath.toRadians(75);
-
-    /** After this distance without a wall the robot searches, metres. */
-    private static final double LOST = 1.2;
-
-    /** The length of the path that is examined, metres. */
-    private static final double PATH = 0.6;
-
-    /** The length of the path that must be known to drive on, metres. */
-    private static final double NEEDED = 0.06;
-
-    /** The length of the path that must be known after a scan, metres. */
-    private static final double WORTHWHILE = 0.18;
-
-    /** A sensor whose axis is farther than this from the direction of motion faces sideways, radians. */
-    private static final double SIDEWAYS = StrictMath.toRadians(60);
-
-    /**
-     * A scan by a sensor that faces sideways also shows the path in a direction that is this far clockwise, radians:
-     * when the robot has turned back, the wall is seen again and the direction changes a little.
-     */
-    private static final double SCAN_MARGIN = StrictMath.toRadians(20);
+    /** The amount by which a wall that is found in a search may be farther away than planned, metres. */
+    private static final double FOUND_WITHIN = 0.1;
 
     /** The margin of a square that contains a lap around a pole at the wanted distance, metres. */
     private static final double LAP_MARGIN = 0.4;
 
     private static final double QUARTER = StrictMath.PI / 2;
 
-    /** A direction that is this far clockwise from the wall leads back, radians. */
+    /** A direction that is this far clockwise from the wall leads back, radians; decision 0033. */
     private static final double TURNED_BACK = StrictMath.toRadians(240);
 
     private final SensorDiagnosis diagnosis;
+    /** The live pose of the robot. */
+    private final DeadReckoning at;
+
     private ControllerSpec.WallFollowing spec;
     private final LocalMap map = new LocalMap();
     private final FreeDirectionFinder directionFinder = new FreeDirectionFinder(map);
+    private final WallBearing wall = new WallBearing(map);
+    private final KnownPath path;
+    private final Retreat retreat = new Retreat();
     private final NoProgressDetector progress = new NoProgressDetector();
     /** Null before the first decision. */
     private RobotSpec robot;
@@ -99,14 +76,12 @@ public final class MapFollower {
     private double wantedCentreDistance;
 
     private DriveDirection driveDirection = DriveDirection.FORWARDS;
+    /** The direction of the path, radians in the frame of the map. */
+    private double direction;
+
+    private double untilPlan;
     private boolean stuck;
     private FollowerState state = FollowerState.FOLLOW;
-    private double wall;
-    private double direction;
-    private double sinceWall;
-    private double untilPlan;
-    private final Scan scan = new Scan();
-    private final Retreat retreat = new Retreat();
     private WallControl wallControl = WallControl.NONE;
     private double v;
     private double omega;
@@ -119,6 +94,8 @@ public final class MapFollower {
      */
     public MapFollower(SensorDiagnosis diagnosis, ControllerSpec.WallFollowing spec) {
         this.diagnosis = diagnosis;
+        this.at = diagnosis.reckoning();
+        this.path = new KnownPath(diagnosis, directionFinder);
         this.spec = spec;
     }
 
@@ -147,11 +124,10 @@ public final class MapFollower {
      */
     public void begin(boolean atWall) {
         driveDirection = DriveDirection.of(diagnosis);
-        direction = atWall ? at().heading() : driveDirection.leading(at().heading());
-        wall = direction + QUARTER;
-        sinceWall = atWall ? LOST / 2 : LOST + 1;
+        direction = atWall ? at.heading() : driveDirection.leading(at.heading());
+        wall.begin(direction + QUARTER, atWall);
         untilPlan = 0;
-        scan.end();
+        path.begin();
         retreat.end();
         state = atWall ? FollowerState.FOLLOW : FollowerState.SEARCH;
         stuck = false;
@@ -171,105 +147,72 @@ public final class MapFollower {
             updateDistances();
         }
         double lap = 2 * (spec.distance() + robot.width()) + LAP_MARGIN;
-        stuck |= progress.isStuck(at(), lap, robot.speed(), dt);
+        stuck |= progress.isStuck(at, lap, robot.speed(), dt);
         untilPlan -= dt;
-        sinceWall += Math.abs(at().rolled());
+        wall.advance(at.rolled());
         if (driveDirection == DriveDirection.FORWARDS && diagnosis.hasMissedSurface()) {
             retreat.start();
         }
         if (untilPlan <= 0) {
-            untilPlan = scan.isActive() ? SCAN_PLANNING : PLANNING;
+            untilPlan = path.isScanning() ? SCAN_PLAN_INTERVAL : PLAN_INTERVAL;
             driveDirection = DriveDirection.of(diagnosis);
-            map.refresh(diagnosis, diagnosis.sensors(), MEMORY, robot.boundingRadius() + NEAR);
+            map.refresh(diagnosis, diagnosis.sensors(), MEMORY, robot.boundingRadius() + UNSEEN_NEAR_BODY);
             plan();
             wallControl = measured();
         }
-        act();
+        move();
     }
 
-    private DeadReckoning at() {
-        return diagnosis.reckoning();
-    }
-
-    /** Returns the radius that must be free about the centre to turn. */
-    private double radius() {
-        return robot.boundingRadius() + CLEARANCE;
-    }
-
-    private double knownAhead() {
-        return known(direction);
-    }
-
-    private double known(double towards) {
-        return directionFinder.known(at(), towards, PATH, robot.length() / 2, robot.width() / 2);
-    }
-
-    /**
-     * Returns how far the ground behind the robot is known to be free. The robot has come from there, so the ground
-     * that its body covered is known, except for the cells at the border.
-     */
-    private double knownBehind() {
-        return directionFinder.known(
-                at(),
-                at().heading() + StrictMath.PI,
-                NEEDED,
-                robot.length() / 2,
-                robot.width() / 2 - EvidenceGrid.CELL);
-    }
-
-    /** Returns the wanted distance, and that of the nearest surface in the map, measured in the same way. */
-    private WallControl measured() {
-        // The distances in the map are not computed for a search, because they take longest.
-        double distance = state == FollowerState.SEARCH
-                ? Double.NaN
-                : map.toSurface(at().x(), at().y()) - sideMountOffset + COARSENESS;
-        boolean near = distance <= spec.distance() + NEAR_WALL;
-        return new WallControl(spec.distance(), near ? distance : Double.NaN, Double.NaN, Double.NaN);
-    }
-
-    /** Returns the wanted distance from the centre to the nearest surface in the map, metres. */
-    private double wanted() {
-        return wantedCentreDistance - COARSENESS;
-    }
-
+    /** Finds the wall and, unless the robot scans, the direction of the path. */
     private void plan() {
-        double bearing = bearingOfWall(wall);
-        if (!Double.isNaN(bearing)) {
-            wall += Angles.difference(wall, bearing);
-            sinceWall = 0;
+        wall.follow(plannedDistance() + WALL_WITHIN);
+        boolean searching = wall.isLost();
+        boolean scanning = path.isScanning();
+        if (searching && !scanning) {
+            // The direction does not change: the robot drives straight on.
+            wall.find(direction, plannedDistance() + FOUND_WITHIN);
+        } else if (!scanning) {
+            followWall();
         }
-        if (sinceWall > LOST) {
-            search();
-            return;
+        path.update(robot, direction, driveDirection);
+        if (searching) {
+            state = FollowerState.SEARCH;
+        } else if (!scanning) {
+            state = path.isScanning() ? FollowerState.MEASURE : FollowerState.FOLLOW;
         }
-        if (scan.isActive()) {
-            checkKnown();
-            return;
+        // Otherwise a scan continues, and one that began in a search remains a search.
+    }
+
+    /** Selects the direction along the wall; if there is none, the direction does not change. */
+    private void followWall() {
+        if (findOpenDirection()) {
+            direction = directionFinder.direction();
         }
-        double open = openDirection();
-        direction = Double.isNaN(open) ? direction : open;
         leaveDeadEnd();
-        checkKnown();
-        state = scan.isActive() ? FollowerState.MEASURE : FollowerState.FOLLOW;
     }
 
     /**
-     * Returns the first direction that keeps the wanted distance. If there is none, the passage is narrow, or the robot
+     * Finds the first direction that keeps the wanted distance. If there is none, the passage is narrow, or the robot
      * is so near to the wall that it does not get far enough away within the distance that it looks ahead. With a large
      * wanted distance it then moves away step by step, or keeps the distance that it has.
      */
-    private double openDirection() {
-        double open = along(wanted());
-        if (Double.isNaN(open) && diagnosis.reach().isLarge()) {
-            double distance = map.toSurface(at().x(), at().y());
-            open = along(Math.min(wanted(), distance + LEAVING));
-            open = Double.isNaN(open) ? along(Math.max(radius(), distance - KEEPING)) : open;
+    private boolean findOpenDirection() {
+        if (findOpenDirection(plannedDistance())) {
+            return true;
         }
-        return Double.isNaN(open) ? along(radius()) : open;
+        double least = Steering.turningRadius(robot);
+        if (diagnosis.reach().isLarge()) {
+            double distance = map.toSurface(at.x(), at.y());
+            if (findOpenDirection(Math.min(plannedDistance(), distance + STEP_AWAY))
+                    || findOpenDirection(Math.max(least, distance - MAY_COME_NEARER))) {
+                return true;
+            }
+        }
+        return findOpenDirection(least);
     }
 
-    private double along(double distance) {
-        return directionFinder.along(at(), wall, LOOK_AHEAD, distance);
+    private boolean findOpenDirection(double distance) {
+        return directionFinder.find(at, wall.radians(), LOOK_AHEAD, distance);
     }
 
     /**
@@ -277,110 +220,58 @@ public final class MapFollower {
      * which it entered is still the nearest, and would lead it in again.
      */
     private void leaveDeadEnd() {
-        double turn = wall - direction;
-        boolean turned =
-                Math.abs(Angles.difference(driveDirection.leading(at().heading()), direction)) < Steering.ASIDE;
-        if (turned && turn > TURNED_BACK) {
-            double left = bearingOfWall(direction + QUARTER);
-            wall = Double.isNaN(left) ? wall : left;
+        boolean turned = Math.abs(offDirection()) < Steering.ASIDE;
+        if (turned && wall.radians() - direction > TURNED_BACK) {
+            wall.replace(direction + QUARTER, plannedDistance() + WALL_WITHIN);
         }
     }
 
-    /** Returns the direction of the nearest surface that can be the wall near a direction, NaN if there is none. */
-    private double bearingOfWall(double near) {
-        return map.bearingOfSurface(near, WALL_SECTOR, wanted() + NEAR_WALL);
+    /** Returns the angle from the direction of motion to that of the path, radians, positive to the left. */
+    private double offDirection() {
+        return Angles.difference(driveDirection.leading(at.heading()), direction);
     }
 
-    /** Drives straight ahead, because there is no wall. */
-    private void search() {
-        state = FollowerState.SEARCH;
-        if (!scan.isActive()) {
-            double bearing = map.bearingOfSurface(direction, StrictMath.PI, wanted() + FOUND_WALL);
-            if (!Double.isNaN(bearing)) {
-                wall = bearing;
-                sinceWall = 0;
-            }
-        }
-        checkKnown();
+    /** Returns the planned distance from the centre to the nearest surface in the map, metres. */
+    private double plannedDistance() {
+        return wantedCentreDistance - COARSENESS;
     }
 
-    private void checkKnown() {
-        double known = knownAhead();
-        if (scan.isActive()) {
-            if (known >= WORTHWHILE && known(direction - scan.margin()) >= NEEDED) {
-                scan.end();
-            }
-        } else if (known < NEEDED) {
-            startScan();
+    /** Returns the wanted distance, and that of the nearest surface in the map, measured in the same way. */
+    private WallControl measured() {
+        // The distances in the map are not computed for a search, because they take longest.
+        double distance = state == FollowerState.SEARCH
+                ? Double.POSITIVE_INFINITY
+                : map.toSurface(at.x(), at.y()) - sideMountOffset + COARSENESS;
+        boolean near = distance <= spec.distance() + WALL_WITHIN;
+        return new WallControl(spec.distance(), near ? distance : Double.NaN, Double.NaN, Double.NaN);
+    }
+
+    /** Makes the first of these motions that is possible: a retreat, a scan, the path. */
+    private void move() {
+        if (retreats()) {
+            v = -robot.speed();
+            omega = 0;
+        } else if (path.isScanning()) {
+            path.advanceScan(robot, direction, driveDirection);
+            v = 0;
+            omega = path.scanSign() * Steering.turnRate(robot);
         } else {
-            scan.forget();
+            double off = offDirection();
+            v = Math.abs(off) > Steering.ASIDE ? 0 : driveDirection.velocity(Steering.speed(robot, off));
+            omega = Steering.turnRate(robot, off);
         }
     }
 
-    /** Turns until the trusted sensor that needs to turn least has seen the nearest unknown place of the path. */
-    private void startScan() {
-        double best = Double.NaN;
-        double margin = 0;
-        for (int i = 0; i < diagnosis.sensors(); i++) {
-            if (diagnosis.isTrusted(i)) {
-                double turn = turnFor(diagnosis.cone(i), directionFinder.unknownX(), directionFinder.unknownY());
-                if (Double.isNaN(best) || Math.abs(turn) < Math.abs(best)) {
-                    best = turn;
-                    margin = isSideways(diagnosis.cone(i)) ? SCAN_MARGIN : 0;
-                }
-            }
-        }
-        scan.start(best, margin, directionFinder.unknownX(), directionFinder.unknownY());
-    }
-
-    private boolean isSideways(MountedCone cone) {
-        return Math.abs(Angles.difference(driveDirection.leading(0), cone.bearing())) > SIDEWAYS;
-    }
-
-    /** Returns the angle to turn until a cone's axis points at a place. */
-    private double turnFor(MountedCone cone, double px, double py) {
-        double bearing = StrictMath.atan2(py - at().y(), px - at().x());
-        return Angles.difference(at().heading() + cone.bearing(), bearing);
-    }
-
-    private void act() {
+    /** Returns whether the robot retreats, which it does no further than the ground behind it is known to be free. */
+    private boolean retreats() {
         if (retreat.isActive()) {
-            retreat.advance(at().rolled());
-            if (knownBehind() >= NEEDED / 2) {
-                v = -robot.speed();
-                omega = 0;
-                return;
+            retreat.advance(at.rolled());
+            if (path.isBehindFree(robot)) {
+                return true;
             }
             retreat.end();
         }
-        if (scan.isActive()) {
-            if (scan.advance(at().turned())) {
-                endScan();
-            }
-            v = 0;
-            omega = scan.sign() * Steering.turnRate(robot);
-            return;
-        }
-        double off = Angles.difference(driveDirection.leading(at().heading()), direction);
-        v = Math.abs(off) > Steering.ASIDE ? 0 : driveDirection.velocity(Steering.speed(robot, off));
-        omega = Steering.turnRate(robot, off);
-    }
-
-    /** Ends a scan, or continues it if its place has been seen but another place is still unknown. */
-    private void endScan() {
-        scan.end();
-        double known = knownAhead();
-        if (known >= NEEDED) {
-            return;
-        }
-        if (scan.mayContinueAt(directionFinder.unknownX(), directionFinder.unknownY())) {
-            startScan();
-            return;
-        }
-        // Everything visible has been seen, so unknown places now count as surfaces.
-        double far = known + radius();
-        diagnosis.markUnseen(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
-        diagnosis.markUnseen(directionFinder.unknownX(), directionFinder.unknownY());
+        return false;
     }
 
     /** {@return whether the robot has made no progress since this follower started, or for a long time} */

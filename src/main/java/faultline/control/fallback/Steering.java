@@ -20,6 +20,9 @@ final class Steering {
     /** The least speed while it drives, as a share of the robot's. */
     private static final double MIN_SPEED = 0.3;
 
+    /** The free margin around the robot when it turns, metres. */
+    private static final double CLEARANCE = 0.02;
+
     /** The turn rate by the angle that the direction is off, 1/s. */
     private static final double GAIN = 2.5;
 
@@ -30,6 +33,11 @@ final class Steering {
     private static final double RETURN_RATE = 2;
 
     private Steering() {}
+
+    /** Returns the radius that must be free about the centre to turn, metres. */
+    static double turningRadius(RobotSpec robot) {
+        return robot.boundingRadius() + CLEARANCE;
+    }
 
     /** Returns the speed while the direction is off by at most {@link #ASIDE}, metres per second. */
     static double speed(RobotSpec robot, double off) {

@@ -1,6 +1,7 @@
 package faultline.control.fallback;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Observation;
@@ -50,7 +51,8 @@ class FreeDirectionFinderTest {
     }
 
     private double degrees(double from, double length, double distance) {
-        return Math.toDegrees(directionFinder.along(at, Math.toRadians(from), length, distance));
+        assertTrue(directionFinder.find(at, Math.toRadians(from), length, distance));
+        return Math.toDegrees(directionFinder.direction());
     }
 
     @Test
@@ -90,7 +92,7 @@ class FreeDirectionFinderTest {
         for (int side = 0; side < 360; side += 90) {
             wall(side, 0.3);
         }
-        assertTrue(Double.isNaN(directionFinder.along(at, 0, LENGTH, DISTANCE)));
+        assertFalse(directionFinder.find(at, 0, LENGTH, DISTANCE));
     }
 
     @Test
@@ -102,7 +104,8 @@ class FreeDirectionFinderTest {
         }
         refresh(0.1);
         assertEquals(45 - 360, degrees(10, LENGTH, DISTANCE), 1e-9, "the last one: 325 degrees clockwise");
-        assertTrue(Double.isNaN(degrees(15, LENGTH, DISTANCE)));
+        assertFalse(directionFinder.find(at, Math.toRadians(15), LENGTH, DISTANCE));
+        assertEquals(45 - 360, Math.toDegrees(directionFinder.direction()), 1e-9, "the last one remains");
     }
 
     @ParameterizedTest
