@@ -3,6 +3,7 @@ package faultline.gui.document;
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.scenario.Scenario;
+import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -53,6 +54,22 @@ record OpenDocument(ScenarioDocument document, Session session, boolean ownContr
      */
     List<String> sensorIds() {
         return session.frame().snapshot().robot().sensorIds();
+    }
+
+    /**
+     * Returns the result of a command of the run with the tick of the edited scenario: its ticks have another length if
+     * a restart that changes them was cancelled.
+     */
+    CommandResult inTicksOfScenario(CommandResult result) {
+        SimulationSetup inRun = session.setup();
+        SimulationSetup edited = document.initial().setup();
+        if (inRun.dt() == edited.dt()) {
+            return result;
+        }
+        long tick = edited.tickAt(inRun.timeOf(result.tick()));
+        return result.refusal()
+                .<CommandResult>map(reason -> new CommandResult.Refused(tick, result.command(), reason))
+                .orElseGet(() -> new CommandResult.Executed(tick, result.command(), result.inverse()));
     }
 
     /**

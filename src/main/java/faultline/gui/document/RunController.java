@@ -79,7 +79,7 @@ public final class RunController implements WorkspaceListener {
 
     /** Restarts the run with the edited scenario, asynchronously. */
     public void restart() {
-        restart(() -> {});
+        workspace.openDocument().ifPresent(now -> restart(now, now.edited(), () -> {}));
     }
 
     /** Moves the robot's start in the edited scenario and restarts the run, asynchronously. */
@@ -87,35 +87,49 @@ public final class RunController implements WorkspaceListener {
         restartWith(scenario -> scenario.withSetup(scenario.setup().withStart(start)));
     }
 
-    /** Changes the edited scenario at once and restarts the run; the change is kept whatever becomes of the restart. */
+    /**
+     * Restarts the run with a change of the edited scenario, which is made as soon as the run has answered all commands
+     * and is kept whatever becomes of the restart.
+     */
     private void restartWith(UnaryOperator<Scenario> change) {
         workspace.openDocument().ifPresent(now -> {
-            SimulationSetup before = now.document().initial().setup();
-            now.document().changeForRestart(change);
-            workspace.fire(listener -> listener.editsIncluded(before));
-            workspace.fire(WorkspaceListener::titleChanged);
-            restart(this::reportDeferredChange);
+            CompletableFuture<Scenario> changed = now.edited().thenApply(edited -> changeForRestart(now, change));
+            restart(now, changed, () -> reportDeferredChange(now));
         });
     }
 
-    private void reportDeferredChange() {
-        if (workspace.task().isEmpty()) {
+    private Scenario changeForRestart(OpenDocument open, UnaryOperator<Scenario> change) {
+        SimulationSetup before = open.document().initial().setup();
+        open.document().changeForRestart(change);
+        if (isDocumentOpen(open)) {
+            workspace.fire(listener -> listener.editsIncluded(before));
+            workspace.fire(WorkspaceListener::titleChanged);
+        }
+        return open.document().edited();
+    }
+
+    private boolean isDocumentOpen(OpenDocument open) {
+        return workspace
+                .openDocument()
+                .filter(now -> now.document() == open.document())
+                .isPresent();
+    }
+
+    private void reportDeferredChange(OpenDocument open) {
+        if (workspace.task().isEmpty() && isDocumentOpen(open)) {
             workspace.fire(WorkspaceListener::setupChangeDeferred);
         }
     }
 
-    /** Restarts the run, given what to do if that is cancelled or fails. */
-    private void restart(Runnable otherwise) {
-        workspace.openDocument().ifPresent(now -> {
-            CompletableFuture<Scenario> edited = now.edited();
-            now.session().stopWaiting();
-            workspace.start(
-                    new WorkspaceTask(TaskKind.RESTART, now.document().displayPath()),
-                    // The workspace sets the file when the session has started.
-                    () -> now.restartedAs(new ScenarioDocument(null, null, edited.join()), workspace),
-                    () -> {},
-                    otherwise);
-        });
+    /** Restarts a run with a scenario, given what to do if that is cancelled or fails. */
+    private void restart(OpenDocument open, CompletableFuture<Scenario> scenario, Runnable otherwise) {
+        open.session().stopWaiting();
+        workspace.start(
+                new WorkspaceTask(TaskKind.RESTART, open.document().displayPath()),
+                // The workspace sets the file when the session has started.
+                () -> open.restartedAs(new ScenarioDocument(null, null, scenario.join()), workspace),
+                () -> {},
+                otherwise);
     }
 
     /**
@@ -179,8 +193,9 @@ public final class RunController implements WorkspaceListener {
                                     .map(command -> document.named(command, ids))
                                     .toList(),
                             results -> EventQueue.invokeLater(() -> {
-                                List<CommandResult> named =
-                                        results.stream().map(document::named).toList();
+                                List<CommandResult> named = results.stream()
+                                        .map(result -> document.named(open.inTicksOfScenario(result)))
+                                        .toList();
                                 commandsExecuted(open, named);
                                 onExecuted.accept(named);
                             }));

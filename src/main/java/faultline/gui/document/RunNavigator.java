@@ -74,7 +74,7 @@ public final class RunNavigator implements WorkspaceListener {
             resuming |= now.session().status().running();
             resimulating = true;
             discardFuture();
-            replay(now, () -> {}, Journal::ticks, Session::resimulate);
+            replay(now, now.document()::prepareResimulation, Journal::ticks, Session::resimulate);
         });
     }
 

@@ -28,8 +28,8 @@ final class ScenarioDocument {
     private Scenario edited;
     /** The number of times that commands were sent whose results are not known yet. */
     private int unanswered;
-    /** Whether all events of the run have become commands of the timeline since it was moved last. */
-    private boolean eventsOnTimeline;
+    /** The editor with all events of the run on the timeline while the run is moved before one of them, else null. */
+    private SetupEditor moved;
     /** The changes of ids so far, with their reverses, in order. */
     private final List<SensorRename> renames = new ArrayList<>();
 
@@ -171,7 +171,13 @@ final class ScenarioDocument {
 
     /** Returns the setup at the start of the run, and the commands executed since then or still ahead. */
     Journal journal(long ticks) {
-        return new Journal(initial.setup(), editor.entries(), ticks);
+        return moved == null
+                ? new Journal(initial.setup(), editor.entries(), ticks)
+                : new Journal(withTimelineOf(moved).setup(), moved.entries(), ticks);
+    }
+
+    private Scenario withTimelineOf(SetupEditor other) {
+        return initial.withSetup(initial.setup().withTimeline(other.initialTimeline()));
     }
 
     /** Returns whether the file holds another scenario than the edited one, or none. */
@@ -199,21 +205,27 @@ final class ScenarioDocument {
 
     /**
      * Prepares a move of the run to a tick. If an event is later than the commands for the next tick, all events of the
-     * run become commands of the timeline, so that they are kept whatever is executed at the earlier tick.
+     * run become commands of the timeline with the move, so that they are kept whatever is executed at the earlier
+     * tick.
      */
     void prepareMoveTo(long tick) {
-        if (editor.hasEventsAfter(tick + 1)) {
-            editor = editor.withEventsOnTimeline();
-            eventsOnTimeline = true;
-            initial = initial.withSetup(initial.setup().withTimeline(editor.initialTimeline()));
-        }
+        moved = editor.hasEventsAfter(tick + 1) ? editor.withEventsOnTimeline() : null;
+    }
+
+    /** Prepares a simulation of the run up to its present tick. */
+    void prepareResimulation() {
+        moved = null;
     }
 
     /** Follows the run to a tick; returns whether all events of the run have become commands of the timeline. */
     boolean runRepositioned(long tick) {
+        boolean onTimeline = moved != null;
+        if (onTimeline) {
+            editor = moved;
+            initial = withTimelineOf(editor);
+            moved = null;
+        }
         editor.moveTo(tick);
-        boolean onTimeline = eventsOnTimeline;
-        eventsOnTimeline = false;
         return onTimeline;
     }
 

@@ -53,9 +53,12 @@ final class EditHistory {
                             .toList();
         }
 
+        Change with(List<CommandResult> newResults) {
+            return new Change(tick, edit, done, newResults);
+        }
+
         Change renamed(SensorRename rename) {
-            return new Change(
-                    tick, edit, done, results.stream().map(rename::rename).toList());
+            return with(results.stream().map(rename::rename).toList());
         }
     }
 
@@ -257,7 +260,11 @@ final class EditHistory {
         List<Edit> done = edits.subList(0, cursor);
         ExecutedEvents executed = new ExecutedEvents(done);
         changes.stream().filter(IS_EVENT).forEach(change -> executed.add(change.edit(), change.executed()));
-        done.replaceAll(edit -> executed.count(edit) == 0 ? edit : replacement.apply(edit, executed.of(edit)));
+        // An edit that had no effect when it was redone has none on the timeline either.
+        done.replaceAll(
+                edit -> edit instanceof CommandEdit command && command.hasOnlyEvents() || executed.count(edit) > 0
+                        ? replacement.apply(edit, executed.of(edit))
+                        : edit);
     }
 
     /**
@@ -266,21 +273,24 @@ final class EditHistory {
      */
     EventEdit withUndoneEdits(EventEdit edit) {
         ExecutedEvents executed = new ExecutedEvents(edits.subList(0, cursor));
-        List<Change> owned = new ArrayList<>();
+        List<Change> kept = new ArrayList<>();
         for (Change change : changes.subList(0, passed)) {
-            int before = executed.count(edit);
-            if (IS_EVENT.test(change)) {
-                executed.add(change.edit(), change.executed());
-            }
-            if (executed.count(edit) - before == change.executed().size()) {
-                owned.add(change);
+            List<CommandResult> all = IS_EVENT.test(change) ? change.executed() : List.of();
+            List<CommandResult> others = all.stream()
+                    .filter(result -> !executed.add(change.edit(), result, edit))
+                    .toList();
+            if (others.size() == all.size()) {
+                kept.add(change);
+            } else if (!others.isEmpty()) {
+                kept.add(change.with(others));
             }
         }
-        if (owned.isEmpty()) {
+        if (executed.count(edit) == 0) {
             return edit;
         }
-        changes.removeAll(owned);
-        passed -= owned.size();
+        changes.subList(0, passed).clear();
+        changes.addAll(0, kept);
+        passed = kept.size();
         EventEdit replaced = edit.withExecuted(executed.of(edit));
         edits.set(edits.indexOf(edit), replaced);
         return replaced;

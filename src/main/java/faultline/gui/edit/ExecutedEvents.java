@@ -41,17 +41,25 @@ final class ExecutedEvents {
 
     /** Adds what was executed when an edit was done, undone or redone; must be called in the order of execution. */
     void add(CommandEdit edit, List<CommandResult> executed) {
-        for (CommandResult result : executed) {
-            Object subject = subject(result);
-            if (events.containsKey(edit)) {
-                lastEdits.put(subject, edit);
-                events.get(edit).addAll(waiting.getOrDefault(subject, List.of()));
-                waiting.remove(subject);
-            }
-            Edit owner = lastEdits.get(subject);
-            (owner == null ? waiting.computeIfAbsent(subject, none -> new ArrayList<>()) : events.get(owner))
-                    .add(result);
+        executed.forEach(result -> add(edit, result));
+    }
+
+    /** Adds one event, and returns whether it counts as executed for another edit. */
+    boolean add(CommandEdit edit, CommandResult result, Edit other) {
+        int before = count(other);
+        add(edit, result);
+        return count(other) > before;
+    }
+
+    private void add(CommandEdit edit, CommandResult result) {
+        Object subject = subject(result);
+        if (events.containsKey(edit)) {
+            lastEdits.put(subject, edit);
+            events.get(edit).addAll(waiting.getOrDefault(subject, List.of()));
+            waiting.remove(subject);
         }
+        Edit owner = lastEdits.get(subject);
+        (owner == null ? waiting.computeIfAbsent(subject, none -> new ArrayList<>()) : events.get(owner)).add(result);
     }
 
     /**

@@ -211,12 +211,13 @@ public final class UndoController {
             if (!done) {
                 undoListener.accept(history.firstTick(edit));
             }
-            history.addChange(results.get(0).tick(), edit, done, results);
         } else if (results.isEmpty() || !results.stream().allMatch(UndoController::isAboutNothing)) {
             // The world refused the command, or the run has died, so the edit does not change.
             history.mark(edit, !done);
             onStateChange.run();
+            return;
         }
+        history.addChange(results.get(0).tick(), edit, done, results);
     }
 
     /**
@@ -270,17 +271,19 @@ public final class UndoController {
 
     /** Returns whether there is an edit that {@link #redo} redoes, now or when the run has answered. */
     public boolean canRedo() {
-        return history.nextRedo().isPresent() || requests.isWaiting();
+        // An edit that is not answered yet drops those that can be redone.
+        return requests.isWaiting()
+                || !requests.awaitsEdit() && history.nextRedo().isPresent();
     }
 
-    /** Returns the name of the edit that {@link #undo} would undo. */
+    /** Returns the name of the edit that {@link #undo} would undo; empty while the run has not answered an edit. */
     public Optional<String> undoName() {
-        return history.nextUndo().map(Edit::name);
+        return requests.awaitsEdit() ? Optional.empty() : history.nextUndo().map(Edit::name);
     }
 
-    /** Returns the name of the edit that {@link #redo} would redo. */
+    /** Returns the name of the edit that {@link #redo} would redo; empty while the run has not answered an edit. */
     public Optional<String> redoName() {
-        return history.nextRedo().map(Edit::name);
+        return requests.awaitsEdit() ? Optional.empty() : history.nextRedo().map(Edit::name);
     }
 
     /** Keeps the history in step with the run. */

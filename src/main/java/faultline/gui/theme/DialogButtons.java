@@ -14,6 +14,7 @@ import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import javax.swing.MenuSelectionManager;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicOptionPaneUI;
 
@@ -40,11 +41,23 @@ public final class DialogButtons {
         }
     }
 
-    /** Runs an action if Escape is pressed in a dialog. */
+    /** Runs an action if Escape is pressed in a dialog, unless that closes a menu. */
     public static void onEscape(JDialog dialog, Runnable action) {
         dialog.getRootPane()
                 .registerKeyboardAction(
-                        event -> action.run(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+                        event -> closeMenuOrRun(action),
+                        KeyStroke.getKeyStroke("ESCAPE"),
+                        JComponent.WHEN_IN_FOCUSED_WINDOW);
+    }
+
+    /** Closes the open menu, whose own key the dialog takes, or runs an action if there is none. */
+    static void closeMenuOrRun(Runnable action) {
+        MenuSelectionManager menus = MenuSelectionManager.defaultManager();
+        if (menus.getSelectedPath().length > 0) {
+            menus.clearSelectedPath();
+        } else {
+            action.run();
+        }
     }
 
     /** Lets the left and right arrow keys move the focus between the buttons of a row, from the last to the first. */

@@ -82,10 +82,10 @@ final class EditedRun {
         advance(Math.toIntExact(tick - tick()));
     }
 
-    void send(Command command) {
+    void send(Command... commands) {
         runOnEdt(() -> {
             edits.endEdit();
-            edits.send(command);
+            edits.send(List.of(commands));
         });
         rest();
     }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
 import faultline.gui.Await;
+import faultline.gui.BackgroundThreads;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.WorkspaceListener;
@@ -14,6 +15,7 @@ import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -143,6 +145,60 @@ class MovedStartTest {
     }
 
     @Test
+    void anUndoAndAnEditThatAreNotAnsweredYetAreKept() {
+        run.send(FAULT);
+        run.advance(5);
+        runOnEdt(() -> {
+            run.edits().undo();
+            run.edits().send(FAULT);
+            moveStart();
+        });
+        run.rest();
+        assertEquals(moved, start());
+        while (callOnEdt(run.edits()::canUndo)) {
+            run.undo();
+        }
+        assertEquals(List.of(), run.timeline());
+        assertEquals(start, start());
+    }
+
+    /** The run after the restart has the change. */
+    @Test
+    void aRestartThatReplacesAnotherOneIsNotReportedAsDeferred() {
+        AtomicInteger deferred = new AtomicInteger();
+        CountDownLatch ended = new CountDownLatch(1);
+        runOnEdt(() -> {
+            run.workspace().addListener(new WorkspaceListener() {
+                @Override
+                public void setupChangeDeferred() {
+                    deferred.incrementAndGet();
+                }
+            });
+            run.workspace().setControllerChoice(setup -> {
+                awaitUninterruptibly(ended);
+                return setup;
+            });
+            moveStart();
+        });
+        runOnEdt(() -> {
+            run.workspace().setControllerChoice(setup -> setup);
+            run.controller().restart();
+        });
+        assertMoved();
+        ended.countDown();
+        Await.until("the end of the first restart", () -> BackgroundThreads.count() == 0);
+        assertEquals(0, callOnEdt(deferred::get));
+    }
+
+    private static void awaitUninterruptibly(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @Test
     void eventsKeepTheirTimesInTicksOfAnotherLength() {
         run.send(FAULT);
         double before = run.timeline().get(0).time();
@@ -165,5 +221,23 @@ class MovedStartTest {
         run.undo();
         assertEquals(List.of(), run.timeline());
         assertEquals(dt, run.scenario().setup().dt());
+    }
+
+    /** The run continues with its own ticks. */
+    @Test
+    void eventsKeepTheirTimesIfTheChangeOfTheTickIsCancelled() {
+        runOnEdt(() -> {
+            run.controller().change(now -> now.withSetup(now.setup().withTick(0.02)));
+            run.workspace().cancelTask();
+        });
+        Await.until(
+                "the change",
+                () -> run.workspace().scenario().orElseThrow().setup().dt() == 0.02);
+        run.advance(9);
+        run.send(FAULT);
+        assertEquals(1.1, run.timeline().get(0).time(), 1e-9);
+        run.restart();
+        run.undo();
+        assertEquals(List.of(), run.timeline());
     }
 }

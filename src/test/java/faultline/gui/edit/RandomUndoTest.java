@@ -83,24 +83,30 @@ class RandomUndoTest {
     }
 
     private void step(Random random) {
-        int kind = random.nextInt(20);
+        int kind = random.nextInt(21);
         if (kind < 6) {
             Command event = event(random);
             note(event.toString());
             run.send(event);
-        } else if (kind < 10) {
+        } else if (kind == 6) {
+            note("repair all");
+            run.send(
+                    new Command.ClearFaults("front"),
+                    new Command.ClearFaults("left"),
+                    new Command.ClearMotorFaults(MotorSide.LEFT));
+        } else if (kind < 11) {
             note("undo " + callOnEdt(run.edits()::undoName));
             run.undo();
-        } else if (kind < 12) {
+        } else if (kind < 13) {
             note("redo " + callOnEdt(run.edits()::redoName));
             run.redo();
-        } else if (kind < 16) {
-            int ticks = random.nextInt(20);
+        } else if (kind < 17) {
+            int ticks = random.nextInt(21);
             note("advance by " + ticks);
             run.advance(ticks);
-        } else if (kind < 18) {
+        } else if (kind < 19) {
             move(random);
-        } else if (kind == 18) {
+        } else if (kind == 19) {
             note("restart");
             run.restart();
         } else {

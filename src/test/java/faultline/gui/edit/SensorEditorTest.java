@@ -121,9 +121,8 @@ class SensorEditorTest {
     }
 
     private void send(Command command) {
-        Optional<String> before = callOnEdt(edits::undoName);
         runOnEdt(() -> edits.send(command));
-        Await.until("the edit", () -> !edits.undoName().equals(before));
+        Await.until("the edit", () -> !workspace.awaitsCommands());
     }
 
     private void assertRunIsThatOf(SimulationSetup setup) {

@@ -189,6 +189,7 @@ class UndoControllerTest {
         assertFalse(callOnEdt(late::canUndo));
         runOnEdt(() -> late.send(moveTo(4.2)));
         assertTrue(callOnEdt(late::canUndo));
+        assertEquals(Optional.empty(), callOnEdt(late::undoName), "it may be refused");
         assertFalse(callOnEdt(late::canRedo));
         runOnEdt(late::undo);
         assertTrue(callOnEdt(late::canRedo));

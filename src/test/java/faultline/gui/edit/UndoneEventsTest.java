@@ -438,6 +438,33 @@ class UndoneEventsTest {
         assertFaultIsUndoneAndRedone();
     }
 
+    @Test
+    void aRepairThatIsRedoneWithoutEffectIsPassedOver() {
+        sendRepairAndUndoIt();
+        run.restart();
+        run.redo();
+        assertEquals(Optional.of("Fault in left"), callOnEdt(run.edits()::undoName));
+        run.undo();
+        assertEquals(List.of(), run.timeline());
+    }
+
+    /** Each fault takes the part of the repair that is about its sensor. */
+    @Test
+    void anUndoneRepairOfTwoSensorsIsRemovedWithTheirFaults() {
+        run.send(FAULT);
+        run.advance(5);
+        run.send(new Command.InjectFault("front", new Fault.Stuck(0.13)));
+        run.restart();
+        run.advance(20);
+        run.send(new Command.ClearFaults("left"), new Command.ClearFaults("front"));
+        run.advance(5);
+        run.undo();
+        assertEquals(6, run.timeline().size());
+        run.undo();
+        assertEquals(3, run.timeline().size());
+        assertFaultIsUndoneAndRedone();
+    }
+
     /** Both events of the tick cancel out, so the fault is that of the first edit. */
     @Test
     void aFaultThatReplacesAnUndoneOneAtItsTickIsUndone() {
