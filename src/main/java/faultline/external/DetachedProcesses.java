@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
@@ -26,8 +27,14 @@ final class DetachedProcesses {
     /** The time for which processes are searched again because new ones were found, nanoseconds. */
     private static final long LONGEST_SEARCH = TimeUnit.SECONDS.toNanos(2);
 
-    /** The number of searches in a row that must find nothing; one may miss a process that starts another and ends. */
-    private static final int SEARCHES_WITHOUT_RESULT = 3;
+    /** What searches in a row that find nothing must count together. */
+    private static final int ENOUGH = 9;
+
+    /** What a search counts that finds nothing. */
+    private static final int SURE = 3;
+
+    /** What it counts if a process has ended meanwhile, which may have started another one that was not listed yet. */
+    private static final int UNSURE = 1;
 
     private static final int STANDARD_STREAMS = 3;
     private static final AtomicLong SEQUENCE = new AtomicLong();
@@ -73,17 +80,21 @@ final class DetachedProcesses {
     /** Ends the processes, and those that they start meanwhile. */
     void killAll() {
         long start = System.nanoTime();
-        int without = 0;
-        while (without < SEARCHES_WITHOUT_RESULT && System.nanoTime() - start < LONGEST_SEARCH) {
-            long found = ProcessHandle.allProcesses()
+        int evidence = 0;
+        while (evidence < ENOUGH && System.nanoTime() - start < LONGEST_SEARCH) {
+            List<ProcessHandle> later = ProcessHandle.allProcesses()
+                    .filter(process -> !earlier.contains(process))
+                    .toList();
+            long found = later.stream()
                     .filter(process -> belongs(process) && process.destroyForcibly())
                     .count();
-            without = found == 0 ? without + 1 : 0;
+            boolean ended = !later.stream().allMatch(ProcessHandle::isAlive);
+            evidence = found > 0 ? 0 : evidence + (ended ? UNSURE : SURE);
         }
     }
 
     private boolean belongs(ProcessHandle process) {
-        return !earlier.contains(process) && (isMarked(process) || hasPipe(process));
+        return isMarked(process) || hasPipe(process);
     }
 
     private boolean isMarked(ProcessHandle process) {
