@@ -115,8 +115,10 @@ public final class RunController implements WorkspaceListener {
                 .isPresent();
     }
 
+    /** Reports a change that the run lacks, unless another session has it. */
     private void reportDeferredChange(OpenDocument open) {
-        if (workspace.task().isEmpty() && isDocumentOpen(open)) {
+        if (workspace.task().isEmpty()
+                && workspace.openDocument().filter(open::equals).isPresent()) {
             workspace.fire(WorkspaceListener::setupChangeDeferred);
         }
     }

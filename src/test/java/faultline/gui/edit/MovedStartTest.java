@@ -21,6 +21,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Changes that restart the run, together with others before the restart is complete. */
 @ExtendWith(EdtChecker.class)
@@ -162,9 +164,10 @@ class MovedStartTest {
         assertEquals(start, start());
     }
 
-    /** The run after the restart has the change. */
-    @Test
-    void aRestartThatReplacesAnotherOneIsNotReportedAsDeferred() {
+    /** The run after the other task has the change. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aRestartThatIsReplacedIsNotReportedAsDeferred(boolean byMove) {
         AtomicInteger deferred = new AtomicInteger();
         CountDownLatch ended = new CountDownLatch(1);
         runOnEdt(() -> {
@@ -182,11 +185,15 @@ class MovedStartTest {
         });
         runOnEdt(() -> {
             run.workspace().setControllerChoice(setup -> setup);
-            run.controller().restart();
+            if (byMove) {
+                run.controller().navigator().seek(50);
+            } else {
+                run.controller().restart();
+            }
         });
         assertMoved();
         ended.countDown();
-        Await.until("the end of the first restart", () -> BackgroundThreads.count() == 0);
+        BackgroundThreads.awaitEnd();
         assertEquals(0, callOnEdt(deferred::get));
     }
 
