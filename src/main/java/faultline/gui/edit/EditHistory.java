@@ -120,6 +120,13 @@ final class EditHistory {
         return index >= 0 ? Optional.of(edits.get(index)) : Optional.empty();
     }
 
+    /** Returns whether the timeline may have ended what an edit did since a tick; fast if there is no such edit. */
+    boolean mayHaveEnded(long tick) {
+        return edits.subList(0, cursor).stream()
+                        .anyMatch(edit -> edit instanceof CommandEdit command && command.hasOnlyEvents())
+                && !plannedSince.apply(tick).isEmpty();
+    }
+
     private boolean isEffective(Edit edit) {
         return edit instanceof CommandEdit command ? !undoCommands(command).isEmpty() : edit.isEffective();
     }

@@ -20,7 +20,6 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
-import java.util.function.LongFunction;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
@@ -47,7 +46,6 @@ public final class UndoController {
     private final UndoRequests requests = new UndoRequests(history, this::apply);
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
-    private LongFunction<List<Command>> plannedSince = tick -> List.of();
     private long advancedTo;
     private int generation;
 
@@ -85,8 +83,7 @@ public final class UndoController {
 
     /** Follows the run of a workspace, however it is moved and restarted. */
     public void follow(Workspace workspace, RunController run) {
-        plannedSince = run::plannedSince;
-        history.setPlan(plannedSince);
+        history.setPlan(run::plannedSince);
         requests.setRepositioning(run::isRepositioning);
         workspace.addListener(new RunFollower(run));
     }
@@ -232,7 +229,7 @@ public final class UndoController {
      * the timeline, which may end what an edit did.
      */
     public void runAdvanced(long tick) {
-        boolean planned = tick != advancedTo && !plannedSince.apply(advancedTo).isEmpty();
+        boolean planned = tick != advancedTo && history.mayHaveEnded(advancedTo);
         advancedTo = tick;
         if (history.advanceTo(tick) || planned) {
             onStateChange.run();
