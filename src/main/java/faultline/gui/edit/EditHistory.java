@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -34,6 +35,7 @@ final class EditHistory {
     private int passed;
 
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
+    private UnaryOperator<CommandResult> named = UnaryOperator.identity();
 
     /**
      * An edit that was done or undone at the start of a tick, and the results of the commands that redid or undid it;
@@ -65,6 +67,11 @@ final class EditHistory {
     /** Sets what returns the commands of the timeline that were executed after a tick. */
     void setPlan(LongFunction<List<Command>> newPlannedSince) {
         plannedSince = newPlannedSince;
+    }
+
+    /** Sets what gives the result of a command the id that its sensor has now. */
+    void setNames(UnaryOperator<CommandResult> newNamed) {
+        named = newNamed;
     }
 
     /**
@@ -265,7 +272,7 @@ final class EditHistory {
     /** Replaces the edits of events that are done, given what was executed for them in this run. */
     private void replaceEvents(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
         List<Edit> done = edits.subList(0, cursor);
-        ExecutedEvents executed = new ExecutedEvents(done);
+        ExecutedEvents executed = new ExecutedEvents(done, named);
         changes.stream().filter(IS_EVENT).forEach(change -> executed.add(change.edit(), change.executed()));
         // An edit that had no effect when it was redone has none on the timeline either.
         done.replaceAll(
@@ -279,7 +286,8 @@ final class EditHistory {
      * switches and faults that have been undone. Returns the edit that takes its place, or itself if there is nothing.
      */
     EventEdit withUndoneEdits(EventEdit edit) {
-        ExecutedEvents executed = new ExecutedEvents(edits.subList(0, cursor));
+        // Edits after it that are done have no effect, since it is the next one to be undone.
+        ExecutedEvents executed = new ExecutedEvents(edits.subList(0, edits.indexOf(edit) + 1), named);
         List<Change> kept = new ArrayList<>();
         for (Change change : changes.subList(0, passed)) {
             List<CommandResult> all = IS_EVENT.test(change) ? change.executed() : List.of();

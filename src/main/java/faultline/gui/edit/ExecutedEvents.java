@@ -1,13 +1,19 @@
 package faultline.gui.edit;
 
+import faultline.gui.document.SensorReference;
+import faultline.gui.document.SensorRename;
 import faultline.gui.document.TimelineEvents;
+import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.UnaryOperator;
 
 /**
  * What was executed in a run for the edits of events that are done. An event of another edit, which has been undone,
@@ -18,25 +24,50 @@ import java.util.Map;
  */
 final class ExecutedEvents {
 
-    private final Map<Edit, List<CommandResult>> events = new IdentityHashMap<>();
-    private final Map<Object, Edit> lastEdits = new HashMap<>();
+    private final UnaryOperator<CommandResult> named;
+    private final Map<Edit, List<OwnedEvent>> events = new IdentityHashMap<>();
+    /** All events with the ids that their sensors have now, in the order of execution. */
+    private final List<CommandResult> all = new ArrayList<>();
+
+    private final Map<Object, Owner> owners = new HashMap<>();
     /** Events without an edit before them, by what they change. */
     private final Map<Object, List<CommandResult>> waiting = new HashMap<>();
 
-    /** Takes the edits that are done. */
-    ExecutedEvents(Collection<Edit> done) {
+    /** An event with the id that its sensor has now, and as the edit that owns it would have executed it. */
+    private record OwnedEvent(CommandResult named, CommandResult event) {}
+
+    /** An edit that is done, and one of its commands, which has the id that the sensor had when the edit was made. */
+    private record Owner(Edit edit, Command command) {
+        /** Returns an event about the same sensor with the id that the edit has for it. */
+        CommandResult named(CommandResult event) {
+            return SensorReference.in(event.command())
+                    .map(id -> new SensorRename(id, SensorReference.in(command).orElseThrow()))
+                    .map(rename -> rename.rename(event))
+                    .orElse(event);
+        }
+    }
+
+    /** Takes the edits that are done, and what gives an event the id that its sensor has now. */
+    ExecutedEvents(Collection<Edit> done, UnaryOperator<CommandResult> named) {
+        this.named = named;
         for (Edit edit : done) {
             if (edit instanceof EventEdit earlier) {
                 events.put(edit, new ArrayList<>());
-                earlier.edit().results().forEach(result -> lastEdits.put(subject(result), edit));
+                earlier.edit()
+                        .results()
+                        .forEach(result -> owners.put(subject(result), new Owner(edit, result.command())));
             } else if (edit instanceof CommandEdit commands && commands.hasOnlyEvents()) {
                 events.put(edit, new ArrayList<>());
             }
         }
     }
 
-    private static Object subject(CommandResult result) {
-        return TimelineEvents.subject(result.command());
+    private Object subject(CommandResult result) {
+        return subjectOf(named.apply(result));
+    }
+
+    private static Object subjectOf(CommandResult namedResult) {
+        return TimelineEvents.subject(namedResult.command());
     }
 
     /** Adds what was executed when an edit was done, undone or redone; must be called in the order of execution. */
@@ -52,22 +83,36 @@ final class ExecutedEvents {
     }
 
     private void add(CommandEdit edit, CommandResult result) {
-        Object subject = subject(result);
+        CommandResult namedResult = named.apply(result);
+        all.add(namedResult);
+        Object subject = subjectOf(namedResult);
         if (events.containsKey(edit)) {
-            lastEdits.put(subject, edit);
-            events.get(edit).addAll(waiting.getOrDefault(subject, List.of()));
+            owners.put(subject, new Owner(edit, result.command()));
+            waiting.getOrDefault(subject, List.of()).forEach(earlier -> addTo(owners.get(subject), earlier));
             waiting.remove(subject);
         }
-        Edit owner = lastEdits.get(subject);
-        (owner == null ? waiting.computeIfAbsent(subject, none -> new ArrayList<>()) : events.get(owner)).add(result);
+        if (owners.containsKey(subject)) {
+            addTo(owners.get(subject), namedResult);
+        } else {
+            waiting.computeIfAbsent(subject, none -> new ArrayList<>()).add(namedResult);
+        }
+    }
+
+    private void addTo(Owner owner, CommandResult namedResult) {
+        events.get(owner.edit()).add(new OwnedEvent(namedResult, owner.named(namedResult)));
     }
 
     /**
-     * Returns what was executed for an edit, without events of one tick that cancel out, which the timeline lacks;
-     * empty for an edit of other commands, or that is not done.
+     * Returns what was executed for an edit, without events of one tick that cancel out, also with those of others,
+     * because the timeline lacks them; empty for an edit of other commands, or that is not done.
      */
     List<CommandResult> of(Edit edit) {
-        return TimelineEvents.in(events.getOrDefault(edit, List.of()));
+        Set<CommandResult> kept = Collections.newSetFromMap(new IdentityHashMap<>());
+        kept.addAll(TimelineEvents.in(all));
+        return events.getOrDefault(edit, List.of()).stream()
+                .filter(owned -> kept.contains(owned.named()))
+                .map(OwnedEvent::event)
+                .toList();
     }
 
     /** Returns the number of events that were executed for an edit, also of those that cancel out. */

@@ -42,12 +42,17 @@ class RandomUndoTest {
     private static final int SEEDS = Integer.getInteger("faultline.edits", 10);
     private static final int STEPS = 40;
     private static final int MAX_TICKS = 200;
-    private static final List<String> SENSORS = List.of("front", "left");
+    private static final int FRONT = 0;
+    private static final int LEFT = 2;
+    /** Ids that sensors get, one of them the former id of another sensor. */
+    private static final List<String> NEW_IDS = List.of("a", "b", "front");
+
     private static final List<Fault> FAULTS = List.of(new Fault.Stuck(0.3), new Fault.Bias(0.1));
     private static final MotorFault WEAK = new MotorFault.Weak(0.9);
 
     private final EditedRun run = new EditedRun();
     private final ScenarioEditor editor = callOnEdt(() -> new ScenarioEditor(run.controller(), run.edits()));
+    private final SensorEditor sensors = callOnEdt(() -> new SensorEditor(run.workspace(), editor, note -> {}));
     private final List<String> steps = new ArrayList<>();
 
     @AfterEach
@@ -59,8 +64,8 @@ class RandomUndoTest {
         return IntStream.range(0, SEEDS).boxed();
     }
 
-    private static Command event(Random random) {
-        String sensor = SENSORS.get(random.nextInt(SENSORS.size()));
+    private Command event(Random random) {
+        String sensor = sensor(random);
         Fault fault = FAULTS.get(random.nextInt(FAULTS.size()));
         List<IntFunction<Command>> kinds = List.of(
                 kind -> new Command.SwitchSensor(sensor, random.nextBoolean()),
@@ -74,6 +79,15 @@ class RandomUndoTest {
         return kinds.get(kind).apply(kind);
     }
 
+    private String sensor(Random random) {
+        return sensorId(random.nextBoolean() ? FRONT : LEFT);
+    }
+
+    /** Returns the present id of a sensor, given its place in the list of the robot. */
+    private String sensorId(int index) {
+        return run.scenario().setup().robot().sensorIds().get(index);
+    }
+
     private void plan(Random random) {
         List<TimedCommand> timeline = IntStream.range(0, 6)
                 .mapToObj(i -> new TimedCommand((1 + random.nextInt(MAX_TICKS)) / 100.0, event(random)))
@@ -83,7 +97,7 @@ class RandomUndoTest {
     }
 
     private void step(Random random) {
-        int kind = random.nextInt(21);
+        int kind = random.nextInt(23);
         if (kind < 6) {
             Command event = event(random);
             note(event.toString());
@@ -91,8 +105,8 @@ class RandomUndoTest {
         } else if (kind == 6) {
             note("repair all");
             run.send(
-                    new Command.ClearFaults("front"),
-                    new Command.ClearFaults("left"),
+                    new Command.ClearFaults(sensorId(FRONT)),
+                    new Command.ClearFaults(sensorId(LEFT)),
                     new Command.ClearMotorFaults(MotorSide.LEFT));
         } else if (kind < 11) {
             note("undo " + callOnEdt(run.edits()::undoName));
@@ -109,9 +123,19 @@ class RandomUndoTest {
         } else if (kind == 19) {
             note("restart");
             run.restart();
-        } else {
+        } else if (kind == 20) {
             moveStart(random);
+        } else {
+            rename(random);
         }
+    }
+
+    private void rename(Random random) {
+        String before = sensor(random);
+        String after = NEW_IDS.get(random.nextInt(NEW_IDS.size()));
+        note("rename " + before + " to " + after);
+        runOnEdt(() -> sensors.rename(before, after));
+        run.rest();
     }
 
     private void note(String step) {

@@ -29,6 +29,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Faults and switches of a run, undone after a restart, when they are on the timeline. */
 @ExtendWith(EdtChecker.class)
@@ -512,5 +514,62 @@ class UndoneEventsTest {
         run.advanceTo(50);
         assertEquals(List.of(new Fault.Stuck(0.13)), faults());
         assertEquals(3, run.timeline().size());
+    }
+
+    /** The repair and its undo are about the fault, whatever the sensor was called then. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aRepairUnderAnotherIdThatIsUndoneEndsWithItsFault(boolean faultIsPlanned) {
+        run.send(FAULT);
+        run.advance(5);
+        if (faultIsPlanned) {
+            run.restart();
+            run.advance(30);
+        }
+        SensorEditor sensors = callOnEdt(
+                () -> new SensorEditor(run.workspace(), new ScenarioEditor(run.controller(), run.edits()), note -> {}));
+        runOnEdt(() -> sensors.rename("left", "nine"));
+        run.rest();
+        run.send(new Command.ClearFaults("nine"));
+        run.advance(5);
+        run.undo();
+        run.advance(5);
+        run.undo();
+        if (!faultIsPlanned) {
+            run.restart();
+        }
+        run.undo();
+        assertEquals(original, run.scenario());
+        run.advanceTo(60);
+        assertEquals(List.of(), faults());
+    }
+
+    /** A fault and its repair at one time change nothing, so they are not those that the timeline has for that time. */
+    @Test
+    void aFaultThatIsRepairedAtOnceIsNotThePlannedOneOfItsTime() {
+        List<TimedCommand> planned = List.of(new TimedCommand(0.11, FAULT));
+        runOnEdt(() -> run.controller().change(now -> now.withSetup(now.setup().withTimeline(planned))));
+        run.rest();
+        run.send(FAULT);
+        run.send(new Command.ClearFault("left", new Fault.Stuck(0.13)));
+        run.restart();
+        run.undo();
+        assertEquals(planned, run.timeline());
+    }
+
+    /** The fault and its repair cancelled out, so what was undone later belongs to the fault before them. */
+    @Test
+    void anUndoneRepairEndsWithTheFaultBeforeEditsThatCancelledOut() {
+        run.send(FAULT);
+        run.advance(5);
+        run.send(new Command.ClearFaults("left"));
+        run.send(FAULT);
+        run.restart();
+        run.advance(20);
+        run.send(new Command.ClearFaults("left"));
+        run.advance(5);
+        run.undo();
+        run.undo();
+        assertEquals(original, run.scenario());
     }
 }
