@@ -79,7 +79,8 @@ public final class CanvasTools {
 
     /** Activates a tool that measures distances and angles until it is cancelled. */
     public void measure() {
-        activate(new MeasureTool());
+        activate(new MeasureTool(() ->
+                Gesture.CLICK_TOLERANCE / context.viewport().camera().get().scale()));
     }
 
     private boolean setMotionPath(String id, List<Vector2> points) {

@@ -8,28 +8,42 @@ import faultline.paint.scene.InteractionPainter;
 import faultline.paint.surface.DrawContext;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleSupplier;
 
 /**
- * Measures from where the button is pressed to where it is released, repeatedly; the last measurement stays until the
- * tool is deactivated.
+ * Measures from where the button is pressed to where it is released, or from one click to the next, repeatedly; the
+ * last measurement stays until the tool is deactivated.
  */
 public final class MeasureTool implements Tool {
 
+    private final DoubleSupplier clickTolerance;
     /** Null before the first press. */
     private Vector2 from;
 
     private Vector2 to = Vector2.ZERO;
+    /** Whether a press has started the measurement that the release ends. */
+    private boolean started;
+    /** Whether a click has started a measurement, whose end follows the mouse until the next press. */
+    private boolean following;
+
     private boolean done;
+
+    /** Creates a tool, given what returns the distance in metres up to which a press and a release are a click. */
+    MeasureTool(DoubleSupplier clickTolerance) {
+        this.clickTolerance = clickTolerance;
+    }
 
     @Override
     public void press(Vector2 at, boolean twice) {
-        from = at;
+        started = !following;
+        following = false;
+        from = started ? at : from;
         to = at;
     }
 
     @Override
     public void move(Vector2 at, boolean down) {
-        if (down) {
+        if (down || following) {
             to = at;
         }
     }
@@ -37,11 +51,13 @@ public final class MeasureTool implements Tool {
     @Override
     public void moveByKey(Vector2 at) {
         to = at;
+        following = false;
     }
 
     @Override
     public void release(Vector2 at) {
         to = at;
+        following = started && from.distanceTo(at) < clickTolerance.getAsDouble();
     }
 
     @Override

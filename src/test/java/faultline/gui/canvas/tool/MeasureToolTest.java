@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 class MeasureToolTest {
 
-    private final MeasureTool tool = new MeasureTool();
+    private final MeasureTool tool = new MeasureTool(() -> 0.02);
 
     @Test
     void nothingIsMeasuredBeforeTheButtonGoesDown() {
@@ -53,5 +53,29 @@ class MeasureToolTest {
         assertFalse(tool.isDone());
         tool.finish();
         assertTrue(tool.isDone());
+    }
+
+    @Test
+    void aClickStartsAMeasurementThatTheNextClickEnds() {
+        tool.press(new Vector2(0, 0), false);
+        tool.release(new Vector2(0.01, 0));
+        tool.move(new Vector2(1, 0), false);
+        assertEquals(Optional.of("1.000 m   0.0°   Δx 1.000 m   Δy 0.000 m"), tool.measurementText());
+        tool.press(new Vector2(0, 2), false);
+        tool.release(new Vector2(0, 2));
+        tool.move(new Vector2(7, 7), false);
+        assertEquals(Optional.of("2.000 m   90.0°   Δx 0.000 m   Δy 2.000 m"), tool.measurementText());
+        tool.press(new Vector2(5, 5), false);
+        assertEquals(Optional.of("0.000 m   0.0°   Δx 0.000 m   Δy 0.000 m"), tool.measurementText());
+    }
+
+    @Test
+    void eachPressByKeyStartsAMeasurement() {
+        tool.press(new Vector2(1, 1), false);
+        tool.release(new Vector2(1, 1));
+        tool.moveByKey(new Vector2(1, 3));
+        tool.press(new Vector2(1, 3), false);
+        tool.release(new Vector2(1, 3));
+        assertEquals(Optional.of("0.000 m   0.0°   Δx 0.000 m   Δy 0.000 m"), tool.measurementText());
     }
 }
