@@ -69,9 +69,7 @@ public final class SimulationCanvas extends AccessibleComponent {
         mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, editor, listeners), listeners);
         tools = new CanvasTools(new ToolContext(model, viewport, editor, listeners), mouse, this);
         new CanvasKeys(model, editor, mouse).install(this);
-        addMouseListener(mouse);
-        addMouseMotionListener(mouse);
-        addMouseWheelListener(mouse);
+        mouse.install(this);
         model.selection().addListener(selected -> repaint());
         model.sensor().addListener(selected -> repaint());
         model.referenceOverlay().addListener(overlay -> repaint());

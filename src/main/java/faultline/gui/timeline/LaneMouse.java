@@ -1,6 +1,8 @@
 package faultline.gui.timeline;
 
 import java.awt.Cursor;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -43,6 +45,15 @@ final class LaneMouse extends MouseAdapter {
         view.addMouseListener(this);
         view.addMouseMotionListener(this);
         view.addMouseWheelListener(this);
+        view.addFocusListener(new FocusAdapter() {
+            // The lanes do not get the release of a button while a dialog is open.
+            @Override
+            public void focusLost(FocusEvent event) {
+                if (event.isTemporary() && event.getOppositeComponent() != null) {
+                    cancelDrag();
+                }
+            }
+        });
     }
 
     @Override
@@ -189,6 +200,10 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent event) {
+        if (pressed != null) {
+            // The button has been released elsewhere.
+            cancelDrag();
+        }
         LaneLayout.ItemHit under = view.hit(event.getPoint());
         boolean edge = under != null && under.part() != LaneLayout.ItemPart.BODY;
         view.setCursor(Cursor.getPredefinedCursor(

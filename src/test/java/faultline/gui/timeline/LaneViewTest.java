@@ -90,6 +90,21 @@ class LaneViewTest {
         });
     }
 
+    /** A dialog that opens during a drag gets the release of the button. */
+    @Test
+    void aMovementWithoutAButtonEndsADrag() {
+        runOnEdt(() -> {
+            addStuck("left", 10, 20);
+            updateView();
+            List<TimedCommand> before = editor.model().commands();
+            mouse(MouseEvent.MOUSE_PRESSED, 15, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_DRAGGED, 25, MouseEvent.BUTTON1);
+            mouse(MouseEvent.MOUSE_MOVED, 25, MouseEvent.NOBUTTON);
+            assertEquals(Optional.empty(), view.preview());
+            assertEquals(before, editor.model().commands());
+        });
+    }
+
     @Test
     void anotherScenarioEndsADrag() {
         runOnEdt(() -> {

@@ -123,6 +123,25 @@ class EditsRobotTest {
         driver.robot().click(driver.canvas(), at.x(), at.y(), LEFT);
     }
 
+    /** The dialog gets the release of the button. */
+    @Test
+    void aDragEndsWhenADialogOpens() {
+        Vector2 from = middleOfDesk().plus(new Vector2(6, 6));
+        driver.robot().moveTo(driver.canvas(), from.x(), from.y());
+        driver.robot().whilePressing(LEFT, () -> {
+            driver.robot().moveSmoothly(driver.canvas(), from.x(), from.y(), from.x() - 30, from.y() - 20);
+            EventQueue.invokeLater(() -> driver.chooseOnEdt("properties"));
+            driver.dialog("Scenario properties");
+        });
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the window has the focus", driver.window()::isFocused);
+        State dragged = state();
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().pressKeys(KeyEvent.VK_1);
+        driver.waitForFrame("the key is handled", frame -> !State.of(frame).equals(dragged));
+        assertEquals(dragged.obstacles(), state().obstacles());
+    }
+
     private void drag(Vector2 from, Vector2 to) {
         driver.robot().drag(driver.canvas(), from.x(), from.y(), to.x(), to.y(), LEFT);
     }

@@ -8,11 +8,14 @@ import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import java.awt.Cursor;
 import java.awt.Point;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.List;
 import java.util.Optional;
+import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 
 /**
@@ -49,6 +52,22 @@ public final class CanvasMouse extends MouseAdapter {
         this.viewport = viewport;
         this.gesturePicker = gesturePicker;
         this.listeners = listeners;
+    }
+
+    /** Adds the listeners to the canvas. */
+    public void install(JComponent canvas) {
+        canvas.addMouseListener(this);
+        canvas.addMouseMotionListener(this);
+        canvas.addMouseWheelListener(this);
+        canvas.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                if (event.isTemporary() && event.getOppositeComponent() != null) {
+                    completeGesture();
+                    canvas.repaint();
+                }
+            }
+        });
     }
 
     /** Returns the point of the world under the mouse. */
@@ -125,6 +144,9 @@ public final class CanvasMouse extends MouseAdapter {
     @Override
     public void mousePressed(MouseEvent event) {
         event.getComponent().requestFocusInWindow();
+        if (event.getButton() == button) {
+            completeGesture();
+        }
         if (gesture != null) {
             return;
         }
@@ -173,22 +195,33 @@ public final class CanvasMouse extends MouseAdapter {
         if (gesture != null && event.getButton() != button) {
             return;
         }
-        if (gesture != null) {
-            gesture.release();
-        } else if (SwingUtilities.isLeftMouseButton(event)) {
+        boolean clicked = screenPoint(event).distanceTo(pressPoint) < Gesture.CLICK_TOLERANCE;
+        boolean menu = gesture != null && clicked && SwingUtilities.isRightMouseButton(event);
+        if (gesture == null && SwingUtilities.isLeftMouseButton(event)) {
             tool.get().ifPresent(t -> t.release(snappedPoint(event)));
             clearFinishedTool();
         }
-        boolean clicked = screenPoint(event).distanceTo(pressPoint) < Gesture.CLICK_TOLERANCE;
-        if (gesture != null && clicked && SwingUtilities.isRightMouseButton(event)) {
+        completeGesture();
+        if (menu) {
             listeners.fireMenuRequested(event.getPoint());
         }
-        gesture = null;
         event.getComponent().repaint();
+    }
+
+    /**
+     * Completes a gesture. The canvas does not get the release of a button while a dialog is open, so the focus of the
+     * dialog completes a gesture, too, and so does a movement without a button.
+     */
+    private void completeGesture() {
+        if (gesture != null) {
+            gesture.release();
+            gesture = null;
+        }
     }
 
     @Override
     public void mouseMoved(MouseEvent event) {
+        completeGesture();
         keyed = false;
         Vector2 at = screenPoint(event);
         cursorPoint.set(Optional.of(toWorld(at)));

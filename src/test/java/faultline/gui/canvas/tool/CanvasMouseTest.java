@@ -88,6 +88,33 @@ class CanvasMouseTest {
         assertEquals(List.of(true, false), active);
     }
 
+    /** A dialog that opens during a drag gets the release of the button. */
+    @Test
+    void aDragIsCompleteWhenTheMouseMovesWithoutAButton() {
+        Vector2 box = screen(new Vector2(4, 2));
+        mouse(MouseEvent.MOUSE_PRESSED, box, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(9, 0)), MouseEvent.NOBUTTON);
+        sent.clear();
+        mouse(MouseEvent.MOUSE_MOVED, box.plus(new Vector2(30, 0)), MouseEvent.NOBUTTON);
+        runOnEdt(() -> press("ESCAPE"));
+        assertEquals(List.of(), sent, "the obstacle stays where it was dragged");
+        assertEquals(List.of(), callOnEdt(canvas.tools()::selected));
+    }
+
+    @Test
+    void aDragIsCompleteWhenTheButtonIsPressedAgain() {
+        Vector2 box = screen(new Vector2(4, 2));
+        mouse(MouseEvent.MOUSE_PRESSED, box, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(9, 0)), MouseEvent.NOBUTTON);
+        sent.clear();
+        Vector2 ground = screen(new Vector2(2, 3));
+        mouse(MouseEvent.MOUSE_PRESSED, ground, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, ground.plus(new Vector2(1, 0)), MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_RELEASED, ground.plus(new Vector2(1, 0)), MouseEvent.BUTTON1);
+        assertEquals(List.of(), sent);
+        assertEquals(List.of(), callOnEdt(canvas.tools()::selected));
+    }
+
     @Test
     void anObstacleMovesFromThreePixelsOn() {
         drag(screen(new Vector2(4, 2)), 2, MouseEvent.BUTTON1);
@@ -158,14 +185,14 @@ class CanvasMouseTest {
     void theKeyOpensTheMenuOfWhatIsSelected() {
         runOnEdt(() -> {
             canvas.tools().select(List.of("box"));
-            pressMenuKey();
+            press("shift F10");
         });
         assertEquals(MenuTarget.OBSTACLE, callOnEdt(() -> canvas.tools().targetAt(menus.get(0))));
         runOnEdt(() -> {
             canvas.tools().select(List.of());
             canvas.setFrame(SampleFrames.fullFrame());
             canvas.tools().selectSensor("front-left");
-            pressMenuKey();
+            press("shift F10");
         });
         assertEquals("front-left", callOnEdt(() -> canvas.tools()
                 .selectSensorAt(menus.get(1))
@@ -174,13 +201,13 @@ class CanvasMouseTest {
                 .id()));
         runOnEdt(() -> {
             canvas.tools().clearSelection();
-            pressMenuKey();
+            press("shift F10");
         });
         assertEquals(new Point(0, 0), menus.get(2), "where the mouse was pressed last");
     }
 
-    private void pressMenuKey() {
-        KeyStroke key = KeyStroke.getKeyStroke("shift F10");
+    private void press(String keys) {
+        KeyStroke key = KeyStroke.getKeyStroke(keys);
         canvas.getActionForKeyStroke(key).actionPerformed(new ActionEvent(canvas, ActionEvent.ACTION_PERFORMED, ""));
     }
 
