@@ -11,6 +11,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.engine.metrics.RunResult;
 import faultline.external.ControllerChoice;
+import faultline.external.ControllerJars;
 import faultline.external.ControllerStartException;
 import faultline.geometry.Pose;
 import faultline.gui.GuiLauncher;
@@ -67,7 +68,7 @@ final class CompareCommand {
         List<String> choices = split.getKey();
         Arguments arguments = new Arguments(split.getValue(), OPTION_NAMES, FLAG_NAMES);
         ControllerOptions options = ControllerOptions.parse(arguments, !choices.isEmpty());
-        options.jars().forEach(ControllerChoice::addJar);
+        options.jars().forEach(ControllerJars::add);
         Path file = arguments.singleFile("compare");
         Path page = arguments
                 .fileOption("--out")

@@ -1,6 +1,7 @@
 package faultline.app;
 
 import faultline.external.ControllerChoice;
+import faultline.external.ControllerJars;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
 import faultline.io.MessageText;
@@ -48,7 +49,7 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
     /** Adds the controllers of {@code --jar} for a command without {@code --controller}, and returns the jar. */
     static List<Path> addJar(Arguments given) throws UsageException {
         List<Path> jars = parse(given, true).jars();
-        jars.forEach(ControllerChoice::addJar);
+        jars.forEach(ControllerJars::add);
         return jars;
     }
 

@@ -5,7 +5,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.engine.walls.Coverage;
-import faultline.external.ControllerChoice;
+import faultline.external.ControllerJars;
 import faultline.scenario.RunJson;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
@@ -24,7 +24,7 @@ final class RunCommand {
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
         RunOptions options = RunOptions.parse(arguments);
-        options.child().jars().forEach(ControllerChoice::addJar);
+        options.child().jars().forEach(ControllerJars::add);
         options.checkController();
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
         requireController(scenario, options.controller().isPresent());

@@ -1,6 +1,6 @@
 package faultline.app;
 
-import faultline.external.ControllerChoice;
+import faultline.external.ControllerJars;
 import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.MessageText;
@@ -64,7 +64,7 @@ final class WindowCommand {
         Optional<String> ghost = arguments.value(GHOST_OPTION);
         List<Path> jars = ControllerOptions.parse(arguments, true).jars();
         // The file may name a controller of the jar. The threads of the window begin after this.
-        jars.forEach(ControllerChoice::addJar);
+        jars.forEach(ControllerJars::add);
         if (controller.isEmpty() && ghost.isEmpty()) {
             return run(file);
         }

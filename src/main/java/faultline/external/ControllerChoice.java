@@ -53,7 +53,8 @@ public final class ControllerChoice {
 
     private static boolean isInJars(String choice, List<Path> jars) {
         return !jars.isEmpty()
-                && withJars(jars, () -> ControllerProviders.find(choice).isPresent());
+                && ControllerJars.callWith(
+                        jars, () -> ControllerProviders.find(choice).isPresent());
     }
 
     /**
@@ -182,61 +183,5 @@ public final class ControllerChoice {
         return command.contains(" ") || command.contains("/") || command.contains("\\")
                 ? ""
                 : Allowed.withHint(ControllerProblem.NAMES.with(Allowed.names(names)), command, names);
-    }
-
-    /**
-     * Adds a jar with controllers to those that the calling thread, and threads that it starts, can find.
-     *
-     * @param jar the jar file
-     */
-    public static void addJar(Path jar) {
-        Thread.currentThread().setContextClassLoader(loader(List.of(jar)));
-    }
-
-    static ClassLoader loader(List<Path> jars) {
-        return new JarClassLoader(jars, ControllerChoice.class.getClassLoader());
-    }
-
-    /**
-     * An action that uses controllers.
-     *
-     * @param <T> the type of its result
-     * @param <X> the exceptions that it throws
-     */
-    @FunctionalInterface
-    public interface JarAction<T, X extends Exception> {
-
-        /**
-         * {@return the result}
-         *
-         * @throws X if the action fails
-         */
-        T call() throws X;
-    }
-
-    /**
-     * {@return the result of an action that is called with the current controllers of some jars available} They are
-     * also available to the threads that the action starts.
-     *
-     * @param <T> the type of the result
-     * @param <X> the exceptions of the action
-     * @param jars the jar files
-     * @param action the action, which is called on the calling thread
-     * @throws X if the action throws it
-     */
-    public static <T, X extends Exception> T withJars(List<Path> jars, JarAction<T, X> action) throws X {
-        return withLoader(loader(jars), action);
-    }
-
-    /** Calls an action with a class loader that finds controllers. */
-    static <T, X extends Exception> T withLoader(ClassLoader loader, JarAction<T, X> action) throws X {
-        Thread thread = Thread.currentThread();
-        ClassLoader before = thread.getContextClassLoader();
-        thread.setContextClassLoader(loader);
-        try {
-            return action.call();
-        } finally {
-            thread.setContextClassLoader(before);
-        }
     }
 }

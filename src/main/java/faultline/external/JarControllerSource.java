@@ -18,7 +18,7 @@ record JarControllerSource(String name, List<Path> jars, Map<String, String> set
 
     @Override
     public Controller start(RunConditions run) {
-        return ControllerChoice.withJars(jars, () -> ControllerProviders.create(name, settings));
+        return ControllerJars.callWith(jars, () -> ControllerProviders.create(name, settings));
     }
 
     @Override

@@ -2,8 +2,6 @@ package faultline.external;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertSame;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -46,20 +44,5 @@ class ChosenCommandTest {
         assertFalse(ControllerChoice.isCommand(ControllerChoice.WALL_FOLLOWER));
         assertFalse(ControllerChoice.isCommand(ControllerChoice.NONE));
         assertTrue(ControllerChoice.isCommand("none "));
-    }
-
-    @Test
-    void aClassLoaderIsSetOnlyDuringAnAction() {
-        ClassLoader before = Thread.currentThread().getContextClassLoader();
-        ClassLoader other = new ClassLoader(before) {};
-        assertSame(other, ControllerChoice.withLoader(other, () -> Thread.currentThread()
-                .getContextClassLoader()));
-        assertSame(before, Thread.currentThread().getContextClassLoader());
-        assertThrows(
-                IllegalStateException.class,
-                () -> ControllerChoice.withLoader(other, () -> {
-                    throw new IllegalStateException();
-                }));
-        assertSame(before, Thread.currentThread().getContextClassLoader());
     }
 }

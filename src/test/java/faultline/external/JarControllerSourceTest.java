@@ -156,7 +156,7 @@ class JarControllerSourceTest {
     void aJarThatIsAskedForMustBeReadableThoughAnotherNamesIt() throws Exception {
         List<Path> jars = List.of(lateJar(), folder.resolve("no.txt"));
         String broken = assertThrows(
-                        ControllerStartException.class, () -> ControllerChoice.withJars(jars, ControllerChoice::names))
+                        ControllerStartException.class, () -> ControllerJars.callWith(jars, ControllerChoice::names))
                 .getMessage();
         assertTrue(broken.startsWith("the jar " + folder.resolve("no.txt") + " cannot be read: "), broken);
     }
@@ -194,7 +194,7 @@ class JarControllerSourceTest {
     @Test
     void theNamesInAJarAreFound() throws Exception {
         List<String> names =
-                ControllerChoice.withJars(List.of(jar(RightTurner.class.getName())), ControllerChoice::names);
+                ControllerJars.callWith(List.of(jar(RightTurner.class.getName())), ControllerChoice::names);
         assertTrue(names.contains("right-turner"), names::toString);
     }
 
@@ -203,8 +203,7 @@ class JarControllerSourceTest {
         Path jar = lateJar();
         assertEquals(
                 jar,
-                ControllerChoice.withJars(List.of(jar), ControllerProviders::jars)
-                        .get("late"));
+                ControllerJars.callWith(List.of(jar), ControllerProviders::jars).get("late"));
     }
 
     /** A provider whose constructor fails. */
@@ -230,7 +229,7 @@ class JarControllerSourceTest {
     void aConstructorThatFailsIsReportedWithItsException() throws IOException {
         Path jar = jar(UnfinishedProvider.class.getName());
         RunFailedException failure = assertThrows(
-                RunFailedException.class, () -> ControllerChoice.withJars(List.of(jar), ControllerChoice::names));
+                RunFailedException.class, () -> ControllerJars.callWith(List.of(jar), ControllerChoice::names));
         assertTrue(
                 failure.getMessage().endsWith(" could not be instantiated: java.lang.IllegalStateException: no map"),
                 failure.getMessage());

@@ -2,6 +2,7 @@ package faultline.gui.dialog;
 
 import faultline.engine.RunFailedException;
 import faultline.external.ControllerChoice;
+import faultline.external.ControllerJars;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -21,7 +22,7 @@ record ControllerNames(List<Path> jars, List<String> names, String first, RunFai
 
     static ControllerNames of(List<Path> jars) {
         try {
-            return new ControllerNames(jars, ControllerChoice.withJars(jars, ControllerChoice::names), null, null);
+            return new ControllerNames(jars, ControllerJars.callWith(jars, ControllerChoice::names), null, null);
         } catch (RunFailedException broken) {
             return new ControllerNames(jars, ControllerChoice.names(), null, broken);
         }

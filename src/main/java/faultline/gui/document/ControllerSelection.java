@@ -2,6 +2,7 @@ package faultline.gui.document;
 
 import faultline.engine.SimulationSetup;
 import faultline.external.ControllerChoice;
+import faultline.external.ControllerJars;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
 import faultline.io.ProgramVersion;
@@ -60,7 +61,7 @@ public record ControllerSelection(String text, List<Path> jars) {
     public <T> T callWithJars(Callable<T> work) throws Exception {
         assert !EventQueue.isDispatchThread();
         // Without jars, those of the command line are available.
-        return jars.isEmpty() ? work.call() : ControllerChoice.withJars(jars, work::call);
+        return jars.isEmpty() ? work.call() : ControllerJars.callWith(jars, work::call);
     }
 
     /** Returns the files of the controller that the selection names. */
