@@ -49,7 +49,7 @@ public final class BuiltInChild {
         Controller controller = ControllerFactory.create(spec);
         Closeable closing = () -> ControllerFactory.close(controller, spec);
         try (closing) {
-            answerAll(controller, ControllerChoice.typeOf(spec));
+            answerAll(controller, ControllerNames.typeOf(spec));
         } catch (ProtocolException e) {
             throw new RunFailedException("the simulator " + e.getMessage(), e);
         }

@@ -5,7 +5,6 @@ import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerProviders;
 import faultline.engine.SimulationSetup;
-import faultline.scenario.xml.Allowed;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -17,20 +16,7 @@ import java.util.Optional;
 /** The choice of a controller by a user: a built-in one, the name of a controller in Java, or a command. */
 public final class ControllerChoice {
 
-    /** The name of the built-in wall follower, which uses the settings of the scenario if it has any. */
-    public static final String WALL_FOLLOWER = "wall-follower";
-
-    /** The name of the controller with which the robot stands still. */
-    public static final String NONE = "none";
-
     private ControllerChoice() {}
-
-    /** {@return the names that are not commands: those of the program and of the class path} */
-    public static List<String> names() {
-        List<String> names = new ArrayList<>(List.of(WALL_FOLLOWER, NONE));
-        names.addAll(ControllerProviders.names());
-        return names;
-    }
 
     /**
      * {@return whether a choice is a command that starts a child process}
@@ -38,7 +24,7 @@ public final class ControllerChoice {
      * @param choice the value of an option or a field
      */
     public static boolean isCommand(String choice) {
-        return !names().contains(choice);
+        return !ControllerNames.all().contains(choice);
     }
 
     /**
@@ -105,13 +91,13 @@ public final class ControllerChoice {
      */
     public static SimulationSetup withControllerNamed(String choice, SimulationSetup setup) {
         ControllerSpec original = setup.controller();
-        if (choice.equals(WALL_FOLLOWER)) {
+        if (choice.equals(ControllerNames.WALL_FOLLOWER)) {
             return original instanceof ControllerSpec.WallFollowing
                     ? setup
                     : setup.withController(ControllerSpec.WallFollowing.DEFAULT);
         }
         return setup.withController(
-                choice.equals(NONE)
+                choice.equals(ControllerNames.NONE)
                         ? new ControllerSpec.None()
                         : new ControllerSpec.Provided(choice, original.period(), settings(choice, original)));
     }
@@ -122,22 +108,7 @@ public final class ControllerChoice {
      * @param choice a name or a command
      */
     public static boolean isBuiltIn(String choice) {
-        return choice.equals(WALL_FOLLOWER) || choice.equals(NONE);
-    }
-
-    /**
-     * {@return the type of a controller in a scenario file}
-     *
-     * @param spec the choice of the controller
-     */
-    public static String typeOf(ControllerSpec spec) {
-        return spec.match(new ControllerSpec.ControllerCases<>(
-                builtIn -> builtIn.matchBuiltIn(
-                        new ControllerSpec.BuiltInCases<>(none -> NONE, drive -> "drive", follower -> WALL_FOLLOWER)),
-                extern -> "extern",
-                ControllerSpec.Provided::name,
-                chosen -> typeOf(chosen.original()),
-                recorded -> "recorded"));
+        return choice.equals(ControllerNames.WALL_FOLLOWER) || choice.equals(ControllerNames.NONE);
     }
 
     private static Map<String, String> settings(String choice, ControllerSpec original) {
@@ -172,16 +143,5 @@ public final class ControllerChoice {
         } catch (InvalidPathException noPath) {
             // A word that is not a path does not name a file.
         }
-    }
-
-    /**
-     * Returns a hint for a command of one word that is not the name of a program, such as a misspelt name; empty for a
-     * path.
-     */
-    static Object hint(String command) {
-        List<String> names = names();
-        return command.contains(" ") || command.contains("/") || command.contains("\\")
-                ? ""
-                : Allowed.withHint(ControllerProblem.NAMES.with(Allowed.names(names)), command, names);
     }
 }

@@ -92,7 +92,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
             return startChild(words, writeSeconds, errors);
         } catch (IOException | IllegalArgumentException e) {
             throw new ControllerStartException(
-                    ControllerProblem.NOT_STARTED.with(who, reason(e), ControllerChoice.hint(command)), e);
+                    ControllerProblem.NOT_STARTED.with(who, reason(e), ControllerNames.hint(command)), e);
         }
     }
 

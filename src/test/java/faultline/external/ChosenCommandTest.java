@@ -29,20 +29,9 @@ class ChosenCommandTest {
     }
 
     @Test
-    void aWordThatIsNearlyANameGetsAHint() {
-        String hint = ControllerChoice.hint("wall-folower").toString();
-        assertTrue(hint.contains("wall-follower") && hint.contains("did you mean"), hint);
-        String names = ControllerChoice.hint("somethingelse").toString();
-        assertTrue(names.contains("wall-follower, none") && !names.contains("did you mean"), names);
-        for (String command : List.of("wall folower", "./none", "bin\\none")) {
-            assertEquals("", ControllerChoice.hint(command));
-        }
-    }
-
-    @Test
     void onlyWordsThatAreNoNamesAreCommands() {
-        assertFalse(ControllerChoice.isCommand(ControllerChoice.WALL_FOLLOWER));
-        assertFalse(ControllerChoice.isCommand(ControllerChoice.NONE));
+        assertFalse(ControllerChoice.isCommand(ControllerNames.WALL_FOLLOWER));
+        assertFalse(ControllerChoice.isCommand(ControllerNames.NONE));
         assertTrue(ControllerChoice.isCommand("none "));
     }
 }

@@ -156,7 +156,7 @@ class JarControllerSourceTest {
     void aJarThatIsAskedForMustBeReadableThoughAnotherNamesIt() throws Exception {
         List<Path> jars = List.of(lateJar(), folder.resolve("no.txt"));
         String broken = assertThrows(
-                        ControllerStartException.class, () -> ControllerJars.callWith(jars, ControllerChoice::names))
+                        ControllerStartException.class, () -> ControllerJars.callWith(jars, ControllerNames::all))
                 .getMessage();
         assertTrue(broken.startsWith("the jar " + folder.resolve("no.txt") + " cannot be read: "), broken);
     }
@@ -193,8 +193,7 @@ class JarControllerSourceTest {
 
     @Test
     void theNamesInAJarAreFound() throws Exception {
-        List<String> names =
-                ControllerJars.callWith(List.of(jar(RightTurner.class.getName())), ControllerChoice::names);
+        List<String> names = ControllerJars.callWith(List.of(jar(RightTurner.class.getName())), ControllerNames::all);
         assertTrue(names.contains("right-turner"), names::toString);
     }
 
@@ -229,7 +228,7 @@ class JarControllerSourceTest {
     void aConstructorThatFailsIsReportedWithItsException() throws IOException {
         Path jar = jar(UnfinishedProvider.class.getName());
         RunFailedException failure = assertThrows(
-                RunFailedException.class, () -> ControllerJars.callWith(List.of(jar), ControllerChoice::names));
+                RunFailedException.class, () -> ControllerJars.callWith(List.of(jar), ControllerNames::all));
         assertTrue(
                 failure.getMessage().endsWith(" could not be instantiated: java.lang.IllegalStateException: no map"),
                 failure.getMessage());

@@ -1,6 +1,6 @@
 package faultline.campaign.plan;
 
-import faultline.external.ControllerChoice;
+import faultline.external.ControllerNames;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
@@ -40,7 +40,7 @@ final class ControllerTypes {
                 .map(controller -> controller.attributes().get("type"))
                 .map(String::strip)
                 .filter(Predicate.not(String::isEmpty))
-                .orElse(ControllerChoice.WALL_FOLLOWER);
+                .orElse(ControllerNames.WALL_FOLLOWER);
     }
 
     private static List<String> typesIn(List<ScenarioChange> changes) {

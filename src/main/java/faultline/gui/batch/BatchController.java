@@ -3,6 +3,7 @@ package faultline.gui.batch;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.external.ControllerChoice;
+import faultline.external.ControllerNames;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Messages;
 import faultline.io.MessageText;
@@ -41,7 +42,7 @@ record BatchController(ControllerOrigin origin, ControllerSelection selection) {
         if (!(setup.controller() instanceof ControllerSpec.Extern)) {
             choices.add(new BatchController(ControllerOrigin.SCENARIO, ControllerSelection.SCENARIO));
         }
-        ControllerSelection follower = new ControllerSelection(ControllerChoice.WALL_FOLLOWER, List.of());
+        ControllerSelection follower = new ControllerSelection(ControllerNames.WALL_FOLLOWER, List.of());
         if (!isSame(follower.text(), setup) && !follower.text().equals(chosen.text())) {
             choices.add(new BatchController(ControllerOrigin.BUILT_IN, follower));
         }
@@ -63,7 +64,7 @@ record BatchController(ControllerOrigin origin, ControllerSelection selection) {
     String text(SimulationSetup setup) {
         return Messages.get(
                 "batch.controller." + origin,
-                nameOf(ControllerChoice.typeOf(applyTo(setup).controller())));
+                nameOf(ControllerNames.typeOf(applyTo(setup).controller())));
     }
 
     /** Returns the name of a type of controller: that of the program in words, another one as it is. */

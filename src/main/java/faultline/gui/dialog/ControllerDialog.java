@@ -1,6 +1,7 @@
 package faultline.gui.dialog;
 
 import faultline.external.ControllerChoice;
+import faultline.external.ControllerNames;
 import faultline.external.PythonCommand;
 import faultline.external.ShellWords;
 import faultline.gui.document.BackgroundTasks;
@@ -83,11 +84,11 @@ final class ControllerDialog {
                 .getDocument()
                 .addDocumentListener(new TextListener(this::stopAwaiting));
         field.setSelectedItem(now.isScenarios() ? Messages.get("chooseController.scenarios") : now.text());
-        load(() -> ControllerNames.of(now.jars()), found -> showNames(found, text()));
+        load(() -> FoundControllers.of(now.jars()), found -> showNames(found, text()));
     }
 
     /** Loads names on another thread, because the code of a jar may take any time, and shows them. */
-    private void load(Callable<ControllerNames> names, Consumer<ControllerNames> onLoaded) {
+    private void load(Callable<FoundControllers> names, Consumer<FoundControllers> onLoaded) {
         int number = ++loads;
         BackgroundTasks.run(
                 names,
@@ -125,7 +126,7 @@ final class ControllerDialog {
         help.setText(Messages.get(key + ".help", EXAMPLE));
     }
 
-    private void showNames(ControllerNames found, String selected) {
+    private void showNames(FoundControllers found, String selected) {
         DefaultComboBoxModel<String> model = new DefaultComboBoxModel<>();
         model.addElement(Messages.get("chooseController.scenarios"));
         model.addAll(found.names());
@@ -146,8 +147,8 @@ final class ControllerDialog {
     /** Returns the name of a built-in controller with the text that chooses it, or only the text of another one. */
     static String nameOf(Object choice) {
         return switch (String.valueOf(choice)) {
-            case ControllerChoice.WALL_FOLLOWER -> Messages.get("controller.kind.FOLLOWER") + " (" + choice + ")";
-            case ControllerChoice.NONE -> Messages.get("controller.kind.NONE") + " (" + choice + ")";
+            case ControllerNames.WALL_FOLLOWER -> Messages.get("controller.kind.FOLLOWER") + " (" + choice + ")";
+            case ControllerNames.NONE -> Messages.get("controller.kind.NONE") + " (" + choice + ")";
             default -> String.valueOf(choice);
         };
     }
@@ -221,10 +222,10 @@ final class ControllerDialog {
         await(file);
         help.setText(Messages.get("chooseController.loading", MessageText.excerpt(name)));
         List<Path> others = jars;
-        load(() -> ControllerNames.of(others, file), found -> showJar(found, file));
+        load(() -> FoundControllers.of(others, file), found -> showJar(found, file));
     }
 
-    private void showJar(ControllerNames found, Path file) {
+    private void showJar(FoundControllers found, Path file) {
         jars = found.jars();
         boolean wanted = file.equals(awaited);
         if (wanted) {

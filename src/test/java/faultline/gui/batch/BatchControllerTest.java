@@ -11,6 +11,7 @@ import faultline.control.ControllerProvider;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.external.ControllerChoice;
+import faultline.external.ControllerNames;
 import faultline.external.RightTurner;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Language;
@@ -68,7 +69,7 @@ class BatchControllerTest {
     void aScenarioIsDrivenByItsOwnController() {
         List<String> own = List.of("As in the scenario: wall follower");
         assertEquals(own, texts(yard.setup(), ControllerSelection.SCENARIO, false));
-        assertEquals(own, texts(yard.setup(), selection(ControllerChoice.WALL_FOLLOWER), false), "the same one");
+        assertEquals(own, texts(yard.setup(), selection(ControllerNames.WALL_FOLLOWER), false), "the same one");
         assertEquals(own, texts(yard.setup(), selection("python3 robot.py"), true), "no program is started");
     }
 
@@ -79,7 +80,7 @@ class BatchControllerTest {
                 texts(yard.setup(), selection("my-follower"), false));
         assertEquals(
                 List.of("Chosen in the window: none", "As in the scenario: wall follower"),
-                texts(yard.setup(), selection(ControllerChoice.NONE), false));
+                texts(yard.setup(), selection(ControllerNames.NONE), false));
     }
 
     @Test
@@ -90,7 +91,7 @@ class BatchControllerTest {
                 texts(drive, ControllerSelection.SCENARIO, false));
         assertEquals(
                 List.of("Chosen in the window: wall follower", "As in the scenario: constant voltages"),
-                texts(drive, selection(ControllerChoice.WALL_FOLLOWER), false));
+                texts(drive, selection(ControllerNames.WALL_FOLLOWER), false));
         SimulationSetup extern = with(yard.setup(), new ControllerSpec.Extern(0));
         assertEquals(
                 List.of("Built in: wall follower"),

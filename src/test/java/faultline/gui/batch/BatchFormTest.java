@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.external.ControllerChoice;
+import faultline.external.ControllerNames;
 import faultline.gui.ComponentFinder;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Language;
@@ -238,7 +238,7 @@ class BatchFormTest {
         ControllerSelection mine = new ControllerSelection("my-follower", List.of(Path.of("mine.jar")));
         runOnEdt(() -> form.setChosen(mine, false));
         assertEquals(
-                "my-follower", ControllerChoice.typeOf(plan().scenario().setup().controller()));
+                "my-follower", ControllerNames.typeOf(plan().scenario().setup().controller()));
         assertEquals(mine, callOnEdt(form::controllerSelection));
         assertFalse(callOnEdt(
                 () -> ComponentFinder.find(form, JComboBox.class, "Diagnosis").isEnabled()));

@@ -1,8 +1,8 @@
 package faultline.gui.dialog;
 
 import faultline.engine.RunFailedException;
-import faultline.external.ControllerChoice;
 import faultline.external.ControllerJars;
+import faultline.external.ControllerNames;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -18,13 +18,13 @@ import java.util.stream.Stream;
  * @param first the first name that an added jar has added, null for none
  * @param problem the reason if a jar is broken, null if none is
  */
-record ControllerNames(List<Path> jars, List<String> names, String first, RunFailedException problem) {
+record FoundControllers(List<Path> jars, List<String> names, String first, RunFailedException problem) {
 
-    static ControllerNames of(List<Path> jars) {
+    static FoundControllers of(List<Path> jars) {
         try {
-            return new ControllerNames(jars, ControllerJars.callWith(jars, ControllerChoice::names), null, null);
+            return new FoundControllers(jars, ControllerJars.callWith(jars, ControllerNames::all), null, null);
         } catch (RunFailedException broken) {
-            return new ControllerNames(jars, ControllerChoice.names(), null, broken);
+            return new FoundControllers(jars, ControllerNames.all(), null, broken);
         }
     }
 
@@ -32,19 +32,19 @@ record ControllerNames(List<Path> jars, List<String> names, String first, RunFai
      * Finds the names with some jars and another one, which replaces those with a controller of the same name, such as
      * an earlier version of itself; if it adds none, the names without it.
      */
-    static ControllerNames of(List<Path> jars, Path added) {
+    static FoundControllers of(List<Path> jars, Path added) {
         List<String> own = new ArrayList<>(of(List.of(added)).names);
-        own.removeAll(ControllerChoice.names());
+        own.removeAll(ControllerNames.all());
         List<Path> others = jars.stream()
                 .filter(jar -> !jar.equals(added) && Collections.disjoint(of(List.of(jar)).names, own))
                 .toList();
-        ControllerNames before = of(others);
-        ControllerNames after =
+        FoundControllers before = of(others);
+        FoundControllers after =
                 of(Stream.concat(others.stream(), Stream.of(added)).toList());
         return after.names.stream()
                 .filter(name -> !before.names.contains(name))
                 .findFirst()
-                .map(first -> new ControllerNames(after.jars, after.names, first, null))
-                .orElseGet(() -> new ControllerNames(before.jars, before.names, null, after.problem));
+                .map(first -> new FoundControllers(after.jars, after.names, first, null))
+                .orElseGet(() -> new FoundControllers(before.jars, before.names, null, after.problem));
     }
 }

@@ -1,0 +1,52 @@
+package faultline.external;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerProviders;
+import faultline.scenario.xml.Allowed;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The names that choose controllers, and those of their types in scenario files. */
+public final class ControllerNames {
+
+    /** The name of the built-in wall follower, which uses the settings of the scenario if it has any. */
+    public static final String WALL_FOLLOWER = "wall-follower";
+
+    /** The name of the controller with which the robot stands still. */
+    public static final String NONE = "none";
+
+    private ControllerNames() {}
+
+    /** {@return the names that are not commands: those of the program and of the class path} */
+    public static List<String> all() {
+        List<String> names = new ArrayList<>(List.of(WALL_FOLLOWER, NONE));
+        names.addAll(ControllerProviders.names());
+        return names;
+    }
+
+    /**
+     * {@return the type of a controller in a scenario file}
+     *
+     * @param spec the choice of the controller
+     */
+    public static String typeOf(ControllerSpec spec) {
+        return spec.match(new ControllerSpec.ControllerCases<>(
+                builtIn -> builtIn.matchBuiltIn(
+                        new ControllerSpec.BuiltInCases<>(none -> NONE, drive -> "drive", follower -> WALL_FOLLOWER)),
+                extern -> "extern",
+                ControllerSpec.Provided::name,
+                chosen -> typeOf(chosen.original()),
+                recorded -> "recorded"));
+    }
+
+    /**
+     * Returns a hint for a command of one word that is not the name of a program, such as a misspelt name; empty for a
+     * path.
+     */
+    static Object hint(String command) {
+        List<String> names = all();
+        return command.contains(" ") || command.contains("/") || command.contains("\\")
+                ? ""
+                : Allowed.withHint(ControllerProblem.NAMES.with(Allowed.names(names)), command, names);
+    }
+}
