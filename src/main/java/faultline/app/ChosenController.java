@@ -13,17 +13,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/**
- * A controller of the option {@code --controller}: a name, or the command of a child process, and how a child is
- * treated.
- */
-record ChosenController(String choice, ProcessControllerSource.ChildSettings settings) {
+/** The controller of runs without a window, and how it is treated if it is a child process. */
+record ChosenController(ControllerChoice choice, ProcessControllerSource.ChildSettings settings) {
 
     /** Runs a setup with this controller, and sends the result to a child. */
     RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
-        try (ProcessControllerSource source = new ProcessControllerSource(choice, settings).keepOpen()) {
-            SimulationSetup chosen = ControllerChoice.withChosenController(choice, setup, source);
-            if (!ControllerChoice.isCommand(choice)) {
+        try (ProcessControllerSource source = new ProcessControllerSource(choice.text(), settings).keepOpen()) {
+            SimulationSetup chosen = choice.applyTo(setup, source);
+            if (!choice.isCommand()) {
                 return HeadlessRun.run(chosen, mode, observers);
             }
             List<TickObserver> all = new ArrayList<>(observers);

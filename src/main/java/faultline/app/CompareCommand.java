@@ -15,7 +15,6 @@ import faultline.external.ControllerJars;
 import faultline.external.ControllerStartException;
 import faultline.geometry.Pose;
 import faultline.gui.GuiLauncher;
-import faultline.gui.document.ControllerSelection;
 import faultline.io.ProgramCommand;
 import faultline.io.ShellText;
 import faultline.scenario.JournalScenario;
@@ -65,7 +64,10 @@ final class CompareCommand {
 
     int run(List<String> given) throws UsageException, ScenarioException, IOException {
         Map.Entry<List<String>, List<String>> split = Arguments.takeAll("--controller", given);
-        List<String> choices = split.getKey();
+        List<ControllerChoice> choices = new ArrayList<>();
+        for (String text : split.getKey()) {
+            choices.add(ControllerOptions.choice(text));
+        }
         Arguments arguments = new Arguments(split.getValue(), OPTION_NAMES, FLAG_NAMES);
         ControllerOptions options = ControllerOptions.parse(arguments, !choices.isEmpty());
         options.jars().forEach(ControllerJars::add);
@@ -111,7 +113,7 @@ final class CompareCommand {
 
     private int compare(
             Scenario scenario,
-            List<String> choices,
+            List<ControllerChoice> choices,
             int seeds,
             ControllerOptions options,
             ComparisonFiles files,
@@ -121,7 +123,7 @@ final class CompareCommand {
             files.open();
             List<ControllerRuns> compared = new ArrayList<>();
             Map<Path, Scenario> replays = new LinkedHashMap<>();
-            for (String choice : choices) {
+            for (ControllerChoice choice : choices) {
                 compared.add(runAll(choice, scenario, seeds, options, files.replay(compared.size()), replays));
             }
             ControllerComparison comparison =
@@ -134,16 +136,17 @@ final class CompareCommand {
     }
 
     /** Shows the first two controllers, the second as the ghost. */
-    private static void openWindow(Path file, Scenario scenario, List<String> choices, ControllerOptions options) {
+    private static void openWindow(
+            Path file, Scenario scenario, List<ControllerChoice> choices, ControllerOptions options) {
         GuiLauncher.open(
                 file,
                 () -> scenario,
-                new ControllerSelection(choices.get(0), options.jars()),
-                new ControllerSelection(choices.get(1), options.jars()));
+                new ControllerChoice(choices.get(0).text(), options.jars()),
+                new ControllerChoice(choices.get(1).text(), options.jars()));
     }
 
     /** Returns the commands that show the first controller in the window with each other one as its ghost. */
-    private static List<String> windowCommands(Path file, List<String> choices, ControllerOptions options) {
+    private static List<String> windowCommands(Path file, List<ControllerChoice> choices, ControllerOptions options) {
         if (options.truth()) {
             // The window does not give the ground truth to controllers.
             return List.of();
@@ -154,13 +157,13 @@ final class CompareCommand {
         return choices.stream()
                 .skip(1)
                 .map(ghost -> ProgramCommand.text() + " " + ShellText.quoted(file.toString()) + " --controller "
-                        + ShellText.quoted(choices.get(0)) + " " + WindowCommand.GHOST_OPTION + " "
-                        + ShellText.quoted(ghost) + jar)
+                        + ShellText.quoted(choices.get(0).text()) + " " + WindowCommand.GHOST_OPTION + " "
+                        + ShellText.quoted(ghost.text()) + jar)
                 .toList();
     }
 
     private ControllerRuns runAll(
-            String choice,
+            ControllerChoice choice,
             Scenario scenario,
             int seeds,
             ControllerOptions options,
@@ -185,7 +188,7 @@ final class CompareCommand {
                 broken.add(new ControllerRuns.FailedRun(setup.seed(), e.getMessage()));
             }
         }
-        return new ControllerRuns(choice, runs, broken);
+        return new ControllerRuns(choice.text(), runs, broken);
     }
 
     private void reportRefusals(ControllerRuns runs) {
@@ -194,7 +197,11 @@ final class CompareCommand {
     }
 
     private RunResult runOnce(
-            String choice, String scenario, SimulationSetup setup, ControllerOptions options, EndObserver end) {
+            ControllerChoice choice,
+            String scenario,
+            SimulationSetup setup,
+            ControllerOptions options,
+            EndObserver end) {
         return new ChosenController(choice, options.childSettings(scenario, output::printError))
                 .run(setup, ControllerMode.DIRECT, List.of(end));
     }

@@ -53,10 +53,18 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
         return jars;
     }
 
+    /** Returns the choice of an option {@code --controller}. Its jars are already available to the thread. */
+    static ControllerChoice choice(String text) throws UsageException {
+        if (text.isEmpty()) {
+            throw UsageException.ofValue("--controller", text, "the name of a controller or a command");
+        }
+        return ControllerChoice.of(text);
+    }
+
     /** Returns the files that a run with some controllers reads, which no output may replace. */
-    List<Path> files(List<String> choices) {
+    List<Path> files(List<ControllerChoice> choices) {
         List<Path> files = new ArrayList<>(jars);
-        choices.forEach(choice -> files.addAll(ControllerChoice.files(choice)));
+        choices.forEach(choice -> files.addAll(choice.files()));
         return files;
     }
 

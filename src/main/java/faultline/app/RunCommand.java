@@ -27,7 +27,7 @@ final class RunCommand {
         options.child().jars().forEach(ControllerJars::add);
         options.checkController();
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
-        requireController(scenario, options.controller().isPresent());
+        requireController(scenario, !options.controller().isScenarios());
         try (RunOutputs outputs = new RunOutputs(options)) {
             RunResult result = keepOutputs(scenario, outputs, () -> runOnce(scenario, options, outputs));
             outputs.finish(scenario);
@@ -57,12 +57,9 @@ final class RunCommand {
     }
 
     private RunResult runOnce(Scenario scenario, RunOptions options, RunOutputs outputs) throws IOException {
-        return options.controller().isPresent()
-                ? new ChosenController(
-                                options.controller().get(),
-                                options.child().childSettings(scenario.name(), output::printError))
-                        .run(scenario.setup(), options.mode(), outputs.observers())
-                : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+        return new ChosenController(
+                        options.controller(), options.child().childSettings(scenario.name(), output::printError))
+                .run(scenario.setup(), options.mode(), outputs.observers());
     }
 
     /** Throws an exception if a scenario wants a controller from outside, and none is chosen. */

@@ -28,6 +28,7 @@ import java.util.function.UnaryOperator;
  * @param mode the thread on which the controller runs
  * @param outputs the files to write
  * @param pace the speed, as a multiple of real time; infinite for the maximum speed
+ * @param controller replaces the controller of the file unless it is the scenario's
  * @param child the options for a controller in a child process
  */
 record RunOptions(
@@ -37,6 +38,7 @@ record RunOptions(
         ControllerMode mode,
         Map<Output, Path> outputs,
         double pace,
+        ControllerChoice controller,
         ControllerOptions child) {
 
     /** A file that a run can write. */
@@ -80,6 +82,7 @@ record RunOptions(
         Path file = arguments.singleFile("run");
         UnaryOperator<SimulationSetup> duration = duration(arguments);
         UnaryOperator<SimulationSetup> seed = seed(arguments);
+        Optional<String> controller = arguments.value("--controller");
         RunOptions options = new RunOptions(
                 arguments,
                 file,
@@ -87,7 +90,8 @@ record RunOptions(
                 mode(arguments.value("--threads").orElse("none")),
                 outputs(arguments),
                 pace(arguments),
-                ControllerOptions.parse(arguments, arguments.has("--controller")));
+                controller.isPresent() ? ControllerOptions.choice(controller.get()) : ControllerChoice.SCENARIO,
+                ControllerOptions.parse(arguments, controller.isPresent()));
         options.checkFilesDiffer();
         return options;
     }
@@ -158,14 +162,14 @@ record RunOptions(
     }
 
     private void checkFilesDiffer() throws UsageException {
-        List<Path> inputs = new ArrayList<>(child.files(controller().stream().toList()));
+        List<Path> inputs = new ArrayList<>(child.files(List.of(controller)));
         inputs.add(file);
         Arguments.requireDistinct(inputs, List.copyOf(outputs.values()));
     }
 
     /** Throws an exception if an option does not fit the controller. The controllers of the jars must be known. */
     void checkController() throws UsageException {
-        boolean isChild = controller().filter(ControllerChoice::isCommand).isPresent();
+        boolean isChild = controller.isCommand();
         if (child.truth() && !isChild) {
             throw new UsageException("--truth needs --controller COMMAND");
         }
@@ -173,11 +177,6 @@ record RunOptions(
             throw UsageException.ofValue(
                     "--threads", "controller", "none, because the child process of --controller runs by itself");
         }
-    }
-
-    /** Returns the controller that replaces the file's, a name or a command, if one does. */
-    Optional<String> controller() {
-        return arguments.value("--controller");
     }
 
     /** Returns whether the summary is one JSON object. */

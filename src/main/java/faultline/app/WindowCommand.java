@@ -1,8 +1,8 @@
 package faultline.app;
 
+import faultline.external.ControllerChoice;
 import faultline.external.ControllerJars;
 import faultline.gui.GuiLauncher;
-import faultline.gui.document.ControllerSelection;
 import faultline.io.MessageText;
 import faultline.scenario.Scenario;
 import faultline.scenario.ShippedScenarios;
@@ -73,8 +73,8 @@ final class WindowCommand {
         GuiLauncher.open(
                 file,
                 () -> scenario,
-                controller.map(text -> new ControllerSelection(text, jars)).orElse(ControllerSelection.SCENARIO),
-                ghost.map(text -> new ControllerSelection(text, jars)).orElse(null));
+                controller.map(text -> new ControllerChoice(text, jars)).orElse(ControllerChoice.SCENARIO),
+                ghost.map(text -> new ControllerChoice(text, jars)).orElse(null));
         return ExitCode.SUCCESS;
     }
 

@@ -5,131 +5,159 @@ import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerProviders;
 import faultline.engine.SimulationSetup;
+import faultline.io.ProgramVersion;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 
-/** The choice of a controller by a user: a built-in one, the name of a controller in Java, or a command. */
-public final class ControllerChoice {
+/**
+ * The choice of a controller by a user: a built-in one, the name of a controller in Java, a command that starts a child
+ * process, or the scenario's own controller. What searches the jars runs their code, which may take any time.
+ *
+ * @param text the name or the command; empty for the scenario's own controller
+ * @param jars the jar files that are searched for controllers in Java, besides the class path
+ */
+public record ControllerChoice(String text, List<Path> jars) {
 
-    private ControllerChoice() {}
+    /** The controller that the scenario names. */
+    public static final ControllerChoice SCENARIO = of("");
 
     /**
-     * {@return whether a choice is a command that starts a child process}
+     * Creates a choice from a copy of the jars.
      *
-     * @param choice the value of an option or a field
+     * @param text the name or the command; empty for the scenario's own controller
+     * @param jars the jar files that are searched for controllers in Java, besides the class path
      */
-    public static boolean isCommand(String choice) {
-        return !ControllerNames.all().contains(choice);
+    public ControllerChoice {
+        Objects.requireNonNull(text, "text");
+        jars = List.copyOf(jars);
     }
 
     /**
-     * {@return whether a choice is a command that starts a child process, also if some jars are searched}
+     * {@return a choice without jars}
      *
-     * @param choice the value of an option or a field
-     * @param jars the jar files
+     * @param text the name or the command; empty for the scenario's own controller
      */
-    public static boolean isCommand(String choice, List<Path> jars) {
-        return !isInJars(choice, jars) && isCommand(choice);
+    public static ControllerChoice of(String text) {
+        return new ControllerChoice(text, List.of());
     }
 
-    private static boolean isInJars(String choice, List<Path> jars) {
+    /** {@return whether this is the scenario's own controller} */
+    public boolean isScenarios() {
+        return text.isEmpty();
+    }
+
+    /** {@return whether this is a controller of the program} */
+    public boolean isBuiltIn() {
+        return text.equals(ControllerNames.WALL_FOLLOWER) || text.equals(ControllerNames.NONE);
+    }
+
+    /** {@return whether this is a command that starts a child process} This searches the jars. */
+    public boolean isCommand() {
+        return !isScenarios() && !isInJars() && !ControllerNames.all().contains(text);
+    }
+
+    private boolean isInJars() {
         return !jars.isEmpty()
                 && ControllerJars.callWith(
-                        jars, () -> ControllerProviders.find(choice).isPresent());
+                        jars, () -> ControllerProviders.find(text).isPresent());
     }
 
     /**
-     * {@return a setup with a chosen controller}
+     * {@return a setup with this controller} This searches the jars. A run loads its controller from them as they are
+     * when it starts; they may be replaced during the run.
      *
-     * @param choice a name or a command
-     * @param setup the setup with another controller
-     * @param commands the function that makes the source for a command
+     * @param setup the setup with the scenario's own controller
+     * @param commands the source of the controller if this is a command
      */
-    public static SimulationSetup withChosenController(
-            String choice, SimulationSetup setup, ControllerSource commands) {
-        ControllerSpec original = setup.controller();
-        if (isBuiltIn(choice)) {
-            return withControllerNamed(choice, setup);
+    public SimulationSetup applyTo(SimulationSetup setup, ControllerSource commands) {
+        if (isScenarios()) {
+            return setup;
         }
-        Optional<ControllerProvider> provider = ControllerProviders.find(choice);
-        if (provider.isEmpty()) {
-            return setup.withController(new ControllerSpec.Chosen(original, commands));
+        ControllerSpec original = setup.controller();
+        if (isInJars()) {
+            return setup.withController(
+                    new ControllerSpec.Chosen(original, new JarControllerSource(text, jars, settingsIn(original))));
         }
-        return setup.withController(new ControllerSpec.Chosen(
-                original, new JavaControllerSource(choice, provider.get(), settings(choice, original))));
+        if (isBuiltIn()) {
+            return applyByName(setup);
+        }
+        Optional<ControllerProvider> provider = ControllerProviders.find(text);
+        ControllerSource source =
+                provider.isPresent() ? new JavaControllerSource(text, provider.get(), settingsIn(original)) : commands;
+        return setup.withController(new ControllerSpec.Chosen(original, source));
     }
 
     /**
-     * {@return a setup with a chosen controller, for which some jars are searched too} A run loads its controller from
-     * the jars as they are when it starts; they may be replaced during the run.
+     * {@return a setup with this controller} A child process has the default time limits and gets no ground truth. This
+     * searches the jars as {@link #applyTo(SimulationSetup, ControllerSource)} does.
      *
-     * @param choice a name or a command
-     * @param jars the jar files
-     * @param setup the setup with another controller
-     * @param commands the function that makes the source for a command
+     * @param setup the setup with the scenario's own controller
+     * @param scenarioName the name of the scenario for a child process
+     * @param errors the consumer of each line of a child's standard error, called on a separate thread
      */
-    public static SimulationSetup withChosenController(
-            String choice, List<Path> jars, SimulationSetup setup, ControllerSource commands) {
-        ControllerSpec original = setup.controller();
-        return isInJars(choice, jars)
-                ? setup.withController(new ControllerSpec.Chosen(
-                        original, new JarControllerSource(choice, jars, settings(choice, original))))
-                : withChosenController(choice, setup, commands);
+    public SimulationSetup applyTo(SimulationSetup setup, String scenarioName, Consumer<String> errors) {
+        ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
+                ProgramVersion.text(), scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
+        return applyTo(setup, new ProcessControllerSource(text, settings));
     }
 
     /**
-     * {@return a setup with a chosen controller as a scenario file names it} The choice is no command, which no file
-     * can name. It need not be available.
+     * {@return a setup whose scenario file names this controller} It is no command, which no file can name. It need not
+     * be available.
      *
-     * @param choice a name
-     * @param setup the setup with another controller; it keeps its period, and its settings if it has the same name
+     * @param setup the setup with the scenario's own controller; it keeps its period, and its settings if it has the
+     *     same name
      */
-    public static SimulationSetup withControllerNamed(String choice, SimulationSetup setup) {
+    public SimulationSetup applyByName(SimulationSetup setup) {
         ControllerSpec original = setup.controller();
-        if (choice.equals(ControllerNames.WALL_FOLLOWER)) {
+        if (isScenarios()) {
+            return setup;
+        }
+        if (text.equals(ControllerNames.WALL_FOLLOWER)) {
             return original instanceof ControllerSpec.WallFollowing
                     ? setup
                     : setup.withController(ControllerSpec.WallFollowing.DEFAULT);
         }
         return setup.withController(
-                choice.equals(ControllerNames.NONE)
+                text.equals(ControllerNames.NONE)
                         ? new ControllerSpec.None()
-                        : new ControllerSpec.Provided(choice, original.period(), settings(choice, original)));
+                        : new ControllerSpec.Provided(text, original.period(), settingsIn(original)));
     }
 
-    /**
-     * {@return whether a choice is a controller of the program}
-     *
-     * @param choice a name or a command
-     */
-    public static boolean isBuiltIn(String choice) {
-        return choice.equals(ControllerNames.WALL_FOLLOWER) || choice.equals(ControllerNames.NONE);
-    }
-
-    private static Map<String, String> settings(String choice, ControllerSpec original) {
-        return original instanceof ControllerSpec.Provided given && given.name().equals(choice)
+    private Map<String, String> settingsIn(ControllerSpec original) {
+        return original instanceof ControllerSpec.Provided given && given.name().equals(text)
                 ? given.settings()
                 : Map.of();
     }
 
     /**
-     * {@return the files that the words of a command name, such as the program and its script}
+     * {@return the result of work that can use the controllers of the jars, as can the threads that it starts} This
+     * loads the jars.
      *
-     * @param choice a name or a command
+     * @param <T> the type of the result
+     * @param work the work, which is called on the calling thread
+     * @throws Exception if the work throws it
      */
-    public static List<Path> files(String choice) {
-        List<Path> files = new ArrayList<>();
+    public <T> T callWithJars(Callable<T> work) throws Exception {
+        // Without jars, those of the command line are available.
+        return jars.isEmpty() ? work.call() : ControllerJars.callWith(jars, work::call);
+    }
+
+    /** {@return the jars, and then the files that the words of a command name, such as the program and its script} */
+    public List<Path> files() {
+        List<Path> files = new ArrayList<>(jars);
         try {
-            for (String word : ShellWords.split(choice)) {
-                addFile(word, files);
-            }
+            ShellWords.split(text).forEach(word -> addFile(word, files));
         } catch (IllegalArgumentException unfinished) {
-            return List.of();
+            // The command has a quote without an end, and no words.
         }
         return files;
     }

@@ -1,8 +1,8 @@
 package faultline.gui;
 
+import faultline.external.ControllerChoice;
 import faultline.gui.dialog.UncaughtExceptionDialog;
 import faultline.gui.document.BackgroundTasks;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
@@ -42,7 +42,7 @@ public final class GuiLauncher {
      * and of a ghost that is shown beside it, null for none. There must be a display.
      */
     public static void open(
-            Path file, Callable<Scenario> reader, ControllerSelection controller, ControllerSelection ghostOrNull) {
+            Path file, Callable<Scenario> reader, ControllerChoice controller, ControllerChoice ghostOrNull) {
         open(window -> window.open(file, reader, controller, ghostOrNull), false);
     }
 

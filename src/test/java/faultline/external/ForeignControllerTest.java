@@ -93,7 +93,7 @@ class ForeignControllerTest {
 
     @Test
     void aControllerInJavaIsFoundByItsNameAndReplaysWithoutIt() throws Exception {
-        SimulationSetup setup = ControllerChoice.withChosenController("right-turner", yard().setup(), null);
+        SimulationSetup setup = ControllerChoice.of("right-turner").applyTo(yard().setup(), null);
         Recorded recorded = record(yard(), setup);
         assertTrue(recorded.result().visitedStates().contains(ControllerState.of("NEAR")), recorded.result()::toString);
         assertEquals(
@@ -112,9 +112,8 @@ class ForeignControllerTest {
         ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         SimulationSetup setup = yard().setup().withDuration(9);
-        Recorded recorded = record(
-                yard(),
-                ControllerChoice.withChosenController(child, setup, new ProcessControllerSource(child, settings)));
+        Recorded recorded =
+                record(yard(), ControllerChoice.of(child).applyTo(setup, new ProcessControllerSource(child, settings)));
         assertEquals(
                 List.of("EXTERN", "S0", "S1", "S2"),
                 recorded.result().visitedStates().stream()
@@ -125,7 +124,7 @@ class ForeignControllerTest {
 
     @Test
     void theRecordOfDecisionsIsNotContinued() throws Exception {
-        SimulationSetup setup = ControllerChoice.withChosenController("right-turner", yard().setup(), null);
+        SimulationSetup setup = ControllerChoice.of("right-turner").applyTo(yard().setup(), null);
         SimulationSetup longer = record(yard(), setup).replay().setup().withDuration(30.02);
         RunFailedException e =
                 assertThrows(RunFailedException.class, () -> HeadlessRun.run(longer, ControllerMode.DIRECT, List.of()));
@@ -181,7 +180,7 @@ class ForeignControllerTest {
         ControllerStartException e = assertThrows(
                 ControllerStartException.class,
                 () -> HeadlessRun.run(
-                        ControllerChoice.withChosenController("right-turnr", yard().setup(), source),
+                        ControllerChoice.of("right-turnr").applyTo(yard().setup(), source),
                         ControllerMode.DIRECT,
                         List.of()));
         assertTrue(e.getMessage().endsWith("did you mean \"right-turner\"?"), e.getMessage());

@@ -125,7 +125,7 @@ class JarControllerSourceTest {
 
     private static SimulationSetup setupWith(Path jar, String controller) throws Exception {
         SimulationSetup yard = Scenario.loadShipped("yard.xml").setup().withDuration(0.1);
-        return ControllerChoice.withChosenController(controller, List.of(jar), yard, null);
+        return new ControllerChoice(controller, List.of(jar)).applyTo(yard, null);
     }
 
     @Test

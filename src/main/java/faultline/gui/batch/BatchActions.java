@@ -2,13 +2,13 @@ package faultline.gui.batch;
 
 import faultline.campaign.run.RunScenario;
 import faultline.control.ControllerSpec;
+import faultline.external.ControllerChoice;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.dialog.ControllerChooser;
 import faultline.gui.dialog.FileController;
 import faultline.gui.document.BackgroundTasks;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.FileNames;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -97,25 +97,25 @@ public final class BatchActions {
         }
         Path stem = files.suggestedFile("");
         Consumer<Scenario> reopening = files.reopening();
-        ControllerSelection chosen = controllers.chosen();
+        ControllerChoice chosen = controllers.chosen();
         files.editedScenario()
                 .ifPresent(edited -> edited.thenAccept(
                         open -> showDialog(new BatchSource(open, stem, () -> reopening.accept(open)), chosen)));
     }
 
-    private void showDialog(BatchSource open, ControllerSelection chosen) {
+    private void showDialog(BatchSource open, ControllerChoice chosen) {
         if (chosen.isScenarios()) {
             showDialog(open, chosen, false);
         } else {
             // If a jar is broken by now, the batch says so when it starts.
             BackgroundTasks.run(
-                    chosen::startsProgram,
+                    chosen::isCommand,
                     program -> showDialog(open, chosen, program),
                     failure -> showDialog(open, chosen, false));
         }
     }
 
-    private void showDialog(BatchSource open, ControllerSelection chosen, boolean startsProgram) {
+    private void showDialog(BatchSource open, ControllerChoice chosen, boolean startsProgram) {
         if (!owner.isDisplayable()) {
             return;
         }
@@ -133,7 +133,7 @@ public final class BatchActions {
     /**
      * Opens the run of a row in the window, given the controller of the results, and hides the dialog when it is open.
      */
-    void openRun(RunsDialog dialog, BatchResults results, int row, ControllerSelection controller) {
+    void openRun(RunsDialog dialog, BatchResults results, int row, ControllerChoice controller) {
         int run = Math.toIntExact(results.run(row));
         String outcome = results.value(row, "outcome");
         double seconds = Double.parseDouble(results.value(row, "simulated_s"));
@@ -158,7 +158,7 @@ public final class BatchActions {
                 : "";
         List<Path> kept = jars.isEmpty() ? controllers.jars() : jars;
         files.runIfChangesHandled(() -> {
-            controllers.select(new ControllerSelection(name, kept));
+            controllers.select(new ControllerChoice(name, kept));
             files.openGeneratedWithoutAsking(run, () -> {
                 hide(dialog, run);
                 // Opening removes the notes about the scenario before.
@@ -188,7 +188,7 @@ public final class BatchActions {
 
     /** Reads results in the background, given their folder or one of its files, and shows them. */
     void openResults(Path chosen) {
-        ControllerSelection jars = new ControllerSelection("", controllers.jars());
+        ControllerChoice jars = new ControllerChoice("", controllers.jars());
         String name = FileNames.lastOf(OpenedResults.folderOf(chosen));
         Timer reading = new Timer(MILLIS_BEFORE_NOTE, event -> note.accept(Messages.get("batch.opened.reading", name)));
         reading.setRepeats(false);

@@ -4,7 +4,6 @@ import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.external.ControllerChoice;
 import faultline.external.ControllerNames;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Messages;
 import faultline.io.MessageText;
 import java.util.ArrayList;
@@ -15,9 +14,9 @@ import java.util.List;
  * starts no programs.
  *
  * @param origin where it comes from
- * @param selection its name, empty for that of the scenario, and the jars with it
+ * @param choice its name, empty for that of the scenario, and the jars with it
  */
-record BatchController(ControllerOrigin origin, ControllerSelection selection) {
+record BatchController(ControllerOrigin origin, ControllerChoice choice) {
 
     /** Where a controller comes from. */
     enum ControllerOrigin {
@@ -33,31 +32,30 @@ record BatchController(ControllerOrigin origin, ControllerSelection selection) {
      * Returns the choices for a scenario, the preferred one first, given the controller that has been chosen in the
      * window and whether that starts a program.
      */
-    static List<BatchController> choices(SimulationSetup setup, ControllerSelection chosen, boolean program) {
+    static List<BatchController> choices(SimulationSetup setup, ControllerChoice chosen, boolean program) {
         List<BatchController> choices = new ArrayList<>();
-        if (!chosen.isScenarios() && !program && !isSame(chosen.text(), setup)) {
+        if (!chosen.isScenarios() && !program && !isSame(chosen, setup)) {
             choices.add(new BatchController(ControllerOrigin.CHOSEN, chosen));
         }
         // No plan can name a controller that the user has to choose.
         if (!(setup.controller() instanceof ControllerSpec.Extern)) {
-            choices.add(new BatchController(ControllerOrigin.SCENARIO, ControllerSelection.SCENARIO));
+            choices.add(new BatchController(ControllerOrigin.SCENARIO, ControllerChoice.SCENARIO));
         }
-        ControllerSelection follower = new ControllerSelection(ControllerNames.WALL_FOLLOWER, List.of());
-        if (!isSame(follower.text(), setup) && !follower.text().equals(chosen.text())) {
+        ControllerChoice follower = ControllerChoice.of(ControllerNames.WALL_FOLLOWER);
+        if (!isSame(follower, setup) && !follower.text().equals(chosen.text())) {
             choices.add(new BatchController(ControllerOrigin.BUILT_IN, follower));
         }
         return choices;
     }
 
     /** Returns whether a built-in controller is that of the scenario. One from a jar may be another than there. */
-    private static boolean isSame(String choice, SimulationSetup setup) {
-        return ControllerChoice.isBuiltIn(choice)
-                && ControllerChoice.withControllerNamed(choice, setup).equals(setup);
+    private static boolean isSame(ControllerChoice choice, SimulationSetup setup) {
+        return choice.isBuiltIn() && choice.applyByName(setup).equals(setup);
     }
 
     /** Returns a setup whose runs are driven by it. */
     SimulationSetup applyTo(SimulationSetup setup) {
-        return selection.isScenarios() ? setup : ControllerChoice.withControllerNamed(selection.text(), setup);
+        return choice.applyByName(setup);
     }
 
     /** Returns its origin and its name, given the setup that it is applied to. */

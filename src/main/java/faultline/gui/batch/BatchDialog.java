@@ -1,9 +1,9 @@
 package faultline.gui.batch;
 
 import faultline.campaign.run.CampaignRunner;
+import faultline.external.ControllerChoice;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.BackgroundTasks;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
@@ -38,7 +38,7 @@ final class BatchDialog extends RunsDialog {
     /** Null before the first batch. */
     private transient BatchRun run;
     /** The controller of the batch. */
-    private transient ControllerSelection controller = ControllerSelection.SCENARIO;
+    private transient ControllerChoice controller = ControllerChoice.SCENARIO;
 
     private boolean running;
     /** Runs when the batch has ended, null for nothing. */
@@ -50,7 +50,7 @@ final class BatchDialog extends RunsDialog {
 
     /** Creates a dialog for runs of a scenario that is not yet visible; its controller is that of the scenario. */
     BatchDialog(Window owner, BatchSource source, BatchActions actions) {
-        this(owner, source, actions, ControllerSelection.SCENARIO, false);
+        this(owner, source, actions, ControllerChoice.SCENARIO, false);
     }
 
     /**
@@ -58,7 +58,7 @@ final class BatchDialog extends RunsDialog {
      * the window and whether it is a program.
      */
     BatchDialog(
-            Window owner, BatchSource source, BatchActions actions, ControllerSelection chosen, boolean startsProgram) {
+            Window owner, BatchSource source, BatchActions actions, ControllerChoice chosen, boolean startsProgram) {
         super(owner, actions);
         this.source = source;
         form = new BatchForm(source.scenario());
@@ -86,7 +86,7 @@ final class BatchDialog extends RunsDialog {
     }
 
     /** Offers the controller that drives the robot of the window, given whether it is a program. */
-    void setChosen(ControllerSelection chosen, boolean startsProgram) {
+    void setChosen(ControllerChoice chosen, boolean startsProgram) {
         form.setChosen(chosen, startsProgram);
     }
 
@@ -123,8 +123,8 @@ final class BatchDialog extends RunsDialog {
             discardRun();
             BatchRun started = new BatchRun(plan, form.jobs());
             run = started;
-            controller = form.controllerSelection();
-            ControllerSelection made = controller;
+            controller = form.controllerChoice();
+            ControllerChoice made = controller;
             saved = true;
             setRunning(true);
             progress().showStatus(() -> Messages.get("batch.checking"));

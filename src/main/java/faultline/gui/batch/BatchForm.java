@@ -3,7 +3,7 @@ package faultline.gui.batch;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.run.CampaignRunner;
 import faultline.control.ControllerSpec;
-import faultline.gui.document.ControllerSelection;
+import faultline.external.ControllerChoice;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.panel.NumberSpinner;
@@ -83,7 +83,7 @@ final class BatchForm extends JPanel {
         this.scenario = scenario;
         RobotSpec robot = scenario.setup().robot();
         controller = new NamedChoice<>(
-                choices(ControllerSelection.SCENARIO), value -> value.text(scenario.setup()), ignored -> updateCount());
+                choices(ControllerChoice.SCENARIO), value -> value.text(scenario.setup()), ignored -> updateCount());
         sensors = robot.sensors().stream().map(this::createSensorBox).toList();
         faults = new FaultChoices(this::updateCount);
         setInitialValues();
@@ -181,7 +181,7 @@ final class BatchForm extends JPanel {
         onset.setText(DecimalText.format(earliest) + ".." + DecimalText.format(latest));
     }
 
-    private BatchController[] choices(ControllerSelection chosen) {
+    private BatchController[] choices(ControllerChoice chosen) {
         return BatchController.choices(scenario.setup(), chosen, program).toArray(BatchController[]::new);
     }
 
@@ -190,7 +190,7 @@ final class BatchForm extends JPanel {
      * whether it is a program. One that was offered stays if the window now uses that of the scenario, which it does
      * after a run of the batch has been opened.
      */
-    void setChosen(ControllerSelection chosen, boolean startsProgram) {
+    void setChosen(ControllerChoice chosen, boolean startsProgram) {
         program = startsProgram;
         BatchController[] choices = choices(chosen);
         boolean offered = IntStream.range(0, controller.getItemCount())
@@ -220,8 +220,8 @@ final class BatchForm extends JPanel {
     }
 
     /** Returns the name and the jars of the chosen controller. */
-    ControllerSelection controllerSelection() {
-        return controller.value().selection();
+    ControllerChoice controllerChoice() {
+        return controller.value().choice();
     }
 
     private JCheckBox createSensorBox(SensorSpec sensor) {

@@ -1,6 +1,6 @@
 package faultline.gui.batch;
 
-import faultline.gui.document.ControllerSelection;
+import faultline.external.ControllerChoice;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import java.awt.Window;
@@ -20,7 +20,7 @@ final class ResultsDialog extends RunsDialog {
         super(owner, actions);
         this.opened = opened;
         RefreshSteps.add(getRootPane(), root -> setTitle(Messages.get("batch.opened.title", opened.name())));
-        showResults(opened.toResults(), new ControllerSelection("", jars));
+        showResults(opened.toResults(), new ControllerChoice("", jars));
         resultTabsOrNull().update(opened.cells());
         progress().hideBar();
         progress().showStatus(opened::status);

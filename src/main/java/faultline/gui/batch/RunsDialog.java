@@ -1,6 +1,6 @@
 package faultline.gui.batch;
 
-import faultline.gui.document.ControllerSelection;
+import faultline.external.ControllerChoice;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.ScreenFit;
@@ -34,7 +34,7 @@ abstract class RunsDialog extends JDialog {
     /** Null without results. */
     private transient ResultTabs resultTabs;
     /** The controller of the results, or only the jars with it. */
-    private transient ControllerSelection controller = ControllerSelection.SCENARIO;
+    private transient ControllerChoice controller = ControllerChoice.SCENARIO;
 
     RunsDialog(Window owner, BatchActions actions) {
         super(owner, ModalityType.MODELESS);
@@ -101,7 +101,7 @@ abstract class RunsDialog extends JDialog {
     }
 
     /** Shows results behind the other tabs, and makes their runs with a controller when they are opened. */
-    final void showResults(BatchResults shown, ControllerSelection driving) {
+    final void showResults(BatchResults shown, ControllerChoice driving) {
         results = shown;
         controller = driving;
         resultTabs = new ResultTabs(tabs, shown, this::open);

@@ -1,18 +1,19 @@
 package faultline.gui.dialog;
 
 import faultline.engine.RunFailedException;
+import faultline.external.ControllerChoice;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ComparisonController;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.settings.RecentTexts;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
+import java.awt.EventQueue;
 import java.awt.Window;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -43,15 +44,15 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
     private final UiAction scenarioController = UiAction.of("scenarioController", this::returnToScenarios);
     private final Timer watch = new Timer(WATCH_MILLIS, event -> checkFiles());
     /** What the dialog shows. */
-    private ControllerSelection choice = ControllerSelection.SCENARIO;
+    private ControllerChoice choice = ControllerChoice.SCENARIO;
     /** The controller of the next session. */
-    private ControllerSelection next = ControllerSelection.SCENARIO;
+    private ControllerChoice next = ControllerChoice.SCENARIO;
     /** The controller of the session. */
-    private ControllerSelection started = ControllerSelection.SCENARIO;
+    private ControllerChoice started = ControllerChoice.SCENARIO;
     /** Whether no session has started yet since the user chose a controller. */
     private boolean untried;
 
-    private ControllerSelection ghostChoice = ControllerSelection.SCENARIO;
+    private ControllerChoice ghostChoice = ControllerChoice.SCENARIO;
     /** Whether the ghost starts with the next session. */
     private boolean ghostPending;
 
@@ -95,12 +96,12 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
     }
 
     private void startGhost() {
-        ControllerSelection chosen = ghostChoice;
+        ControllerChoice chosen = ghostChoice;
         comparison.compareWith(chosen, errorLines.forGhost(), () -> remember(chosen));
     }
 
     private void returnToScenarios() {
-        tryOut(new ControllerSelection("", choice.jars()));
+        tryOut(new ControllerChoice("", choice.jars()));
     }
 
     /** Returns the name or the command of the controller that the user has chosen for the run; empty for none. */
@@ -109,7 +110,7 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
     }
 
     /** Returns the controller that drives the robot of the open scenario. */
-    public ControllerSelection chosen() {
+    public ControllerChoice chosen() {
         return started;
     }
 
@@ -118,31 +119,34 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
         return choice.jars();
     }
 
-    private Optional<ControllerSelection> ask(String key, ControllerSelection now) {
+    private Optional<ControllerChoice> ask(String key, ControllerChoice now) {
         return new ControllerDialog(key, now, workspace.file().orElse(null), recentCommands.texts()).showDialog(owner);
     }
 
     /** Restarts the run with a controller, which is also that of later runs if it can be started. */
-    void tryOut(ControllerSelection chosen) {
+    void tryOut(ControllerChoice chosen) {
         select(chosen);
         untried = true;
         runController.restart();
     }
 
     /** Selects the controller of the next session and all later ones. */
-    public void select(ControllerSelection chosen) {
+    public void select(ControllerChoice chosen) {
         choice = chosen;
         untried = false;
         use(chosen);
     }
 
-    private void use(ControllerSelection chosen) {
+    private void use(ControllerChoice chosen) {
         next = chosen;
-        workspace.setControllerChoice(setup -> chosen.applyTo(setup, scenarioName, errorLines.forNewController()));
+        workspace.setControllerChoice(setup -> {
+            assert !EventQueue.isDispatchThread();
+            return chosen.applyTo(setup, scenarioName, errorLines.forNewController());
+        });
     }
 
     /** Selects the controllers of the scenario that is opened next and of a ghost beside it, null for none. */
-    public void select(ControllerSelection chosen, ControllerSelection ghostOrNull) {
+    public void select(ControllerChoice chosen, ControllerChoice ghostOrNull) {
         select(chosen);
         ghostPending = ghostOrNull != null;
         if (ghostPending) {
@@ -161,7 +165,7 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
      */
     public boolean openFailed(Throwable cause) {
         if (cause instanceof RunFailedException && !next.isScenarios()) {
-            use(ControllerSelection.SCENARIO);
+            use(ControllerChoice.SCENARIO);
             workspace.retry();
             return true;
         }
@@ -182,8 +186,8 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
     public void sessionStarted() {
         errorLines.controllerStarted();
         untried = false;
-        ControllerSelection before = started;
-        started = workspace.keepsController() ? ControllerSelection.SCENARIO : next;
+        ControllerChoice before = started;
+        started = workspace.keepsController() ? ControllerChoice.SCENARIO : next;
         scenarioController.setEnabled(!started.isScenarios());
         if (ghostPending) {
             ghostPending = false;
@@ -193,7 +197,7 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
         // The restart has loaded a changed file.
         files = Map.of();
         notes.remove(changedNote);
-        ControllerSelection chosen = started;
+        ControllerChoice chosen = started;
         if (!chosen.isScenarios()) {
             BackgroundTasks.run(
                     () -> times(chosen.files()),
@@ -211,9 +215,9 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
     }
 
     /** Adds a controller to the recent commands if it is one. */
-    private void remember(ControllerSelection chosen) {
+    private void remember(ControllerChoice chosen) {
         BackgroundTasks.run(
-                chosen::startsProgram,
+                chosen::isCommand,
                 program -> {
                     if (program) {
                         recentCommands.add(chosen.text());
@@ -230,7 +234,7 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
     /** Stops watching the files of the controller. Called when the window is closed. */
     @Override
     public void close() {
-        started = ControllerSelection.SCENARIO;
+        started = ControllerChoice.SCENARIO;
         watch.stop();
     }
 
@@ -240,7 +244,7 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
     }
 
     private void checkFiles() {
-        ControllerSelection chosen = started;
+        ControllerChoice chosen = started;
         BackgroundTasks.run(() -> times(chosen.files()), this::compare, failure -> {});
     }
 

@@ -5,7 +5,6 @@ import faultline.external.ControllerNames;
 import faultline.external.PythonCommand;
 import faultline.external.ShellWords;
 import faultline.gui.document.BackgroundTasks;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.text.ErrorMessages;
@@ -62,7 +61,7 @@ final class ControllerDialog {
      * Creates a dialog that shows a selection, given the open file, null for none, and the commands used last. The key
      * is {@code chooseController} for the controller of the run or {@code compareController} for that of a ghost.
      */
-    ControllerDialog(String key, ControllerSelection now, Path scenario, List<String> recent) {
+    ControllerDialog(String key, ControllerChoice now, Path scenario, List<String> recent) {
         this.key = key;
         this.scenario = scenario;
         this.recent = recent;
@@ -158,7 +157,7 @@ final class ControllerDialog {
     }
 
     /** Shows the dialog and waits for the answer; empty if cancelled. */
-    Optional<ControllerSelection> showDialog(Component parent) {
+    Optional<ControllerChoice> showDialog(Component parent) {
         JPanel panel = createPanel();
         field.getEditor().selectAll();
         boolean accepted = FormDialog.showDialog(
@@ -179,9 +178,9 @@ final class ControllerDialog {
         return panel;
     }
 
-    private ControllerSelection selected() {
+    private ControllerChoice selected() {
         String text = text().strip();
-        return new ControllerSelection(text.equals(Messages.get("chooseController.scenarios")) ? "" : text, jars);
+        return new ControllerChoice(text.equals(Messages.get("chooseController.scenarios")) ? "" : text, jars);
     }
 
     private void chooseFile(Component parent) {
@@ -199,10 +198,8 @@ final class ControllerDialog {
      * open scenario, or else the working directory.
      */
     File startFolder() {
-        List<Path> named = ControllerChoice.files(selected().text());
-        Path file = !named.isEmpty()
-                ? named.get(named.size() - 1)
-                : !jars.isEmpty() ? jars.get(jars.size() - 1) : scenario == null ? Path.of("scenario") : scenario;
+        List<Path> named = selected().files();
+        Path file = !named.isEmpty() ? named.get(named.size() - 1) : scenario == null ? Path.of("scenario") : scenario;
         return file.toAbsolutePath().getParent().toFile();
     }
 

@@ -7,6 +7,7 @@ import faultline.engine.recording.HashTrace;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
+import faultline.external.ControllerChoice;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.EventQueue;
@@ -78,11 +79,12 @@ public final class ComparisonController implements WorkspaceListener {
      * asynchronously. {@code errors} receives each line that a controller in another process writes to standard error;
      * {@code onStarted} is called when the controller has started.
      */
-    public void compareWith(ControllerSelection controller, Consumer<String> errors, Runnable onStarted) {
+    public void compareWith(ControllerChoice controller, Consumer<String> errors, Runnable onStarted) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
             start(now.document().displayPath(), progress -> {
                 Scenario scenario = edited.join();
+                assert !EventQueue.isDispatchThread();
                 SimulationSetup setup = controller.applyTo(scenario.setup(), scenario.name(), errors);
                 String name = controller.isScenarios() ? scenario.name() : controller.text();
                 return replay(name, new Journal(setup, List.of(), setup.ticks()), tick -> {

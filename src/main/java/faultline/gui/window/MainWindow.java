@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.external.ControllerChoice;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
@@ -24,7 +25,6 @@ import faultline.gui.dialog.PreferencesDialog;
 import faultline.gui.dialog.ProgressDialogs;
 import faultline.gui.document.Autosave;
 import faultline.gui.document.ComparisonController;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.FileNames;
 import faultline.gui.document.FileWatch;
 import faultline.gui.document.RecoveryPrompt;
@@ -330,8 +330,7 @@ public final class MainWindow extends JFrame {
      * Opens a scenario file asynchronously, given what reads it, with a controller, and that of a ghost beside it, null
      * for none.
      */
-    public void open(
-            Path file, Callable<Scenario> reader, ControllerSelection controller, ControllerSelection ghostOrNull) {
+    public void open(Path file, Callable<Scenario> reader, ControllerChoice controller, ControllerChoice ghostOrNull) {
         controllerChooser.select(controller, ghostOrNull);
         open(file, reader);
     }

@@ -13,7 +13,6 @@ import faultline.engine.SimulationSetup;
 import faultline.external.ControllerChoice;
 import faultline.external.ControllerNames;
 import faultline.external.RightTurner;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
@@ -23,7 +22,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import org.junit.jupiter.api.AfterEach;
@@ -55,11 +53,7 @@ class BatchControllerTest {
         return setup.withController(controller);
     }
 
-    private static ControllerSelection selection(String text) {
-        return new ControllerSelection(text, List.of());
-    }
-
-    private static List<String> texts(SimulationSetup setup, ControllerSelection chosen, boolean program) {
+    private static List<String> texts(SimulationSetup setup, ControllerChoice chosen, boolean program) {
         return BatchController.choices(setup, chosen, program).stream()
                 .map(choice -> choice.text(setup))
                 .toList();
@@ -68,19 +62,20 @@ class BatchControllerTest {
     @Test
     void aScenarioIsDrivenByItsOwnController() {
         List<String> own = List.of("As in the scenario: wall follower");
-        assertEquals(own, texts(yard.setup(), ControllerSelection.SCENARIO, false));
-        assertEquals(own, texts(yard.setup(), selection(ControllerNames.WALL_FOLLOWER), false), "the same one");
-        assertEquals(own, texts(yard.setup(), selection("python3 robot.py"), true), "no program is started");
+        assertEquals(own, texts(yard.setup(), ControllerChoice.SCENARIO, false));
+        assertEquals(
+                own, texts(yard.setup(), ControllerChoice.of(ControllerNames.WALL_FOLLOWER), false), "the same one");
+        assertEquals(own, texts(yard.setup(), ControllerChoice.of("python3 robot.py"), true), "no program is started");
     }
 
     @Test
     void theControllerOfTheWindowIsTheFirstChoice() {
         assertEquals(
                 List.of("Chosen in the window: my-follower", "As in the scenario: wall follower"),
-                texts(yard.setup(), selection("my-follower"), false));
+                texts(yard.setup(), ControllerChoice.of("my-follower"), false));
         assertEquals(
                 List.of("Chosen in the window: none", "As in the scenario: wall follower"),
-                texts(yard.setup(), selection(ControllerNames.NONE), false));
+                texts(yard.setup(), ControllerChoice.of(ControllerNames.NONE), false));
     }
 
     @Test
@@ -88,31 +83,15 @@ class BatchControllerTest {
         SimulationSetup drive = with(yard.setup(), new ControllerSpec.Drive(2, 1));
         assertEquals(
                 List.of("As in the scenario: constant voltages", "Built in: wall follower"),
-                texts(drive, ControllerSelection.SCENARIO, false));
+                texts(drive, ControllerChoice.SCENARIO, false));
         assertEquals(
                 List.of("Chosen in the window: wall follower", "As in the scenario: constant voltages"),
-                texts(drive, selection(ControllerNames.WALL_FOLLOWER), false));
+                texts(drive, ControllerChoice.of(ControllerNames.WALL_FOLLOWER), false));
         SimulationSetup extern = with(yard.setup(), new ControllerSpec.Extern(0));
         assertEquals(
                 List.of("Built in: wall follower"),
-                texts(extern, selection("python3 robot.py"), true),
+                texts(extern, ControllerChoice.of("python3 robot.py"), true),
                 "a plan cannot name the program");
-    }
-
-    @Test
-    void theFileOfTheScenarioNamesTheController() {
-        ControllerSpec.Provided own = new ControllerSpec.Provided("mine", 0.05, Map.of("distance", "0.3"));
-        SimulationSetup setup = with(yard.setup(), own);
-        assertEquals(own, ControllerChoice.withControllerNamed("mine", setup).controller(), "with its settings");
-        assertEquals(
-                new ControllerSpec.Provided("other", 0.05, Map.of()),
-                ControllerChoice.withControllerNamed("other", setup).controller());
-        assertEquals(
-                ControllerSpec.WallFollowing.DEFAULT,
-                ControllerChoice.withControllerNamed("wall-follower", setup).controller());
-        assertEquals(
-                new ControllerSpec.None(),
-                ControllerChoice.withControllerNamed("none", setup).controller());
     }
 
     @Test
@@ -120,7 +99,7 @@ class BatchControllerTest {
         Messages.setLanguage(Language.POLISH);
         assertEquals(
                 List.of("Wybrany w oknie: my-follower", "Jak w scenariuszu: jazda wzdłuż ściany"),
-                texts(yard.setup(), selection("my-follower"), false));
+                texts(yard.setup(), ControllerChoice.of("my-follower"), false));
     }
 
     private Path jar() throws IOException {
@@ -134,9 +113,9 @@ class BatchControllerTest {
 
     @Test
     void aControllerFromAJarDrivesABatchAndItsRunsInTheWindow() throws Exception {
-        ControllerSelection chosen = new ControllerSelection(NAME, List.of(jar()));
-        assertFalse(chosen.startsProgram());
-        assertTrue(selection(NAME).startsProgram(), "without the jar, it is a command");
+        ControllerChoice chosen = new ControllerChoice(NAME, List.of(jar()));
+        assertFalse(chosen.isCommand());
+        assertTrue(ControllerChoice.of(NAME).isCommand(), "without the jar, it is a command");
         BatchController controller =
                 BatchController.choices(yard.setup(), chosen, false).get(0);
         Scenario driven = yard.withSetup(controller.applyTo(yard.setup()));

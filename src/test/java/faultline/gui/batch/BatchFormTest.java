@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.external.ControllerChoice;
 import faultline.external.ControllerNames;
 import faultline.gui.ComponentFinder;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
@@ -108,7 +108,7 @@ class BatchFormTest {
 
     @Test
     void theControllerIsThatOfTheScenarioUnlessAnotherOneIsChosen() {
-        assertEquals(ControllerSelection.SCENARIO, callOnEdt(form::controllerSelection));
+        assertEquals(ControllerChoice.SCENARIO, callOnEdt(form::controllerChoice));
         assertTrue(callOnEdt(
                 () -> ComponentFinder.find(form, JComboBox.class, "Diagnosis").isEnabled()));
     }
@@ -235,11 +235,11 @@ class BatchFormTest {
 
     @Test
     void theControllerOfTheWindowIsSelectedWhenItIsOffered() {
-        ControllerSelection mine = new ControllerSelection("my-follower", List.of(Path.of("mine.jar")));
+        ControllerChoice mine = new ControllerChoice("my-follower", List.of(Path.of("mine.jar")));
         runOnEdt(() -> form.setChosen(mine, false));
         assertEquals(
                 "my-follower", ControllerNames.typeOf(plan().scenario().setup().controller()));
-        assertEquals(mine, callOnEdt(form::controllerSelection));
+        assertEquals(mine, callOnEdt(form::controllerChoice));
         assertFalse(callOnEdt(
                 () -> ComponentFinder.find(form, JComboBox.class, "Diagnosis").isEnabled()));
         choose(1);
@@ -247,8 +247,8 @@ class BatchFormTest {
         runOnEdt(() -> form.setChosen(mine, false));
         assertEquals(scenario, plan().scenario(), "the user has chosen another one");
         choose(0);
-        runOnEdt(() -> form.setChosen(ControllerSelection.SCENARIO, false));
-        assertEquals(mine, callOnEdt(form::controllerSelection), "as after a run has been opened");
+        runOnEdt(() -> form.setChosen(ControllerChoice.SCENARIO, false));
+        assertEquals(mine, callOnEdt(form::controllerChoice), "as after a run has been opened");
     }
 
     private void choose(int index) {
@@ -258,10 +258,10 @@ class BatchFormTest {
     @Test
     void theFormSaysWhatToKnowAboutAController() throws Exception {
         assertFalse(labels().contains("cannot drive a batch"));
-        runOnEdt(() -> form.setChosen(new ControllerSelection("python3 robot.py", List.of()), true));
+        runOnEdt(() -> form.setChosen(ControllerChoice.of("python3 robot.py"), true));
         assertTrue(labels().contains("|The chosen program cannot drive a batch|"), labels());
         assertEquals(scenario, plan().scenario());
-        ControllerSelection mine = new ControllerSelection("my-follower", List.of());
+        ControllerChoice mine = ControllerChoice.of("my-follower");
         runOnEdt(() -> form.setChosen(mine, false));
         assertFalse(labels().contains("measured from"), "the scenario wants 0.25 m, too");
         ControllerSpec.WallFollowing far = ControllerSpec.WallFollowing.DEFAULT.withDistance(0.4);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.external.ControllerChoice;
 import faultline.gui.Await;
 import faultline.gui.BackgroundThreads;
 import faultline.gui.EdtChecker;
@@ -13,7 +14,6 @@ import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.ComparisonController;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
@@ -44,7 +44,7 @@ class ControllerChooserTest {
 
     private static final Path OFFICE = Path.of("scenarios/office.xml");
     private static final Path CABLE = Path.of("scenarios/cable.xml");
-    private static final ControllerSelection MISSING = new ControllerSelection("no-such-controller", List.of());
+    private static final ControllerChoice MISSING = ControllerChoice.of("no-such-controller");
 
     private final List<TaskKind> failures = new ArrayList<>();
     private final Map<String, String> stored = new HashMap<>();
@@ -110,7 +110,7 @@ class ControllerChooserTest {
     @ValueSource(strings = {"no-such-controller", "java -version"})
     void aScenarioOpensWithItsOwnControllerIfTheChosenOneCannotBeStarted(String command) {
         runOnEdt(() -> {
-            chooser.select(new ControllerSelection(command, List.of()));
+            chooser.select(ControllerChoice.of(command));
             store.open(CABLE);
         });
         Await.until(
@@ -128,7 +128,7 @@ class ControllerChooserTest {
             return actions.get("scenarioController");
         });
         assertFalse(callOnEdt(scenarios::isEnabled));
-        runOnEdt(() -> chooser.tryOut(new ControllerSelection("none", List.of())));
+        runOnEdt(() -> chooser.tryOut(ControllerChoice.of("none")));
         Await.until("the chosen controller", () -> chooser.chosenText().equals("none"));
         assertTrue(callOnEdt(scenarios::isEnabled));
         runOnEdt(() -> scenarios.actionPerformed(null));
@@ -146,7 +146,7 @@ class ControllerChooserTest {
     /** Drives the robot with a controller; returns when its run or a failure has been shown. */
     private void tryOut(String text) {
         int before = failures.size();
-        runOnEdt(() -> chooser.tryOut(new ControllerSelection(text, List.of())));
+        runOnEdt(() -> chooser.tryOut(ControllerChoice.of(text)));
         Await.until(text, () -> chooser.chosenText().equals(text) || failures.size() > before);
         BackgroundThreads.awaitEnd();
     }
@@ -173,7 +173,7 @@ class ControllerChooserTest {
         for (String text : List.of(command, "none", MISSING.text())) {
             int before = callOnEdt(() -> ghosts);
             runOnEdt(() -> {
-                chooser.select(ControllerSelection.SCENARIO, new ControllerSelection(text, List.of()));
+                chooser.select(ControllerChoice.SCENARIO, ControllerChoice.of(text));
                 run.restart();
             });
             Await.until("the end of the ghost", () -> ghosts > before);
@@ -199,9 +199,9 @@ class ControllerChooserTest {
     @Test
     void theFilesOfAnEarlierControllerAreNotWatched() {
         runOnEdt(() -> {
-            chooser.select(new ControllerSelection("wall-follower", List.of()));
+            chooser.select(ControllerChoice.of("wall-follower"));
             chooser.sessionStarted();
-            chooser.select(ControllerSelection.SCENARIO);
+            chooser.select(ControllerChoice.SCENARIO);
             chooser.sessionStarted();
         });
         BackgroundThreads.awaitEnd();
@@ -212,7 +212,7 @@ class ControllerChooserTest {
     @Test
     void noFilesAreWatchedAfterTheEnd() {
         runOnEdt(() -> {
-            chooser.select(new ControllerSelection("wall-follower", List.of()));
+            chooser.select(ControllerChoice.of("wall-follower"));
             chooser.sessionStarted();
             chooser.close();
         });

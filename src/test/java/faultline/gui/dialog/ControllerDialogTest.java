@@ -5,8 +5,8 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.external.ControllerChoice;
 import faultline.gui.BackgroundThreads;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
@@ -37,7 +37,7 @@ class ControllerDialogTest {
         });
     }
 
-    private Path startFolder(ControllerSelection now, Path scenario) {
+    private Path startFolder(ControllerChoice now, Path scenario) {
         return callOnEdt(() -> new ControllerDialog("chooseController", now, scenario, List.of())
                 .startFolder()
                 .toPath());
@@ -52,26 +52,26 @@ class ControllerDialogTest {
     @Test
     void filesAreChosenBesideTheProgramOfTheController() throws IOException {
         Path program = create("my controllers/follow.py");
-        ControllerSelection command = new ControllerSelection("python3 \"" + program + "\"", List.of());
+        ControllerChoice command = ControllerChoice.of("python3 \"" + program + "\"");
         assertEquals(program.getParent(), startFolder(command, create("rooms/room.xml")));
     }
 
     @Test
     void filesAreChosenBesideTheJarOfTheController() throws IOException {
         Path jar = create("jars/controllers.jar");
-        assertEquals(jar.getParent(), startFolder(new ControllerSelection("bug2", List.of(jar)), null));
+        assertEquals(jar.getParent(), startFolder(new ControllerChoice("bug2", List.of(jar)), null));
     }
 
     @Test
     void filesAreChosenBesideTheOpenScenarioIfTheControllerHasNone() throws IOException {
         Path scenario = create("rooms/room.xml");
-        assertEquals(scenario.getParent(), startFolder(ControllerSelection.SCENARIO, scenario));
-        assertEquals(scenario.getParent(), startFolder(new ControllerSelection("wall-follower", List.of()), scenario));
+        assertEquals(scenario.getParent(), startFolder(ControllerChoice.SCENARIO, scenario));
+        assertEquals(scenario.getParent(), startFolder(ControllerChoice.of("wall-follower"), scenario));
     }
 
     @Test
     void filesAreChosenInTheWorkingDirectoryIfNoFileIsOpen() {
-        assertEquals(Path.of("").toAbsolutePath(), startFolder(ControllerSelection.SCENARIO, null));
+        assertEquals(Path.of("").toAbsolutePath(), startFolder(ControllerChoice.SCENARIO, null));
     }
 
     /** The screen has 800 pixels, of which the frame and the borders of the dialog take less than 100. */
@@ -83,7 +83,7 @@ class ControllerDialogTest {
             TextSize.LARGEST.install();
             Theme.LIGHT.install();
             return Stream.of("chooseController", "compareController")
-                    .map(key -> new ControllerDialog(key, ControllerSelection.SCENARIO, null, List.of()))
+                    .map(key -> new ControllerDialog(key, ControllerChoice.SCENARIO, null, List.of()))
                     .mapToInt(dialog -> dialog.createPanel().getPreferredSize().width)
                     .max()
                     .orElseThrow();
@@ -94,7 +94,7 @@ class ControllerDialogTest {
     @Test
     void aGhostIsNotSaidToBeLoadedAgainByARestart() {
         String help = callOnEdt(
-                () -> new ControllerDialog("compareController", ControllerSelection.SCENARIO, null, List.of()).help());
+                () -> new ControllerDialog("compareController", ControllerChoice.SCENARIO, null, List.of()).help());
         assertTrue(help.endsWith("The ghost is one run; to load a changed file, choose it again."), help);
     }
 
@@ -102,7 +102,7 @@ class ControllerDialogTest {
     void theListEndsWithTheCommandsThatWereUsedLast() {
         List<String> recent = List.of("python3 newer.py", "python3 older.py");
         ControllerDialog dialog =
-                callOnEdt(() -> new ControllerDialog("chooseController", ControllerSelection.SCENARIO, null, recent));
+                callOnEdt(() -> new ControllerDialog("chooseController", ControllerChoice.SCENARIO, null, recent));
         BackgroundThreads.awaitEnd();
         List<String> names = callOnEdt(dialog::names);
         assertEquals("As in the scenario", names.get(0));

@@ -8,12 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Controller;
 import faultline.control.ControllerProvider;
+import faultline.external.ControllerChoice;
 import faultline.external.PythonCommand;
 import faultline.external.RightTurner;
 import faultline.external.ShellWords;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.ControllerSelection;
 import java.awt.BorderLayout;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -51,8 +51,8 @@ class ControllerJarTest {
 
     @BeforeEach
     void create() {
-        dialog = callOnEdt(() ->
-                new ControllerDialog("chooseController", new ControllerSelection(COMMAND, List.of()), null, List.of()));
+        dialog = callOnEdt(
+                () -> new ControllerDialog("chooseController", ControllerChoice.of(COMMAND), null, List.of()));
     }
 
     private Path jar(String name, String provider) throws IOException {
@@ -96,7 +96,7 @@ class ControllerJarTest {
 
     @Test
     void theDialogOpensWithAJarThatIsBrokenNow() throws IOException {
-        ControllerSelection chosen = new ControllerSelection("turner", List.of(jar("broken.jar", "no.such.Turner")));
+        ControllerChoice chosen = new ControllerChoice("turner", List.of(jar("broken.jar", "no.such.Turner")));
         ControllerDialog reopened = callOnEdt(() -> new ControllerDialog("chooseController", chosen, null, List.of()));
         assertEquals("turner", callOnEdt(reopened::text));
         Await.until("the reason", () -> reopened.help().startsWith("a controller in Java cannot be loaded: "));

@@ -16,6 +16,7 @@ import faultline.engine.metrics.RunResult;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
+import faultline.external.ControllerChoice;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.scenario.Scenario;
@@ -166,7 +167,7 @@ class ComparisonControllerTest {
                         != frame.recording().hashTrace().hashAt(tick)));
     }
 
-    private ReferenceRun ghostWith(ControllerSelection selection, String name) {
+    private ReferenceRun ghostWith(ControllerChoice selection, String name) {
         runOnEdt(() -> controller.compareWith(selection, line -> {}, () -> {}));
         waitFor("the ghost", comparison -> comparison
                 .filter(made -> name.equals(made.name()))
@@ -181,14 +182,14 @@ class ComparisonControllerTest {
     @Test
     void anotherControllerDrivesTheGhostThroughTheEditedScenario() {
         runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("left", false)), results -> {}));
-        ReferenceRun still = ghostWith(new ControllerSelection("none", List.of()), "none");
+        ReferenceRun still = ghostWith(ControllerChoice.of("none"), "none");
         SimulationSetup edited =
                 callOnEdt(() -> workspace.scenario().orElseThrow().setup());
         assertEquals(edited.ticks(), still.lastTick());
         assertEquals(
                 finalHash(edited.withController(new ControllerSpec.None())),
                 still.hashTrace().hashAt(still.lastTick()));
-        ReferenceRun follower = ghostWith(new ControllerSelection("wall-follower", List.of()), "wall-follower");
+        ReferenceRun follower = ghostWith(ControllerChoice.of("wall-follower"), "wall-follower");
         assertEquals(finalHash(edited), follower.hashTrace().hashAt(follower.lastTick()));
         RunResult result = HeadlessRun.run(edited, ControllerMode.DIRECT, List.of());
         assertEquals(result.coverage().orElseThrow(), follower.measures().coverage());

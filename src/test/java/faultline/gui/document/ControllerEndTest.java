@@ -4,11 +4,11 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.external.ControllerChoice;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -40,7 +40,7 @@ class ControllerEndTest {
     @Test
     void theProgramExitsAfterTheController() throws Exception {
         Path script = Files.writeString(folder.resolve("slow.sh"), PROGRAM.replace("FOLDER", folder.toString()));
-        ControllerSelection selection = new ControllerSelection("sh '" + script + "'", List.of());
+        ControllerChoice selection = ControllerChoice.of("sh '" + script + "'");
         Workspace workspace = callOnEdt(Workspace::new);
         runOnEdt(() -> {
             workspace.setControllerChoice(setup -> selection.applyTo(setup, "Yard", line -> {}));

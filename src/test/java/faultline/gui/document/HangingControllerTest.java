@@ -102,8 +102,7 @@ class HangingControllerTest {
         String command = "sh '" + Files.writeString(folder.resolve(programs + ".sh"), text) + "'";
         ProcessControllerSource.ChildSettings settings =
                 new ProcessControllerSource.ChildSettings("test", "Yard", LONG, false, line -> {});
-        return setup ->
-                ControllerChoice.withChosenController(command, setup, new ProcessControllerSource(command, settings));
+        return setup -> ControllerChoice.of(command).applyTo(setup, new ProcessControllerSource(command, settings));
     }
 
     private Path pidFile() {
@@ -170,7 +169,7 @@ class HangingControllerTest {
         ComparisonController comparison = callOnEdt(() -> new ComparisonController(workspace, run.navigator()));
         program(-1);
         String command = "sh '" + folder.resolve(programs + ".sh") + "'";
-        runOnEdt(() -> comparison.compareWith(new ControllerSelection(command, List.of()), line -> {}, () -> {}));
+        runOnEdt(() -> comparison.compareWith(ControllerChoice.of(command), line -> {}, () -> {}));
         ProcessHandle program = runningProgram();
         long removed = System.nanoTime();
         runOnEdt(comparison::removeReference);

@@ -8,10 +8,10 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.session.ReferenceRun;
+import faultline.external.ControllerChoice;
 import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.ControllerSelection;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.theme.FlatSliderUI;
 import faultline.gui.theme.Theme;
@@ -21,7 +21,6 @@ import faultline.world.Command;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.JComboBox;
 import javax.swing.JDialog;
@@ -102,8 +101,8 @@ class ComparisonRobotTest {
                 .open(
                         OFFICE,
                         () -> Scenario.load(OFFICE),
-                        new ControllerSelection("none", List.of()),
-                        new ControllerSelection("wall-follower", List.of())));
+                        ControllerChoice.of("none"),
+                        ControllerChoice.of("wall-follower")));
         driver.waitForReferenceRun();
         step(40);
         assertEquals(start, driver.frame().snapshot().pose());

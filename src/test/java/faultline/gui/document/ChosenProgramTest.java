@@ -36,7 +36,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Another program drives the robot of an open scenario, which does not change. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
-class ControllerChoiceTest {
+class ChosenProgramTest {
 
     private static final String FOLLOWER =
             """
@@ -106,8 +106,8 @@ class ControllerChoiceTest {
         ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         runOnEdt(() -> {
-            workspace.setControllerChoice(setup -> ControllerChoice.withChosenController(
-                    command, setup, new ProcessControllerSource(command, settings)));
+            workspace.setControllerChoice(setup ->
+                    ControllerChoice.of(command).applyTo(setup, new ProcessControllerSource(command, settings)));
             run.restart();
         });
     }
