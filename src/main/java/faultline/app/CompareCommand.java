@@ -202,7 +202,7 @@ final class CompareCommand {
             SimulationSetup setup,
             ControllerOptions options,
             EndObserver end) {
-        return new ChosenController(choice, options.childSettings(scenario, output::printError))
+        return new ControllerRunner(choice, options.childSettings(scenario, output::printError))
                 .run(setup, ControllerMode.DIRECT, List.of(end));
     }
 

@@ -57,7 +57,7 @@ final class RunCommand {
     }
 
     private RunResult runOnce(Scenario scenario, RunOptions options, RunOutputs outputs) throws IOException {
-        return new ChosenController(
+        return new ControllerRunner(
                         options.controller(), options.child().childSettings(scenario.name(), output::printError))
                 .run(scenario.setup(), options.mode(), outputs.observers());
     }

@@ -13,8 +13,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The controller of runs without a window, and how it is treated if it is a child process. */
-record ChosenController(ControllerChoice choice, ProcessControllerSource.ChildSettings settings) {
+/** Runs setups without a window with a controller, given how it is treated if it is a child process. */
+record ControllerRunner(ControllerChoice choice, ProcessControllerSource.ChildSettings settings) {
 
     /** Runs a setup with this controller, and sends the result to a child. */
     RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
