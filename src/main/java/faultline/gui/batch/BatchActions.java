@@ -6,7 +6,7 @@ import faultline.external.ControllerChoice;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
-import faultline.gui.dialog.ControllerChooser;
+import faultline.gui.dialog.ControllerActions;
 import faultline.gui.dialog.FileController;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.FileNames;
@@ -33,7 +33,7 @@ public final class BatchActions {
 
     private final Window owner;
     private final FileController files;
-    private final ControllerChooser controllers;
+    private final ControllerActions controllers;
     private final Consumer<String> note;
     /** The dialog that is hidden because one of its runs is in the window, null for none. */
     private RunsDialog hidden;
@@ -41,7 +41,7 @@ public final class BatchActions {
     private Scenario hiding;
 
     /** Creates the actions of a window; {@code note} shows a sentence to the user. */
-    public BatchActions(Window owner, FileController files, ControllerChooser controllers, Consumer<String> note) {
+    public BatchActions(Window owner, FileController files, ControllerActions controllers, Consumer<String> note) {
         this.owner = owner;
         this.files = files;
         this.controllers = controllers;

@@ -17,7 +17,7 @@ import faultline.gui.action.ViewActions;
 import faultline.gui.batch.BatchActions;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.dialog.AppIcon;
-import faultline.gui.dialog.ControllerChooser;
+import faultline.gui.dialog.ControllerActions;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.dialog.FileController;
 import faultline.gui.dialog.NumberDialog;
@@ -71,7 +71,7 @@ public final class MainWindow extends JFrame {
     private final transient ComparisonController comparisonController =
             new ComparisonController(workspace, runController.navigator());
     private final transient Notes notes = new Notes(this::showNote, this::removeNote);
-    private final transient ControllerChooser controllerChooser;
+    private final transient ControllerActions controllerActions;
     private final transient UndoController undoController =
             new UndoController(runController::send, this::updateEditActions);
     private final transient ScenarioEditor scenarioEditor = new ScenarioEditor(runController, undoController);
@@ -105,9 +105,9 @@ public final class MainWindow extends JFrame {
     public MainWindow(WindowPreferences preferences) {
         assert EventQueue.isDispatchThread();
         this.preferences = preferences;
-        controllerChooser = new ControllerChooser(
+        controllerActions = new ControllerActions(
                 this, workspace, runController, comparisonController, notes, preferences.recentCommands());
-        batchActions = new BatchActions(this, fileController, controllerChooser, this::showNote);
+        batchActions = new BatchActions(this, fileController, controllerActions, this::showNote);
         themeAction = new ThemeAction(canvas, preferences);
         BoundedRangeModel speed =
                 new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
@@ -225,7 +225,7 @@ public final class MainWindow extends JFrame {
         actionRegistry.add(UiAction.of("previousArea", () -> mainPanel.focusArea(-1))
                 .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
         runActions.addTo(actionRegistry);
-        controllerChooser.addTo(actionRegistry);
+        controllerActions.addTo(actionRegistry);
         batchActions.addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
         PreferenceActions choices = new PreferenceActions(preferences, actionRegistry, this::showLanguage);
@@ -315,7 +315,7 @@ public final class MainWindow extends JFrame {
     public void dispose() {
         runPoller.stop();
         fileWatch.close();
-        controllerChooser.close();
+        controllerActions.close();
         themeAction.close();
         workspace.close();
         super.dispose();
@@ -331,7 +331,7 @@ public final class MainWindow extends JFrame {
      * for none.
      */
     public void open(Path file, Callable<Scenario> reader, ControllerChoice controller, ControllerChoice ghostOrNull) {
-        controllerChooser.select(controller, ghostOrNull);
+        controllerActions.select(controller, ghostOrNull);
         open(file, reader);
     }
 
@@ -397,7 +397,7 @@ public final class MainWindow extends JFrame {
 
         @Override
         public void sessionStarted() {
-            mainPanel.controlPanel().setChosenController(controllerChooser.chosenText());
+            mainPanel.controlPanel().setChosenController(controllerActions.chosenText());
         }
 
         @Override
@@ -426,7 +426,7 @@ public final class MainWindow extends JFrame {
             if (what == TaskKind.OPEN && Files.notExists(file)) {
                 preferences.recentFiles().remove(file);
             }
-            if (what == TaskKind.OPEN && controllerChooser.openFailed(cause)) {
+            if (what == TaskKind.OPEN && controllerActions.openFailed(cause)) {
                 dialogs.showControllerFailure(file, cause);
                 return;
             }

@@ -40,7 +40,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 @ExtendWith(EdtChecker.class)
-class ControllerChooserTest {
+class ControllerActionsTest {
 
     private static final Path OFFICE = Path.of("scenarios/office.xml");
     private static final Path CABLE = Path.of("scenarios/cable.xml");
@@ -58,7 +58,7 @@ class ControllerChooserTest {
     /** How often there was no ghost, or one that is complete or has failed. */
     private int ghosts;
 
-    private ControllerChooser chooser;
+    private ControllerActions controllers;
 
     @BeforeEach
     void open() {
@@ -70,7 +70,7 @@ class ControllerChooserTest {
                 @Override
                 public void taskFailed(TaskKind task, Path file, Throwable failure) {
                     failures.add(task);
-                    opensWithoutChoice = task == TaskKind.OPEN && chooser.openFailed(failure);
+                    opensWithoutChoice = task == TaskKind.OPEN && controllers.openFailed(failure);
                 }
 
                 @Override
@@ -79,7 +79,7 @@ class ControllerChooserTest {
                 }
             });
             comparison = new ComparisonController(workspace, run.navigator());
-            chooser = new ControllerChooser(
+            controllers = new ControllerActions(
                     null, workspace, run, comparison, new Notes(text -> {}, text -> {}), preferences.recentCommands());
             store.open(OFFICE);
         });
@@ -89,14 +89,14 @@ class ControllerChooserTest {
     @AfterEach
     void close() {
         runOnEdt(() -> {
-            chooser.close();
+            controllers.close();
             workspace.close();
         });
     }
 
     @Test
     void afterAControllerThatCannotBeStartedOtherScenariosCanBeOpened() {
-        runOnEdt(() -> chooser.tryOut(MISSING));
+        runOnEdt(() -> controllers.tryOut(MISSING));
         Await.until("the failure", () -> failures.equals(List.of(TaskKind.RESTART)));
         runOnEdt(() -> store.open(CABLE));
         Await.until(
@@ -110,7 +110,7 @@ class ControllerChooserTest {
     @ValueSource(strings = {"no-such-controller", "java -version"})
     void aScenarioOpensWithItsOwnControllerIfTheChosenOneCannotBeStarted(String command) {
         runOnEdt(() -> {
-            chooser.select(ControllerChoice.of(command));
+            controllers.select(ControllerChoice.of(command));
             store.open(CABLE);
         });
         Await.until(
@@ -124,15 +124,15 @@ class ControllerChooserTest {
     void theScenariosOwnControllerIsOfferedWhileAnotherOneIsChosen() {
         UiAction scenarios = callOnEdt(() -> {
             ActionRegistry actions = new ActionRegistry();
-            chooser.addTo(actions);
+            controllers.addTo(actions);
             return actions.get("scenarioController");
         });
         assertFalse(callOnEdt(scenarios::isEnabled));
-        runOnEdt(() -> chooser.tryOut(ControllerChoice.of("none")));
-        Await.until("the chosen controller", () -> chooser.chosenText().equals("none"));
+        runOnEdt(() -> controllers.tryOut(ControllerChoice.of("none")));
+        Await.until("the chosen controller", () -> controllers.chosenText().equals("none"));
         assertTrue(callOnEdt(scenarios::isEnabled));
         runOnEdt(() -> scenarios.actionPerformed(null));
-        Await.until("the scenario's controller", () -> chooser.chosenText().isEmpty());
+        Await.until("the scenario's controller", () -> controllers.chosenText().isEmpty());
         assertFalse(callOnEdt(scenarios::isEnabled));
     }
 
@@ -146,8 +146,8 @@ class ControllerChooserTest {
     /** Drives the robot with a controller; returns when its run or a failure has been shown. */
     private void tryOut(String text) {
         int before = failures.size();
-        runOnEdt(() -> chooser.tryOut(ControllerChoice.of(text)));
-        Await.until(text, () -> chooser.chosenText().equals(text) || failures.size() > before);
+        runOnEdt(() -> controllers.tryOut(ControllerChoice.of(text)));
+        Await.until(text, () -> controllers.chosenText().equals(text) || failures.size() > before);
         BackgroundThreads.awaitEnd();
     }
 
@@ -173,7 +173,7 @@ class ControllerChooserTest {
         for (String text : List.of(command, "none", MISSING.text())) {
             int before = callOnEdt(() -> ghosts);
             runOnEdt(() -> {
-                chooser.select(ControllerChoice.SCENARIO, ControllerChoice.of(text));
+                controllers.select(ControllerChoice.SCENARIO, ControllerChoice.of(text));
                 run.restart();
             });
             Await.until("the end of the ghost", () -> ghosts > before);
@@ -191,7 +191,7 @@ class ControllerChooserTest {
         Path program = writeProgram(folder);
         tryOut("sh " + program);
         runOnEdt(stored::clear);
-        runOnEdt(chooser::sessionStarted);
+        runOnEdt(controllers::sessionStarted);
         BackgroundThreads.awaitEnd();
         assertEquals(List.of(), callOnEdt(() -> preferences.recentCommands().texts()));
     }
@@ -199,31 +199,31 @@ class ControllerChooserTest {
     @Test
     void theFilesOfAnEarlierControllerAreNotWatched() {
         runOnEdt(() -> {
-            chooser.select(ControllerChoice.of("wall-follower"));
-            chooser.sessionStarted();
-            chooser.select(ControllerChoice.SCENARIO);
-            chooser.sessionStarted();
+            controllers.select(ControllerChoice.of("wall-follower"));
+            controllers.sessionStarted();
+            controllers.select(ControllerChoice.SCENARIO);
+            controllers.sessionStarted();
         });
         BackgroundThreads.awaitEnd();
-        assertFalse(callOnEdt(chooser::isWatching));
+        assertFalse(callOnEdt(controllers::isWatching));
     }
 
     /** The times of the files are read in the background, and arrive after the end. */
     @Test
     void noFilesAreWatchedAfterTheEnd() {
         runOnEdt(() -> {
-            chooser.select(ControllerChoice.of("wall-follower"));
-            chooser.sessionStarted();
-            chooser.close();
+            controllers.select(ControllerChoice.of("wall-follower"));
+            controllers.sessionStarted();
+            controllers.close();
         });
         BackgroundThreads.awaitEnd();
-        assertFalse(callOnEdt(chooser::isWatching));
+        assertFalse(callOnEdt(controllers::isWatching));
     }
 
     @Test
     void aFileThatCannotBeReadIsNotOpenedAgain() {
         runOnEdt(() -> {
-            chooser.select(MISSING);
+            controllers.select(MISSING);
             store.open(Path.of("scenarios/no-such-file.xml"));
         });
         Await.until("the failure", () -> failures.equals(List.of(TaskKind.OPEN)));

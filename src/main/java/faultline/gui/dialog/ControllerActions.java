@@ -26,10 +26,10 @@ import java.util.TreeMap;
 import javax.swing.Timer;
 
 /**
- * Lets the user choose a controller for the runs of the window, or for a ghost: the scenario's own, one in Java, or a
- * command. Each restart loads it again, and a note says when one of its files has changed.
+ * The actions that choose a controller for the runs of the window, or for a ghost: the scenario's own, one in Java, or
+ * a command. Each restart loads it again, and a note says when one of its files has changed.
  */
-public final class ControllerChooser implements WorkspaceListener, AutoCloseable {
+public final class ControllerActions implements WorkspaceListener, AutoCloseable {
 
     private static final int WATCH_MILLIS = 1000;
 
@@ -64,8 +64,8 @@ public final class ControllerChooser implements WorkspaceListener, AutoCloseable
     /** Read by the threads that start runs. */
     private volatile String scenarioName = "";
 
-    /** Creates a chooser for the runs of a workspace, which offers the commands that were used last. */
-    public ControllerChooser(
+    /** Creates the actions for the runs of a workspace, which offers the commands that were used last. */
+    public ControllerActions(
             Window owner,
             Workspace workspace,
             RunController runController,
