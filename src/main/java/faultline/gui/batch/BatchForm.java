@@ -54,7 +54,7 @@ final class BatchForm extends JPanel {
     private final JCheckBox untilVerdict = UiText.text(new JCheckBox(), "batch.untilVerdict");
     private final NamedChoice<DiagnosisChoice> diagnosis = new NamedChoice<>(
             DiagnosisChoice.values(), value -> Messages.get("batch.diagnosis." + value), ignored -> updateCount());
-    private final NamedChoice<BatchController> controller;
+    private final NamedChoice<BatchControllerItem> controller;
     /** What there is to know about the controller, empty for nothing. */
     private final JLabel controllerRemark = new JLabel();
     /** Whether the window starts a program to drive the robot, which a batch does not. */
@@ -83,7 +83,7 @@ final class BatchForm extends JPanel {
         this.scenario = scenario;
         RobotSpec robot = scenario.setup().robot();
         controller = new NamedChoice<>(
-                choices(ControllerChoice.SCENARIO), value -> value.text(scenario.setup()), ignored -> updateCount());
+                items(ControllerChoice.SCENARIO), value -> value.text(scenario.setup()), ignored -> updateCount());
         sensors = robot.sensors().stream().map(this::createSensorBox).toList();
         faults = new FaultChoices(this::updateCount);
         setInitialValues();
@@ -181,8 +181,8 @@ final class BatchForm extends JPanel {
         onset.setText(DecimalText.format(earliest) + ".." + DecimalText.format(latest));
     }
 
-    private BatchController[] choices(ControllerChoice chosen) {
-        return BatchController.choices(scenario.setup(), chosen, program).toArray(BatchController[]::new);
+    private BatchControllerItem[] items(ControllerChoice chosen) {
+        return BatchControllerItem.items(scenario.setup(), chosen, program).toArray(BatchControllerItem[]::new);
     }
 
     /**
@@ -192,13 +192,13 @@ final class BatchForm extends JPanel {
      */
     void setChosen(ControllerChoice chosen, boolean startsProgram) {
         program = startsProgram;
-        BatchController[] choices = choices(chosen);
+        BatchControllerItem[] items = items(chosen);
         boolean offered = IntStream.range(0, controller.getItemCount())
                 .mapToObj(controller::getItemAt)
                 .toList()
-                .containsAll(List.of(choices));
+                .containsAll(List.of(items));
         if (!offered) {
-            controller.setModel(new DefaultComboBoxModel<>(choices));
+            controller.setModel(new DefaultComboBoxModel<>(items));
         }
         updateCount();
     }

@@ -42,7 +42,7 @@ final class BatchProgressPanel extends JPanel {
     /** Shows which controllers drove the robots, given their types in scenario files; none without results. */
     void showControllers(List<String> newTypes) {
         types = newTypes;
-        String names = newTypes.stream().map(BatchController::nameOf).collect(Collectors.joining(", "));
+        String names = newTypes.stream().map(BatchControllerItem::nameOf).collect(Collectors.joining(", "));
         controllers.setText(newTypes.isEmpty() ? "" : Messages.get("batch.drivenBy", names));
     }
 

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Which controllers can drive a batch, and a batch that one from a jar drives. */
-class BatchControllerTest {
+class BatchControllerItemTest {
 
     private static final String NAME = "right-turner";
 
@@ -54,8 +54,8 @@ class BatchControllerTest {
     }
 
     private static List<String> texts(SimulationSetup setup, ControllerChoice chosen, boolean program) {
-        return BatchController.choices(setup, chosen, program).stream()
-                .map(choice -> choice.text(setup))
+        return BatchControllerItem.items(setup, chosen, program).stream()
+                .map(item -> item.text(setup))
                 .toList();
     }
 
@@ -116,8 +116,8 @@ class BatchControllerTest {
         ControllerChoice chosen = new ControllerChoice(NAME, List.of(jar()));
         assertFalse(chosen.isCommand());
         assertTrue(ControllerChoice.of(NAME).isCommand(), "without the jar, it is a command");
-        BatchController controller =
-                BatchController.choices(yard.setup(), chosen, false).get(0);
+        BatchControllerItem controller =
+                BatchControllerItem.items(yard.setup(), chosen, false).get(0);
         Scenario driven = yard.withSetup(controller.applyTo(yard.setup()));
         BatchRun run = new BatchRun(
                 new BatchPlan(

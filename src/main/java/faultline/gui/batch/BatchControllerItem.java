@@ -10,13 +10,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A controller that can drive the robots of a batch: one that a scenario file names, as in a campaign. A campaign
- * starts no programs.
+ * An item of the list of controllers that can drive the robots of a batch: one that a scenario file names, as in a
+ * campaign. A campaign starts no programs.
  *
  * @param origin where it comes from
  * @param choice its name, empty for that of the scenario, and the jars with it
  */
-record BatchController(ControllerOrigin origin, ControllerChoice choice) {
+record BatchControllerItem(ControllerOrigin origin, ControllerChoice choice) {
 
     /** Where a controller comes from. */
     enum ControllerOrigin {
@@ -29,23 +29,23 @@ record BatchController(ControllerOrigin origin, ControllerChoice choice) {
     }
 
     /**
-     * Returns the choices for a scenario, the preferred one first, given the controller that has been chosen in the
+     * Returns the items for a scenario, the preferred one first, given the controller that has been chosen in the
      * window and whether that starts a program.
      */
-    static List<BatchController> choices(SimulationSetup setup, ControllerChoice chosen, boolean program) {
-        List<BatchController> choices = new ArrayList<>();
+    static List<BatchControllerItem> items(SimulationSetup setup, ControllerChoice chosen, boolean program) {
+        List<BatchControllerItem> items = new ArrayList<>();
         if (!chosen.isScenarios() && !program && !isSame(chosen, setup)) {
-            choices.add(new BatchController(ControllerOrigin.CHOSEN, chosen));
+            items.add(new BatchControllerItem(ControllerOrigin.CHOSEN, chosen));
         }
         // No plan can name a controller that the user has to choose.
         if (!(setup.controller() instanceof ControllerSpec.Extern)) {
-            choices.add(new BatchController(ControllerOrigin.SCENARIO, ControllerChoice.SCENARIO));
+            items.add(new BatchControllerItem(ControllerOrigin.SCENARIO, ControllerChoice.SCENARIO));
         }
         ControllerChoice follower = ControllerChoice.of(ControllerNames.WALL_FOLLOWER);
         if (!isSame(follower, setup) && !follower.text().equals(chosen.text())) {
-            choices.add(new BatchController(ControllerOrigin.BUILT_IN, follower));
+            items.add(new BatchControllerItem(ControllerOrigin.BUILT_IN, follower));
         }
-        return choices;
+        return items;
     }
 
     /** Returns whether a built-in controller is that of the scenario. One from a jar may be another than there. */
