@@ -108,7 +108,7 @@ public final class BatchActions {
             showDialog(open, chosen, false);
         } else {
             // If a jar is broken by now, the batch says so when it starts.
-            BackgroundTasks.run(
+            BackgroundTasks.compute(
                     chosen::isCommand,
                     program -> showDialog(open, chosen, program),
                     failure -> showDialog(open, chosen, false));
@@ -137,7 +137,7 @@ public final class BatchActions {
         int run = Math.toIntExact(results.run(row));
         String outcome = results.value(row, "outcome");
         double seconds = Double.parseDouble(results.value(row, "simulated_s"));
-        BackgroundTasks.run(
+        BackgroundTasks.compute(
                 () -> controller.callWithJars(() -> RunScenario.create(results.plan(), run, outcome, seconds)),
                 opened -> openRun(dialog, named(opened, run), controller.jars()),
                 failure -> dialog.showProblem(ErrorMessages.describe(failure)));
@@ -193,7 +193,7 @@ public final class BatchActions {
         Timer reading = new Timer(MILLIS_BEFORE_NOTE, event -> note.accept(Messages.get("batch.opened.reading", name)));
         reading.setRepeats(false);
         reading.start();
-        BackgroundTasks.run(
+        BackgroundTasks.compute(
                 () -> {
                     Path folder = OpenedResults.folderOf(chosen);
                     return jars.callWithJars(() -> OpenedResults.read(folder));

@@ -130,7 +130,7 @@ final class BatchDialog extends RunsDialog {
             progress().showStatus(() -> Messages.get("batch.checking"));
             progress().begin();
             poll.start();
-            BackgroundTasks.runBeforeExit(
+            BackgroundTasks.computeBeforeExit(
                     () -> made.callWithJars(started::make),
                     result -> ended(started, result),
                     failure -> failed(started, failure));
@@ -234,7 +234,7 @@ final class BatchDialog extends RunsDialog {
         writes++;
         enableStart();
         BatchRun written = run;
-        BackgroundTasks.runBeforeExit(
+        BackgroundTasks.performBeforeExit(
                 work,
                 () -> {
                     endWriting(written);
@@ -299,7 +299,7 @@ final class BatchDialog extends RunsDialog {
     }
 
     private static void delete(BatchRun ended) {
-        BackgroundTasks.runBeforeExit(ended::delete, () -> {}, failure -> {});
+        BackgroundTasks.performBeforeExit(ended::delete, () -> {}, failure -> {});
     }
 
     /** Cancels the batch and deletes its files. */

@@ -199,7 +199,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
         notes.remove(changedNote);
         ControllerChoice chosen = started;
         if (!chosen.isScenarios()) {
-            BackgroundTasks.run(
+            BackgroundTasks.compute(
                     () -> times(chosen.files()),
                     found -> {
                         if (chosen.equals(started)) {
@@ -216,7 +216,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
 
     /** Adds a controller to the recent commands if it is one. */
     private void remember(ControllerChoice chosen) {
-        BackgroundTasks.run(
+        BackgroundTasks.compute(
                 chosen::isCommand,
                 program -> {
                     if (program) {
@@ -245,7 +245,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
 
     private void checkFiles() {
         ControllerChoice chosen = started;
-        BackgroundTasks.run(() -> times(chosen.files()), this::compare, failure -> {});
+        BackgroundTasks.compute(() -> times(chosen.files()), this::compare, failure -> {});
     }
 
     private void compare(Map<Path, FileTime> now) {

@@ -89,7 +89,7 @@ final class ControllerDialog {
     /** Loads names on another thread, because the code of a jar may take any time, and shows them. */
     private void load(Callable<FoundControllers> names, Consumer<FoundControllers> onLoaded) {
         int number = ++loads;
-        BackgroundTasks.run(
+        BackgroundTasks.compute(
                 names,
                 found -> {
                     if (number == loads) {

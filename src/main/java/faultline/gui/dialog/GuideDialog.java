@@ -44,7 +44,7 @@ final class GuideDialog extends JDialog {
     private void refresh() {
         setTitle(Messages.get("guide.title"));
         if (isShowing()) {
-            BackgroundTasks.run(GuidePage::load, this::replacePage, failure -> {
+            BackgroundTasks.compute(GuidePage::load, this::replacePage, failure -> {
                 throw new IllegalStateException(failure);
             });
         }
@@ -70,7 +70,7 @@ final class GuideDialog extends JDialog {
     }
 
     private static void loadAndShow(Window owner) {
-        BackgroundTasks.run(GuidePage::load, page -> showPage(owner, page), failure -> {
+        BackgroundTasks.compute(GuidePage::load, page -> showPage(owner, page), failure -> {
             throw new IllegalStateException(failure);
         });
     }

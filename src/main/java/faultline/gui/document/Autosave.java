@@ -66,13 +66,7 @@ public final class Autosave implements AutoCloseable {
             failing &= unsaved != null;
             Path origin = workspace.file().orElse(null);
             Scenario base = workspace.replaceableScenario().orElse(null);
-            BackgroundTasks.run(
-                    () -> {
-                        write(origin, base, unsaved);
-                        return true;
-                    },
-                    written -> failing = false,
-                    this::writeFailed);
+            BackgroundTasks.perform(() -> write(origin, base, unsaved), () -> failing = false, this::writeFailed);
         }
     }
 
@@ -135,7 +129,7 @@ public final class Autosave implements AutoCloseable {
         Path origin = workspace.file().orElse(null);
         Scenario base = workspace.replaceableScenario().orElse(null);
         Scenario kept = workspace.hasRunDied() ? unsavedEdits() : null;
-        BackgroundTasks.runBeforeExit(
+        BackgroundTasks.performBeforeExit(
                 () -> replaceRecoveryFile(origin, base, kept),
                 () -> {},
                 failure -> LOG.log(Level.WARNING, "the recovery file cannot be written or deleted", failure));

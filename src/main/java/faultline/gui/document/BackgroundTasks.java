@@ -15,16 +15,17 @@ public final class BackgroundTasks {
     private BackgroundTasks() {}
 
     /**
-     * Starts work that ends with the program. Its result, or the exception that it has thrown, is passed to one of the
-     * consumers on the event dispatch thread.
+     * Starts a computation that ends with the program. Its result, or the exception that it has thrown, is passed to
+     * one of the consumers on the event dispatch thread.
      */
-    public static <T> void run(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {
-        start(work, onDone, onFailed, true);
+    public static <T> void compute(Callable<T> computation, Consumer<T> onDone, Consumer<Throwable> onFailed) {
+        start(computation, onDone, onFailed, true);
     }
 
-    /** Starts work as {@link #run} does, and keeps the program from exiting before the work has ended. */
-    public static <T> void runBeforeExit(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {
-        start(work, onDone, onFailed, false);
+    /** Starts a computation as {@link #compute} does, and keeps the program from exiting before it has ended. */
+    public static <T> void computeBeforeExit(
+            Callable<T> computation, Consumer<T> onDone, Consumer<Throwable> onFailed) {
+        start(computation, onDone, onFailed, false);
     }
 
     /** Work without a result. */
@@ -40,24 +41,22 @@ public final class BackgroundTasks {
         }
     }
 
-    /** Starts work without a result, as {@link #run(Callable, Consumer, Consumer)} does. */
-    public static void run(Work work, Consumer<Throwable> onFailed) {
-        run(work, () -> {}, onFailed);
+    /**
+     * Starts work that ends with the program. On the event dispatch thread, {@code onDone} is called when it has been
+     * done, or the exception that it has thrown is passed to {@code onFailed}.
+     */
+    public static void perform(Work work, Runnable onDone, Consumer<Throwable> onFailed) {
+        start(work.withResult(), done -> onDone.run(), onFailed, true);
     }
 
-    /** Starts work without a result, as {@link #run(Callable, Consumer, Consumer)} does. */
-    public static void run(Work work, Runnable onDone, Consumer<Throwable> onFailed) {
-        run(work.withResult(), done -> onDone.run(), onFailed);
-    }
-
-    /** Starts work without a result, and keeps the program from exiting before it has ended. */
-    public static void runBeforeExit(Work work, Runnable onDone, Consumer<Throwable> onFailed) {
-        runBeforeExit(work.withResult(), done -> onDone.run(), onFailed);
+    /** Starts work as {@link #perform} does, and keeps the program from exiting before it has ended. */
+    public static void performBeforeExit(Work work, Runnable onDone, Consumer<Throwable> onFailed) {
+        start(work.withResult(), done -> onDone.run(), onFailed, false);
     }
 
     private static <T> void start(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed, boolean daemon) {
         assert EventQueue.isDispatchThread();
-        Thread thread = new Thread(() -> perform(work, onDone, onFailed), "faultline-background");
+        Thread thread = new Thread(() -> callAndPassOn(work, onDone, onFailed), "faultline-background");
         thread.setDaemon(daemon);
         if (!daemon) {
             BEFORE_EXIT.removeIf(other -> !other.isAlive());
@@ -98,7 +97,7 @@ public final class BackgroundTasks {
         });
     }
 
-    private static <T> void perform(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {
+    private static <T> void callAndPassOn(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {
         T result;
         try {
             result = work.call();

@@ -115,7 +115,7 @@ public final class ComparisonController implements WorkspaceListener {
         cancelPendingTask();
         TaskProgress progress = new TaskProgress();
         pendingTask = progress;
-        BackgroundTasks.run(
+        BackgroundTasks.compute(
                 () -> progress.perform(() -> replay.run(progress)),
                 made -> completeTask(progress, () -> setReference(made)),
                 failure -> completeTask(

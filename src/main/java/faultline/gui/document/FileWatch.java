@@ -84,7 +84,7 @@ public final class FileWatch implements AutoCloseable {
             FileVersion seen = lastSeen;
             FileVersion read = lastRead;
             Scenario saved = workspace.savedScenario().orElse(null);
-            BackgroundTasks.run(
+            BackgroundTasks.compute(
                     () -> inspect(file.get(), seen, read),
                     result -> end(saved, () -> inspected(result)),
                     unreadable -> end(saved, () -> notInspected(file.get(), unreadable)));

@@ -33,7 +33,7 @@ public final class RecoveryPrompt {
             Autosave autosave,
             BiConsumer<RecoveredFile, Consumer<Answer>> offer,
             Runnable otherwise) {
-        BackgroundTasks.run(
+        BackgroundTasks.compute(
                 recovery::findOrphan,
                 found -> found.ifPresentOrElse(
                         file -> offer.accept(file, answer -> answered(recovery, autosave, file, answer)), otherwise),
@@ -44,17 +44,16 @@ public final class RecoveryPrompt {
     }
 
     private static void answered(RecoveryStore recovery, Autosave autosave, RecoveredFile file, Answer answer) {
-        BackgroundTasks.run(
+        BackgroundTasks.perform(
                 () -> {
                     switch (answer) {
                         case RECOVER -> recovery.adopt(file);
                         case DISCARD -> recovery.discard(file);
                         default -> recovery.release();
                     }
-                    return answer;
                 },
-                done -> {
-                    if (done == Answer.RECOVER) {
+                () -> {
+                    if (answer == Answer.RECOVER) {
                         autosave.editsAdopted(file.scenario());
                     }
                 },

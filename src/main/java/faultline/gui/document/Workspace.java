@@ -109,7 +109,7 @@ public final class Workspace implements AutoCloseable {
         cancelActiveTask();
         task = newTask;
         lastTask = () -> start(newTask, maker, then, otherwise);
-        BackgroundTasks.run(
+        BackgroundTasks.compute(
                 () -> newTask.progress().perform(maker),
                 made -> {
                     boolean opened = taskDone(newTask, made);
@@ -276,7 +276,7 @@ public final class Workspace implements AutoCloseable {
     }
 
     private static void awaitEndBeforeExit(Session session) {
-        BackgroundTasks.runBeforeExit(() -> session.awaitEnd(MAX_END_MILLIS), () -> {}, failure -> {});
+        BackgroundTasks.performBeforeExit(() -> session.awaitEnd(MAX_END_MILLIS), () -> {}, failure -> {});
     }
 
     private void closeSession() {

@@ -13,12 +13,12 @@ final class WriteQueue {
     /** Completes when the outcome of the last task is being passed on. */
     private CompletableFuture<Void> last = CompletableFuture.completedFuture(null);
 
-    /** Adds a task, as {@link BackgroundTasks#runBeforeExit(Callable, Consumer, Consumer)} starts one. */
+    /** Adds a task, as {@link BackgroundTasks#computeBeforeExit(Callable, Consumer, Consumer)} starts one. */
     <T> void add(Callable<T> task, Consumer<T> onDone, Consumer<Throwable> onFailed) {
         CompletableFuture<Void> previous = last;
         CompletableFuture<Void> end = new CompletableFuture<>();
         last = end;
-        BackgroundTasks.runBeforeExit(
+        BackgroundTasks.computeBeforeExit(
                 () -> {
                     previous.join();
                     return task.call();

@@ -267,7 +267,7 @@ public final class ExportController implements WorkspaceListener {
         PrintablePage page = new PrintablePage(request);
         job.setPrintable(page, page.oriented(job.defaultPage()));
         if (job.printDialog()) {
-            BackgroundTasks.run(job::print, () -> notes.show(Messages.get("note.printed")), this::printFailed);
+            BackgroundTasks.perform(job::print, () -> notes.show(Messages.get("note.printed")), this::printFailed);
         }
     }
 

@@ -60,7 +60,7 @@ final class ExportTask {
     /** Starts the task, and keeps the program from exiting before it has ended. */
     void start() {
         timer.start();
-        BackgroundTasks.runBeforeExit(this::write, this::written, this::failed);
+        BackgroundTasks.performBeforeExit(this::write, this::written, this::failed);
     }
 
     /** Returns whether the task has ended. */

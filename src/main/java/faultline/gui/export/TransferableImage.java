@@ -23,7 +23,7 @@ record TransferableImage(Image image) implements Transferable {
             Clipboard clipboard,
             Runnable onCopied,
             Consumer<Throwable> onFailed) {
-        BackgroundTasks.run(
+        BackgroundTasks.compute(
                 () -> request.toImage(resolutionScale),
                 image -> {
                     try {

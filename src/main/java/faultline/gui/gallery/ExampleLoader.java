@@ -17,7 +17,7 @@ final class ExampleLoader {
 
     /** Starts loading; callbacks are called on the event dispatch thread. */
     ExampleLoader(Palette palette, Consumer<Example> onLoaded, Consumer<Throwable> onFailed) {
-        BackgroundTasks.run(
+        BackgroundTasks.perform(
                 () -> {
                     for (String name : fileNames()) {
                         if (progress.isActive()) {
@@ -26,6 +26,7 @@ final class ExampleLoader {
                         }
                     }
                 },
+                () -> {},
                 failure -> ifActive(() -> onFailed.accept(failure)));
     }
 

@@ -185,7 +185,7 @@ public final class ImportForm extends JPanel {
                 unknownIsWall.isSelected(), (int) minCells.doubleValue(), smoothing.doubleValue());
         Pose wantedStart = findsStart.isSelected() ? null : start.pose();
         Palette palette = Theme.current().palette();
-        BackgroundTasks.run(
+        BackgroundTasks.compute(
                 () -> preview(FloorPlanFiles.read(file, side, options, wantedStart), palette),
                 preview -> end(request, () -> show(preview)),
                 failure -> end(request, () -> showFailure(failure)));

@@ -59,7 +59,7 @@ class BackgroundTasksTest {
     @ParameterizedTest
     @MethodSource("works")
     void theProgramExitsOnlyAfterTheTaskHasEndedEvenIfItFails(String outcome, Callable<String> work) throws Exception {
-        runOnEdt(() -> BackgroundTasks.runBeforeExit(
+        runOnEdt(() -> BackgroundTasks.computeBeforeExit(
                 () -> perform(work), this::addOutcome, failure -> addOutcome(failure.getMessage())));
         assertFalse(worker.get().isDaemon(), "a daemon thread would not keep the program from exiting");
         assertTrue(worker.get().isAlive());
@@ -73,11 +73,11 @@ class BackgroundTasksTest {
     void theProgramExitsOnlyAfterWorkThatIsStartedWithTheResultOfOtherWork() throws Exception {
         CompletableFuture<Void> exit = new CompletableFuture<>();
         runOnEdt(() -> {
-            BackgroundTasks.runBeforeExit(
+            BackgroundTasks.computeBeforeExit(
                     () -> perform(() -> "checked"),
                     checked -> {
                         addOutcome(checked);
-                        BackgroundTasks.runBeforeExit(() -> write(exit), this::addOutcome, failure -> {});
+                        BackgroundTasks.computeBeforeExit(() -> write(exit), this::addOutcome, failure -> {});
                     },
                     failure -> {});
             BackgroundTasks.runAfterAll(() -> {
@@ -103,9 +103,9 @@ class BackgroundTasksTest {
     @Test
     void theProgramAlsoWaitsForWorkThatAResultStarts() {
         runOnEdt(() -> {
-            BackgroundTasks.runBeforeExit(
+            BackgroundTasks.computeBeforeExit(
                     () -> "checked",
-                    checked -> BackgroundTasks.runBeforeExit(
+                    checked -> BackgroundTasks.computeBeforeExit(
                             () -> perform(() -> "written"), this::addOutcome, failure -> {}),
                     failure -> {});
             BackgroundTasks.runAfterAll(() -> addOutcome("exit"));
@@ -120,7 +120,7 @@ class BackgroundTasksTest {
 
     @Test
     void otherTasksEndWithTheProgram() throws Exception {
-        runOnEdt(() -> BackgroundTasks.run(() -> perform(() -> "read"), this::addOutcome, failure -> {}));
+        runOnEdt(() -> BackgroundTasks.compute(() -> perform(() -> "read"), this::addOutcome, failure -> {}));
         assertTrue(worker.get().isDaemon());
         released.complete(null);
         Await.until("the outcome", () -> !outcomes.isEmpty());
