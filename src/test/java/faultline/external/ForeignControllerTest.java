@@ -154,6 +154,17 @@ class ForeignControllerTest {
         assertEquals(2, firstVolts(scenario.setup()));
     }
 
+    @Test
+    void aChosenControllerHasTheSettingsOfAFileThatNamesIt() throws Exception {
+        SimulationSetup named =
+                yard().setup().withController(new ControllerSpec.Provided("right-turner", 0, Map.of("volts", "2")));
+        SimulationSetup other =
+                yard().setup().withController(new ControllerSpec.Provided("other", 0, Map.of("volts", "2")));
+        ControllerChoice choice = ControllerChoice.of("right-turner");
+        assertEquals(2, firstVolts(choice.applyTo(named, null)));
+        assertEquals(firstVolts(choice.applyTo(yard().setup(), null)), firstVolts(choice.applyTo(other, null)));
+    }
+
     private Path fileWith(String controller) throws IOException {
         String yard = Files.readString(Path.of("scenarios/yard.xml"));
         return Files.writeString(folder.resolve("room.xml"), yard.replace("</scenario>", controller + "</scenario>"));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Controller;
 import faultline.control.ControllerProvider;
+import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.ControllerProviders;
 import faultline.engine.RunFailedException;
@@ -189,6 +190,16 @@ class JarControllerSourceTest {
         }
         jar("no.such.Turner");
         assertThrows(RunFailedException.class, () -> new Simulation(setup, ControllerMode.DIRECT));
+    }
+
+    @Test
+    void aControllerFromAJarHasTheSettingsOfAFileThatNamesIt() throws Exception {
+        List<Path> jars = List.of(jar(RightTurner.class.getName()));
+        ControllerSpec named = new ControllerSpec.Provided("right-turner", 0, Map.of("volts", "2"));
+        SimulationSetup setup = Scenario.loadShipped("yard.xml").setup().withController(named);
+        assertEquals(
+                new ControllerSpec.Chosen(named, new JarControllerSource("right-turner", jars, Map.of("volts", "2"))),
+                new ControllerChoice("right-turner", jars).applyTo(setup, null).controller());
     }
 
     @Test
