@@ -96,8 +96,7 @@ public final class WorstRuns {
 
     private Scenario replay(Candidate candidate) throws IOException {
         try {
-            return RunScenario.create(
-                    plan, candidate.rank.run, candidate.rank.outcome.word(), candidate.simulatedSeconds);
+            return ReplayScenario.of(plan, candidate.rank.run, candidate.rank.outcome, candidate.simulatedSeconds);
         } catch (ScenarioException e) {
             throw new IOException("run " + candidate.rank.run + " cannot be replayed: " + e.getMessage(), e);
         }

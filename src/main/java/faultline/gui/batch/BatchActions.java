@@ -1,6 +1,7 @@
 package faultline.gui.batch;
 
-import faultline.campaign.run.RunScenario;
+import faultline.campaign.run.Outcome;
+import faultline.campaign.run.ReplayScenario;
 import faultline.control.ControllerSpec;
 import faultline.external.ControllerChoice;
 import faultline.gui.action.ActionRegistry;
@@ -135,10 +136,10 @@ public final class BatchActions {
      */
     void openRun(RunsDialog dialog, BatchResults results, int row, ControllerChoice controller) {
         int run = Math.toIntExact(results.run(row));
-        String outcome = results.value(row, "outcome");
+        Outcome outcome = Outcome.ofWord(results.value(row, "outcome")).orElseThrow();
         double seconds = Double.parseDouble(results.value(row, "simulated_s"));
         BackgroundTasks.compute(
-                () -> controller.callWithJars(() -> RunScenario.create(results.plan(), run, outcome, seconds)),
+                () -> controller.callWithJars(() -> ReplayScenario.of(results.plan(), run, outcome, seconds)),
                 opened -> openRun(dialog, named(opened, run), controller.jars()),
                 failure -> dialog.showProblem(ErrorMessages.describe(failure)));
     }

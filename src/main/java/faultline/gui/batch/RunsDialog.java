@@ -1,5 +1,6 @@
 package faultline.gui.batch;
 
+import faultline.campaign.run.Outcome;
 import faultline.external.ControllerChoice;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
@@ -137,7 +138,7 @@ abstract class RunsDialog extends JDialog {
 
     /** Opens the run of a row in the window. */
     private void open(int row) {
-        if (results.value(row, "simulated_s").isEmpty()) {
+        if (results.value(row, "outcome").equals(Outcome.BROKEN)) {
             showProblem(Messages.get("batch.broken", results.value(row, "failure")));
         } else {
             actions.openRun(this, results, row, controller);

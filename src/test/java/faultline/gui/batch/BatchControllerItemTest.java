@@ -6,7 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.PlanFiles;
-import faultline.campaign.run.RunScenario;
+import faultline.campaign.run.Outcome;
+import faultline.campaign.run.ReplayScenario;
 import faultline.control.ControllerProvider;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
@@ -141,7 +142,7 @@ class BatchControllerItemTest {
             results.add(row);
         }
         assertNotEquals("broken", results.value(0, "outcome"), results.value(0, "failure"));
-        Scenario first = chosen.callWithJars(() -> RunScenario.create(run.planOrNull(), 0, "lost", 3));
+        Scenario first = chosen.callWithJars(() -> ReplayScenario.of(run.planOrNull(), 0, Outcome.LOST, 3));
         SimulationSetup inWindow = chosen.applyTo(first.setup(), first.name(), line -> {});
         ScenarioRun again = first.withSetup(inWindow).run();
         assertEquals(results.value(0, "trajectory_hash"), again.trajectoryHash());

@@ -14,7 +14,8 @@ import faultline.campaign.report.Interval;
 import faultline.campaign.report.Survival;
 import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.CampaignRunner;
-import faultline.campaign.run.RunScenario;
+import faultline.campaign.run.Outcome;
+import faultline.campaign.run.ReplayScenario;
 import faultline.campaign.run.Shard;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
@@ -214,10 +215,10 @@ class BatchRunTest {
         run.make();
         BatchResults results = results(run);
         for (int index : new int[] {0, 3, results.size() - 1}) {
-            Scenario scenario = RunScenario.create(
+            Scenario scenario = ReplayScenario.of(
                     results.plan(),
                     index,
-                    results.value(index, "outcome"),
+                    Outcome.ofWord(results.value(index, "outcome")).orElseThrow(),
                     Double.parseDouble(results.value(index, "simulated_s")));
             assertEquals(results.value(index, "trajectory_hash"), hashInSession(scenario), "run " + index);
         }

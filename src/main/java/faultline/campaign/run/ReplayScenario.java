@@ -7,20 +7,20 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 
 /** Makes the scenario that replays a run of a campaign, with the same duration and trajectory hash. */
-public final class RunScenario {
+public final class ReplayScenario {
 
-    private RunScenario() {}
+    private ReplayScenario() {}
 
     /**
-     * {@return the scenario of a run}
+     * {@return the scenario that replays a run; its description gives the values and the outcome of the run}
      *
      * @param plan the plan of the campaign
      * @param index the number of the run
-     * @param outcome the outcome in the table
+     * @param outcome the outcome of the run
      * @param simulatedSeconds the duration of the run, seconds
      * @throws ScenarioException if the plan's values, each valid by itself, do not make a valid scenario together
      */
-    public static Scenario create(CampaignPlan plan, long index, String outcome, double simulatedSeconds)
+    public static Scenario of(CampaignPlan plan, long index, Outcome outcome, double simulatedSeconds)
             throws ScenarioException {
         PlannedRun run = plan.run(index);
         Scenario scenario = plan.scenario(run);
@@ -32,7 +32,7 @@ public final class RunScenario {
                 Expectation.NONE);
     }
 
-    private static String description(CampaignPlan plan, PlannedRun run, String outcome) {
+    private static String description(CampaignPlan plan, PlannedRun run, Outcome outcome) {
         StringBuilder text = new StringBuilder("Run " + run.index() + " of "
                 + plan.header().name() + ": world " + run.world() + ", seed " + run.seed());
         for (int i = 0; i < run.cells().size(); i++) {
@@ -43,6 +43,6 @@ public final class RunScenario {
                         .append(run.cells().get(i));
             }
         }
-        return text + "; outcome " + outcome;
+        return text + "; outcome " + outcome.word();
     }
 }
