@@ -56,11 +56,11 @@ public record Expectation(List<Condition> conditions) {
     /**
      * {@return the conditions that do not hold in a run, one sentence for each}
      *
-     * @param result the result of the run
+     * @param facts the facts of the run
      */
-    public List<String> unmet(RunOutcome result) {
+    public List<String> unmet(RunFacts facts) {
         return conditions.stream()
-                .flatMap(condition -> condition.unmet(result).stream())
+                .flatMap(condition -> condition.unmet(facts).stream())
                 .toList();
     }
 
@@ -81,9 +81,9 @@ public record Expectation(List<Condition> conditions) {
         /**
          * {@return a sentence about how the run fails to meet the condition; empty if the condition is met}
          *
-         * @param result the result of the run
+         * @param facts the facts of the run
          */
-        Optional<String> unmet(RunOutcome result);
+        Optional<String> unmet(RunFacts facts);
 
         private static Optional<String> expected(String wanted, String found) {
             return Optional.of("expected " + wanted + ", but " + found);
@@ -135,12 +135,12 @@ public record Expectation(List<Condition> conditions) {
         }
 
         @Override
-        public Optional<String> unmet(RunOutcome result) {
-            return wanted == result.collision().isPresent()
+        public Optional<String> unmet(RunFacts facts) {
+            return wanted == facts.collision().isPresent()
                     ? Optional.empty()
                     : Condition.expected(
                             wanted ? "a collision" : "no collision",
-                            result.collision().map(Collides::describe).orElse("there was none"));
+                            facts.collision().map(Collides::describe).orElse("there was none"));
         }
 
         private static String describe(Collision collision) {
@@ -176,16 +176,16 @@ public record Expectation(List<Condition> conditions) {
         }
 
         @Override
-        public Optional<String> unmet(RunOutcome result) {
-            return result.coverage().orElse(0) >= share
+        public Optional<String> unmet(RunFacts facts) {
+            return facts.coverage().orElse(0) >= share
                     ? Optional.empty()
                     : Condition.expected(
                             "a coverage of at least " + DecimalText.format(share),
                             Condition.describe(
-                                    result.coverage().orElse(Double.NaN),
+                                    facts.coverage().orElse(Double.NaN),
                                     share,
                                     COVERAGE_DECIMALS,
-                                    result.isPathTooLong() ? "it is not known" : "no wall was followed"));
+                                    facts.isPathTooLong() ? "it is not known" : "no wall was followed"));
         }
     }
 
@@ -214,13 +214,13 @@ public record Expectation(List<Condition> conditions) {
         }
 
         @Override
-        public Optional<String> unmet(RunOutcome result) {
-            return result.distanceRms().orElse(Double.POSITIVE_INFINITY) <= metres
+        public Optional<String> unmet(RunFacts facts) {
+            return facts.distanceRms().orElse(Double.POSITIVE_INFINITY) <= metres
                     ? Optional.empty()
                     : Condition.expected(
                             "a distance error of at most " + DecimalText.format(metres) + " m RMS",
                             Condition.describe(
-                                    result.distanceRms().orElse(Double.NaN),
+                                    facts.distanceRms().orElse(Double.NaN),
                                     metres,
                                     RMS_DECIMALS,
                                     "no straight wall was followed"));
@@ -240,14 +240,14 @@ public record Expectation(List<Condition> conditions) {
         }
 
         @Override
-        public Optional<String> unmet(RunOutcome result) {
-            return result.visitedStates().contains(state)
+        public Optional<String> unmet(RunFacts facts) {
+            return facts.visitedStates().contains(state)
                     ? Optional.empty()
-                    : Condition.expected("the state " + state, "it was never reached; passed: " + passed(result));
+                    : Condition.expected("the state " + state, "it was never reached; passed: " + passed(facts));
         }
 
-        private static String passed(RunOutcome result) {
-            return result.visitedStates().stream().map(ControllerState::name).collect(Collectors.joining(" "));
+        private static String passed(RunFacts facts) {
+            return facts.visitedStates().stream().map(ControllerState::name).collect(Collectors.joining(" "));
         }
     }
 
@@ -264,10 +264,10 @@ public record Expectation(List<Condition> conditions) {
         }
 
         @Override
-        public Optional<String> unmet(RunOutcome result) {
-            return state.equals(result.finalState())
+        public Optional<String> unmet(RunFacts facts) {
+            return state.equals(facts.finalState())
                     ? Optional.empty()
-                    : Condition.expected("the final state " + state, "it is " + result.finalState());
+                    : Condition.expected("the final state " + state, "it is " + facts.finalState());
         }
     }
 }

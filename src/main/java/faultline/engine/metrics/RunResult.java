@@ -44,7 +44,7 @@ public record RunResult(
         String rung,
         List<RunEvent> diagnosisEvents,
         Snapshot finalSnapshot)
-        implements RunOutcome {
+        implements RunFacts {
 
     /**
      * Creates a result from copies of the lists.
@@ -79,16 +79,16 @@ public record RunResult(
 
     @Override
     public OptionalDouble coverage() {
-        return RunOutcome.ifNumber(coverageOrNaN);
+        return RunFacts.ifNumber(coverageOrNaN);
     }
 
     @Override
     public OptionalDouble distanceRms() {
-        return RunOutcome.ifNumber(distanceRmsOrNaN);
+        return RunFacts.ifNumber(distanceRmsOrNaN);
     }
 
     /** {@return the distance error in all of FOLLOW, metres, root mean square; empty without any} */
     public OptionalDouble followRms() {
-        return RunOutcome.ifNumber(followRmsOrNaN);
+        return RunFacts.ifNumber(followRmsOrNaN);
     }
 }

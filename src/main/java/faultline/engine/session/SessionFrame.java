@@ -4,8 +4,8 @@ import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.Telemetry;
 import faultline.engine.Frame;
+import faultline.engine.metrics.RunFacts;
 import faultline.engine.metrics.RunMeasures;
-import faultline.engine.metrics.RunOutcome;
 import faultline.engine.recording.Recording;
 import faultline.engine.recording.StateTally;
 import faultline.world.Collision;
@@ -25,7 +25,7 @@ import java.util.OptionalDouble;
  */
 public record SessionFrame(
         Frame frame, Recording recording, RunMeasures measures, ControllerSpec controller, String controllerName)
-        implements RunOutcome {
+        implements RunFacts {
 
     /**
      * Creates a frame of a run that is not measured.
@@ -66,7 +66,7 @@ public record SessionFrame(
 
     @Override
     public OptionalDouble coverage() {
-        return RunOutcome.ifNumber(measures.coverage());
+        return RunFacts.ifNumber(measures.coverage());
     }
 
     @Override
@@ -76,6 +76,6 @@ public record SessionFrame(
 
     @Override
     public OptionalDouble distanceRms() {
-        return RunOutcome.ifNumber(measures.distanceRms());
+        return RunFacts.ifNumber(measures.distanceRms());
     }
 }

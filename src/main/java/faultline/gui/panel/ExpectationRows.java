@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.engine.metrics.Expectation;
-import faultline.engine.metrics.RunOutcome;
+import faultline.engine.metrics.RunFacts;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
@@ -31,14 +31,14 @@ final class ExpectationRows extends JPanel {
     }
 
     /** Shows how a run stands beside what is expected. Once it has ended, what does not hold has failed. */
-    void setOutcome(List<Expectation.Condition> required, RunOutcome outcome, boolean ended) {
+    void setFacts(List<Expectation.Condition> required, RunFacts facts, boolean ended) {
         if (!required.equals(items)) {
             items = required;
             rebuild();
         }
         for (int i = 0; i < items.size(); i++) {
-            setStatus(labels.get(i), items.get(i), items.get(i).unmet(outcome).isEmpty(), ended);
-            values.get(i).setValue(ExpectationText.value(items.get(i), outcome));
+            setStatus(labels.get(i), items.get(i), items.get(i).unmet(facts).isEmpty(), ended);
+            values.get(i).setValue(ExpectationText.value(items.get(i), facts));
         }
     }
 

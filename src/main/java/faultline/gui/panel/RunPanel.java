@@ -107,7 +107,7 @@ public final class RunPanel extends JPanel {
         }
         double left = scenario.setup().duration() - frame.snapshot().time();
         timeLeft.setValue(left > 0 ? ExpectationText.number("%.1f s", left) : Messages.get("run.noTimeLeft"));
-        expectations.setOutcome(scenario.expectation().conditions(), frame, left <= 0);
+        expectations.setFacts(scenario.expectation().conditions(), frame, left <= 0);
     }
 
     private static List<String> diagnosedSensors(SimulationSetup setup) {

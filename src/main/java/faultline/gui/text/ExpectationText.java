@@ -2,7 +2,7 @@ package faultline.gui.text;
 
 import faultline.engine.metrics.Expectation;
 import faultline.engine.metrics.Expectation.ConditionCases;
-import faultline.engine.metrics.RunOutcome;
+import faultline.engine.metrics.RunFacts;
 import faultline.io.DecimalText;
 import java.math.BigDecimal;
 import java.util.Locale;
@@ -26,14 +26,14 @@ public final class ExpectationText {
     }
 
     /** Returns the result of the run so far. */
-    public static String value(Expectation.Condition condition, RunOutcome outcome) {
+    public static String value(Expectation.Condition condition, RunFacts facts) {
         return condition.match(new ConditionCases<>(
-                collides -> Messages.get(outcome.collision().isEmpty() ? "expect.none" : "expect.collided"),
-                coverage -> percent(outcome.coverage().orElse(Double.NaN)),
-                distance -> millimetres(outcome.distanceRms().orElse(Double.NaN)),
+                collides -> Messages.get(facts.collision().isEmpty() ? "expect.none" : "expect.collided"),
+                coverage -> percent(facts.coverage().orElse(Double.NaN)),
+                distance -> millimetres(facts.distanceRms().orElse(Double.NaN)),
                 visited -> Messages.get(
-                        outcome.visitedStates().contains(visited.state()) ? "expect.reached" : "expect.notReached"),
-                last -> StateText.name(outcome.finalState())));
+                        facts.visitedStates().contains(visited.state()) ? "expect.reached" : "expect.notReached"),
+                last -> StateText.name(facts.finalState())));
     }
 
     /** Returns a value times a power of ten, without the error of a multiplication of doubles. */

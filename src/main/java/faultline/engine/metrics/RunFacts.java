@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** The state of a run that expectations are compared with, during the run or at its end. */
-public interface RunOutcome {
+/** The facts of a run that expectations are compared with, during the run or at its end. */
+public interface RunFacts {
 
     /** {@return the controller's last state} */
     ControllerState finalState();
