@@ -48,7 +48,7 @@ public record CampaignCell(
      * @param plan the plan
      */
     public static List<String> labelColumns(CampaignPlan plan) {
-        return new CellTable(new RunData(plan, List.of())).labelColumns();
+        return new CellTable(new CampaignRuns(plan, List.of())).labelColumns();
     }
 
     /**
@@ -59,7 +59,7 @@ public record CampaignCell(
      */
     public static List<CampaignCell> allOf(CampaignPlan plan, List<List<String>> lines) {
         List<CampaignCell> cells = new ArrayList<>();
-        new CellTable(new RunData(plan, lines)).groups().forEach((key, rows) -> {
+        new CellTable(new CampaignRuns(plan, lines)).groups().forEach((key, rows) -> {
             int rung = key.size() - 1;
             if (key.get(rung).equals(ALL)) {
                 cells.add(of(key.subList(0, rung), rows));
@@ -76,7 +76,7 @@ public record CampaignCell(
      * @param lines the cells of the header and of the rows of {@code runs.csv}
      */
     public static long repeatCount(CampaignPlan plan, List<List<String>> lines) {
-        return new RunData(plan, lines).repeatCount();
+        return new CampaignRuns(plan, lines).repeatCount();
     }
 
     private static CampaignCell of(List<String> labels, List<RunRow> rows) {
@@ -90,6 +90,6 @@ public record CampaignCell(
     }
 
     private static double mean(List<RunRow> rows, String column) {
-        return Arrays.stream(RunData.values(rows, column)).average().orElse(Double.NaN);
+        return Arrays.stream(CampaignRuns.values(rows, column)).average().orElse(Double.NaN);
     }
 }

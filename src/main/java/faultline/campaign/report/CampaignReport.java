@@ -25,7 +25,7 @@ public final class CampaignReport {
      */
     private static final int FEW_CLUSTERS = 10;
 
-    private final RunData data;
+    private final CampaignRuns campaign;
     private final Path folder;
 
     /**
@@ -37,17 +37,17 @@ public final class CampaignReport {
      */
     public CampaignReport(Path folder) throws IOException, ScenarioException {
         this.folder = folder;
-        this.data = RunData.read(folder);
+        this.campaign = CampaignRuns.read(folder);
     }
 
     /** {@return the number of runs in the report} */
     public int runCount() {
-        return data.rows().size();
+        return campaign.rows().size();
     }
 
     /** {@return the numbers of every cell as CSV} */
     public String cellsCsv() {
-        return new CellTable(data).csv();
+        return new CellTable(campaign).csv();
     }
 
     /**
@@ -56,11 +56,11 @@ public final class CampaignReport {
      * @param jars the jars that the plan's controllers in Java come from, for the commands that open runs
      */
     public String html(List<Path> jars) {
-        CampaignPlan plan = data.plan();
+        CampaignPlan plan = campaign.plan();
         String title =
                 plan.header().name().isEmpty() ? "Campaign" : plan.header().name();
-        FaultSections faults = new FaultSections(data);
-        VariantSections variants = new VariantSections(data);
+        FaultSections faults = new FaultSections(campaign);
+        VariantSections variants = new VariantSections(campaign);
         return Html.page(
                 title,
                 plan.header().description(),
@@ -76,14 +76,14 @@ public final class CampaignReport {
     }
 
     private String summary() {
-        CampaignPlan plan = data.plan();
-        Survival all = Survival.of(data.rows());
+        CampaignPlan plan = campaign.plan();
+        Survival all = Survival.of(campaign.rows());
         List<List<String>> rows = new ArrayList<>();
         for (Outcome outcome : Outcome.values()) {
             addOutcome(outcome.word(), rows);
         }
         addOutcome(Outcome.BROKEN, rows);
-        String size = data.rows().size() + " of " + Html.count(plan.runCount(), "run") + ": "
+        String size = campaign.rows().size() + " of " + Html.count(plan.runCount(), "run") + ": "
                 + Html.count(plan.worldCount(), "world") + ", " + Html.count(plan.seedCount(), "seed") + " each, "
                 + Html.count(plan.cellCount(), "combination") + " in each. ";
         String meaning =
@@ -101,7 +101,7 @@ public final class CampaignReport {
     }
 
     private String ownFaults() {
-        List<String> scenarios = data.plan().scenariosWithFaults();
+        List<String> scenarios = campaign.plan().scenariosWithFaults();
         return scenarios.isEmpty()
                 ? ""
                 : Html.paragraph(
@@ -112,7 +112,7 @@ public final class CampaignReport {
 
     /** Returns how intervals regard runs that are not independent. */
     private String independence() {
-        CampaignPlan plan = data.plan();
+        CampaignPlan plan = campaign.plan();
         boolean worlds = plan.worldCount() > 1;
         int count = worlds ? plan.worldCount() : plan.seedCount();
         String effect = worlds
@@ -125,7 +125,7 @@ public final class CampaignReport {
     }
 
     private String repeats() {
-        long count = data.repeatCount();
+        long count = campaign.repeatCount();
         return count == 0
                 ? ""
                 : Html.paragraph(
@@ -153,7 +153,7 @@ public final class CampaignReport {
     }
 
     private long count(String outcome) {
-        return data.rows().stream()
+        return campaign.rows().stream()
                 .filter(row -> row.text("outcome").equals(outcome))
                 .count();
     }
@@ -164,13 +164,13 @@ public final class CampaignReport {
             rows.add(List.of(
                     word.replace('_', ' '),
                     String.valueOf(count),
-                    Html.percent((double) count / data.rows().size())));
+                    Html.percent((double) count / campaign.rows().size())));
         }
     }
 
     /** Returns the runs that have a separate scenario file; none in an unfinished campaign. */
     private String worstRuns(List<Path> jars) {
-        List<RunRow> worst = data.rows().stream()
+        List<RunRow> worst = campaign.rows().stream()
                 .filter(row -> Outcome.ofWord(row.text("outcome")).isPresent())
                 .sorted(Comparator.comparing(CampaignReport::rank))
                 .limit(WorstRuns.COUNT)
@@ -199,7 +199,7 @@ public final class CampaignReport {
 
     private List<String> worstRow(RunRow row, String options) {
         StringBuilder varied = new StringBuilder();
-        for (Column column : data.plan().factorColumns()) {
+        for (Column column : campaign.plan().factorColumns()) {
             String text = row.text(column.name());
             if (!text.isEmpty()) {
                 varied.append(varied.isEmpty() ? "" : ", ")
@@ -223,7 +223,7 @@ public final class CampaignReport {
     }
 
     private String dictionary() {
-        List<List<String>> rows = ResultColumns.of(data.plan()).stream()
+        List<List<String>> rows = ResultColumns.of(campaign.plan()).stream()
                 .map(column -> List.of(
                         "<code>" + Html.escape(column.name()) + "</code>",
                         Html.escape(column.unit()),

@@ -41,15 +41,15 @@ public record CampaignTable(CampaignPlan plan, List<List<String>> lines, boolean
      * @throws ScenarioException if the copy of the plan is not valid
      */
     public static CampaignTable read(Path folder) throws IOException, ScenarioException {
-        RunData data = RunData.read(folder);
+        CampaignRuns campaign = CampaignRuns.read(folder);
         List<String> columns =
-                ResultColumns.of(data.plan()).stream().map(Column::name).toList();
+                ResultColumns.of(campaign.plan()).stream().map(Column::name).toList();
         List<List<String>> lines = new ArrayList<>();
         lines.add(columns);
-        data.rows().stream()
+        campaign.rows().stream()
                 .sorted(Comparator.comparingLong(row -> Long.parseLong(row.text("run"))))
                 .map(row -> columns.stream().map(row::text).toList())
                 .forEach(lines::add);
-        return new CampaignTable(data.plan(), lines, new CampaignFolder(folder).isOfThisProgram(data.plan()));
+        return new CampaignTable(campaign.plan(), lines, new CampaignFolder(folder).isOfThisProgram(campaign.plan()));
     }
 }

@@ -21,16 +21,16 @@ final class CellTable {
     /** The label of a cell that is a sum over all faults, sensors or rungs. */
     static final String ALL = "all";
 
-    private final RunData data;
+    private final CampaignRuns campaign;
     private final List<FactorSummary> levels;
     private final List<FaultColumns> faults;
 
-    CellTable(RunData data) {
-        this.data = data;
-        this.levels = data.plan().factors().stream()
+    CellTable(CampaignRuns campaign) {
+        this.campaign = campaign;
+        this.levels = campaign.plan().factors().stream()
                 .filter(factor -> factor.kind() != FactorKind.FAULTS && factor.levelCount() > 1)
                 .toList();
-        this.faults = data.faults();
+        this.faults = campaign.faults();
     }
 
     String csv() {
@@ -74,7 +74,7 @@ final class CellTable {
     /** Returns the runs of every cell by its labels, the rung last. */
     Map<List<String>, List<RunRow>> groups() {
         Map<List<String>, List<RunRow>> groups = new LinkedHashMap<>();
-        for (RunRow row : data.rows()) {
+        for (RunRow row : campaign.rows()) {
             List<String> level = levels.stream()
                     .map(factor -> row.text(factor.columns().get(0).name()))
                     .toList();
@@ -149,7 +149,7 @@ final class CellTable {
             }
         }
         cells.add(count(rows, Outcome.BROKEN));
-        cells.add(Integer.toString(RunData.values(rows, FaultSections.DELAY).length));
+        cells.add(Integer.toString(CampaignRuns.values(rows, FaultSections.DELAY).length));
         cells.add(quantile(rows, FaultSections.DELAY, 0.5));
         cells.add(quantile(rows, FaultSections.DELAY, 0.9));
         cells.add(Long.toString(rows.stream()
@@ -161,7 +161,7 @@ final class CellTable {
     }
 
     private static String quantile(List<RunRow> rows, String column, double share) {
-        OptionalDouble value = LowerQuantile.of(RunData.values(rows, column), share);
+        OptionalDouble value = LowerQuantile.of(CampaignRuns.values(rows, column), share);
         return value.isPresent() ? fixed(value.getAsDouble()) : "";
     }
 

@@ -19,7 +19,7 @@ final class Comparison {
      */
     private static final int MAX_GROUPS = 40;
 
-    private final RunData data;
+    private final CampaignRuns campaign;
     private final String column;
     private final List<Integer> otherColumns;
 
@@ -43,14 +43,14 @@ final class Comparison {
         }
     }
 
-    Comparison(RunData data, FactorSummary factor) {
-        this.data = data;
+    Comparison(CampaignRuns campaign, FactorSummary factor) {
+        this.campaign = campaign;
         this.column = factor.columns().get(0).name();
         List<String> own = factor.columns().stream().map(Column::name).toList();
-        this.otherColumns = data.plan().factorColumns().stream()
+        this.otherColumns = campaign.plan().factorColumns().stream()
                 .map(Column::name)
                 .filter(name -> !own.contains(name))
-                .map(data::index)
+                .map(campaign::index)
                 .toList();
     }
 
@@ -60,7 +60,7 @@ final class Comparison {
 
     /** Returns the levels in the order of the plan. */
     Map<String, List<RunRow>> levels(List<RunRow> rows) {
-        return RunData.group(rows, row -> row.text(column));
+        return CampaignRuns.group(rows, row -> row.text(column));
     }
 
     private String pairKey(RunRow row) {
@@ -129,12 +129,12 @@ final class Comparison {
     /** Returns the runs of each fault or pair of faults, all of them under "all runs" first. */
     Map<String, List<RunRow>> faultGroups() {
         Map<String, List<RunRow>> groups = new LinkedHashMap<>();
-        groups.put("all runs", data.rows());
-        Map<String, List<RunRow>> faults = RunData.group(data.rows(), data::faultName);
+        groups.put("all runs", campaign.rows());
+        Map<String, List<RunRow>> faults = CampaignRuns.group(campaign.rows(), campaign::faultName);
         if (faults.size() > MAX_GROUPS) {
-            groups.putAll(RunData.group(data.rows(), data::faultKind));
-            if (data.faults().size() == 1) {
-                groups.putAll(RunData.group(data.rows(), data::failingPart));
+            groups.putAll(CampaignRuns.group(campaign.rows(), campaign::faultKind));
+            if (campaign.faults().size() == 1) {
+                groups.putAll(CampaignRuns.group(campaign.rows(), campaign::failingPart));
             }
         } else if (faults.size() > 1) {
             groups.putAll(faults);

@@ -30,29 +30,34 @@ final class FaultSections {
     /** The minimum share of runs in which the robot carries on with a sufficient set of sensors. */
     private static final double SUFFICIENT = 0.85;
 
-    private final RunData data;
+    private final CampaignRuns campaign;
 
-    FaultSections(RunData data) {
-        this.data = data;
+    FaultSections(CampaignRuns campaign) {
+        this.campaign = campaign;
     }
 
     /** Returns a matrix of faults by sensors for each level of the first compared factor, empty without faults. */
     String matrix() {
-        if (data.faults().isEmpty()) {
+        if (campaign.faults().isEmpty()) {
             return "";
         }
         StringBuilder tables = new StringBuilder();
-        Optional<String> compared = data.comparedFactors().stream()
+        Optional<String> compared = campaign.comparedFactors().stream()
                 .map(factor -> factor.columns().get(0).name())
                 .findFirst();
-        RunData.group(data.rows(), row -> compared.map(row::text).orElse("")).forEach((level, rows) -> {
-            compared.ifPresent(column -> tables.append("<h3>")
-                    .append(Html.escape(column + " " + level))
-                    .append("</h3>\n"));
-            List<RunRow> healthy = rows.stream().filter(data::isHealthy).toList();
-            tables.append(healthy.isEmpty() ? "" : "<p>Healthy: " + Html.survival(Survival.of(healthy)) + ".</p>\n")
-                    .append(tables(rows, runs -> Html.survivalCell(Survival.of(runs))));
-        });
+        CampaignRuns.group(campaign.rows(), row -> compared.map(row::text).orElse(""))
+                .forEach((level, rows) -> {
+                    compared.ifPresent(column -> tables.append("<h3>")
+                            .append(Html.escape(column + " " + level))
+                            .append("</h3>\n"));
+                    List<RunRow> healthy =
+                            rows.stream().filter(campaign::isHealthy).toList();
+                    tables.append(
+                                    healthy.isEmpty()
+                                            ? ""
+                                            : "<p>Healthy: " + Html.survival(Survival.of(healthy)) + ".</p>\n")
+                            .append(tables(rows, runs -> Html.survivalCell(Survival.of(runs))));
+                });
         return Html.section(
                 "Survival by fault and sensor",
                 Html.paragraph("Share of runs in which the robot carried on, with its 95 % interval (Wilson) and the"
@@ -61,7 +66,7 @@ final class FaultSections {
     }
 
     private String otherFaults() {
-        return data.faults().size() == 1
+        return campaign.faults().size() == 1
                 ? ""
                 : " The plan has several faults in a run, with a table for each of them. The runs of a cell may also"
                         + " have the other faults. Healthy runs have none.";
@@ -69,7 +74,7 @@ final class FaultSections {
 
     /** Returns a table for each element of faults in the plan, of those runs in which its fault acts. */
     private String tables(List<RunRow> rows, Function<List<RunRow>, String> cell) {
-        return data.faults().stream()
+        return campaign.faults().stream()
                 .map(columns ->
                         table(columns, rows.stream().filter(columns::isFailing).toList(), cell))
                 .collect(Collectors.joining());
@@ -77,11 +82,11 @@ final class FaultSections {
 
     /** Returns a table with a row for each fault and for all of them, and a column for each part that fails. */
     private String table(FaultColumns columns, List<RunRow> faulty, Function<List<RunRow>, String> cell) {
-        Set<String> parts = RunData.group(faulty, columns::failingPart).keySet();
-        Map<String, List<RunRow>> lines = RunData.group(faulty, row -> row.text(columns.fault()));
+        Set<String> parts = CampaignRuns.group(faulty, columns::failingPart).keySet();
+        Map<String, List<RunRow>> lines = CampaignRuns.group(faulty, row -> row.text(columns.fault()));
         List<List<String>> rows = new ArrayList<>();
         BiConsumer<String, List<RunRow>> addLine = (name, group) -> {
-            Map<String, List<RunRow>> cells = RunData.group(group, columns::failingPart);
+            Map<String, List<RunRow>> cells = CampaignRuns.group(group, columns::failingPart);
             List<String> line = new ArrayList<>(List.of(name));
             parts.forEach(each -> line.add(cell.apply(cells.getOrDefault(each, List.of()))));
             line.add(cell.apply(group));
@@ -90,7 +95,7 @@ final class FaultSections {
         lines.forEach((name, group) -> addLine.accept(Html.escape(name), group));
         addLine.accept("all faults", faulty);
         List<String> header =
-                new ArrayList<>(List.of(data.faults().size() == 1 ? "fault" : Html.escape(columns.fault())));
+                new ArrayList<>(List.of(campaign.faults().size() == 1 ? "fault" : Html.escape(columns.fault())));
         parts.forEach(each -> header.add(Html.escape(each)));
         header.add("all");
         return Html.table("matrix", header, rows);
@@ -98,21 +103,21 @@ final class FaultSections {
 
     /** Returns the delays of detection by fault and part, empty if the runs have none. */
     String delays() {
-        if (data.faults().isEmpty() || !data.has(DELAY)) {
+        if (campaign.faults().isEmpty() || !campaign.has(DELAY)) {
             return "";
         }
-        List<RunRow> diagnosed = data.rows().stream()
-                .filter(row -> !row.text("final_rung").isEmpty() && !data.isHealthy(row))
+        List<RunRow> diagnosed = campaign.rows().stream()
+                .filter(row -> !row.text("final_rung").isEmpty() && !campaign.isHealthy(row))
                 .toList();
         return Html.section(
                 "Detection delays",
                 Html.paragraph(DELAYS_EXPLAINED)
                         + tables(diagnosed, FaultSections::delayCell)
-                        + ReportCharts.histogram("detection delay (s)", RunData.values(diagnosed, DELAY)));
+                        + ReportCharts.histogram("detection delay (s)", CampaignRuns.values(diagnosed, DELAY)));
     }
 
     private static String delayCell(List<RunRow> rows) {
-        int detected = RunData.values(rows, DELAY).length;
+        int detected = CampaignRuns.values(rows, DELAY).length;
         if (detected == 0) {
             return "&ndash;";
         }
@@ -122,19 +127,20 @@ final class FaultSections {
 
     /** Returns a quantile of the delays of runs, of which at least one has a delay. */
     private static String seconds(List<RunRow> rows, double share) {
-        double value = LowerQuantile.of(RunData.values(rows, DELAY), share).orElseThrow();
+        double value = LowerQuantile.of(CampaignRuns.values(rows, DELAY), share).orElseThrow();
         return Html.format(value < 10 ? "%.2f" : "%.0f", value);
     }
 
     /** Returns the smallest sets of sensors with which the robot carries on, empty without masks. */
     String sensorSets() {
-        Optional<FactorSummary> masks = data.factor(FactorKind.MASKS);
+        Optional<FactorSummary> masks = campaign.factor(FactorKind.MASKS);
         if (masks.isEmpty()) {
             return "";
         }
         String column = masks.get().columns().get(0).name();
         Map<String, Survival> sets = new HashMap<>();
-        RunData.group(data.rows(), row -> row.text(column)).forEach((set, rows) -> sets.put(set, Survival.of(rows)));
+        CampaignRuns.group(campaign.rows(), row -> row.text(column))
+                .forEach((set, rows) -> sets.put(set, Survival.of(rows)));
         return Html.section(
                 "Minimum sets of sensors",
                 Html.paragraph("A set is sufficient if the robot carries on in at least 85 % of its runs, minimal if no"

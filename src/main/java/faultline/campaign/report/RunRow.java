@@ -7,16 +7,16 @@ import java.util.OptionalInt;
 /**
  * One row of {@code runs.csv}.
  *
- * @param data the table
+ * @param campaign all runs of the table
  * @param firstEqual the index of the first row of the same run: its world, levels and draws are the same, and so is its
  *     trajectory, which therefore does not depend on the seed
  * @param cells the cells
  */
-record RunRow(RunData data, int firstEqual, List<String> cells) {
+record RunRow(CampaignRuns campaign, int firstEqual, List<String> cells) {
 
     /** Returns a cell, empty if there is no such column. */
     String text(String column) {
-        int index = data.index(column);
+        int index = campaign.index(column);
         return index < 0 ? "" : cells.get(index);
     }
 
@@ -45,6 +45,6 @@ record RunRow(RunData data, int firstEqual, List<String> cells) {
 
     /** Returns the key by which runs are independent: the world, or the block if there is only one world. */
     String cluster() {
-        return text(data.worldCount() > 1 ? "world" : "block");
+        return text(campaign.worldCount() > 1 ? "world" : "block");
     }
 }

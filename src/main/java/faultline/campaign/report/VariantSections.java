@@ -19,18 +19,18 @@ final class VariantSections {
 
     private static final int BINS = 10;
 
-    private final RunData data;
+    private final CampaignRuns campaign;
 
-    VariantSections(RunData data) {
-        this.data = data;
+    VariantSections(CampaignRuns campaign) {
+        this.campaign = campaign;
     }
 
     /** Returns a section for each compared factor. */
     String comparisons() {
         StringBuilder out = new StringBuilder();
-        for (FactorSummary factor : data.comparedFactors()) {
-            Comparison comparison = new Comparison(data, factor);
-            List<String> levels = List.copyOf(comparison.levels(data.rows()).keySet());
+        for (FactorSummary factor : campaign.comparedFactors()) {
+            Comparison comparison = new Comparison(campaign, factor);
+            List<String> levels = List.copyOf(comparison.levels(campaign.rows()).keySet());
             if (levels.size() > 1) {
                 out.append(Html.section(
                         comparison.column() + ": " + String.join(", ", levels), comparison(comparison, levels)));
@@ -47,7 +47,7 @@ final class VariantSections {
                 + survivals(comparison, levels)
                 + Html.paragraph("Means of other numbers, and their paired differences to " + levels.get(0)
                         + " with 95 % intervals (Student's t over "
-                        + (data.worldCount() > 1 ? "worlds" : "seeds and draws") + ").")
+                        + (campaign.worldCount() > 1 ? "worlds" : "seeds and draws") + ").")
                 + metricTable(comparison, levels);
     }
 
@@ -139,10 +139,10 @@ final class VariantSections {
         List<String> header = new ArrayList<>(List.of("number"));
         levels.forEach(level -> header.add(Html.escape(level)));
         levels.stream().skip(1).forEach(level -> header.add("difference of " + Html.escape(level)));
-        Map<String, List<RunRow>> byLevel = comparison.levels(data.rows());
+        Map<String, List<RunRow>> byLevel = comparison.levels(campaign.rows());
         List<List<String>> rows = new ArrayList<>();
         for (String metric : METRICS) {
-            if (data.has(metric)) {
+            if (campaign.has(metric)) {
                 List<String> row = new ArrayList<>(List.of(metric));
                 levels.forEach(level -> row.add(mean(byLevel.get(level), metric)));
                 levels.stream()
@@ -158,7 +158,7 @@ final class VariantSections {
     }
 
     private static String mean(List<RunRow> rows, String metric) {
-        double[] values = RunData.values(rows, metric);
+        double[] values = CampaignRuns.values(rows, metric);
         return values.length == 0
                 ? "&ndash;"
                 : Html.number(Arrays.stream(values).average().orElse(0)) + " <small>n " + values.length + "</small>";
@@ -167,7 +167,7 @@ final class VariantSections {
     /** Returns charts of the share carried on over each number that is drawn or has many levels. */
     String responses() {
         StringBuilder charts = new StringBuilder();
-        for (Column column : data.continuousColumns()) {
+        for (Column column : campaign.continuousColumns()) {
             responseGroups(column).forEach((name, rows) -> charts.append(response(column, name, rows)));
         }
         return charts.isEmpty()
@@ -181,12 +181,12 @@ final class VariantSections {
 
     /** Returns the runs by kind of fault, because the meaning of a fault's value depends on its kind. */
     private Map<String, List<RunRow>> responseGroups(Column column) {
-        Optional<FaultColumns> faults = data.faults().stream()
+        Optional<FaultColumns> faults = campaign.faults().stream()
                 .filter(columns ->
                         columns.all().contains(column.name()) && column.unit().isEmpty())
                 .findFirst();
-        return RunData.group(
-                data.rows().stream()
+        return CampaignRuns.group(
+                campaign.rows().stream()
                         .filter(row -> row.number(column.name()).isPresent())
                         .toList(),
                 row -> faults.map(columns -> ", " + row.text(columns.fault())).orElse(""));
@@ -197,7 +197,7 @@ final class VariantSections {
                 .filter(row ->
                         row.number(column.name()).isPresent() && row.carriedOn().isPresent())
                 .toList();
-        double[] values = RunData.values(rows, column.name());
+        double[] values = CampaignRuns.values(rows, column.name());
         double low = Arrays.stream(values).min().orElse(0);
         double high = Arrays.stream(values).max().orElse(1);
         List<ReportCharts.Estimate> points = new ArrayList<>();
@@ -227,7 +227,7 @@ final class VariantSections {
         StringBuilder charts = new StringBuilder();
         for (String metric :
                 List.of("coverage", "wall_share", "laps", "distance_rms_m", "follow_rms_m", "simulated_s")) {
-            double[] values = RunData.values(data.rows(), metric);
+            double[] values = CampaignRuns.values(campaign.rows(), metric);
             if (values.length > 0) {
                 charts.append(ReportCharts.histogram(metric, values));
             }

@@ -29,8 +29,8 @@ class CampaignAnswersTest {
         CampaignPlan plan =
                 SamplePlan.read(text.replace("<healthy/>", "").replace("  <faults>", setting(page) + "\n  <faults>"));
         new CampaignRunner(plan, new CampaignFolder(folder), Shard.ALL, 1).run(true, (made, runs) -> {}, () -> false);
-        RunData data = RunData.read(plan, folder.resolve("runs.csv"));
-        Map<String, List<RunRow>> cones = RunData.group(data.rows(), row -> row.text("front_cone_deg"));
+        CampaignRuns campaign = CampaignRuns.read(plan, folder.resolve("runs.csv"));
+        Map<String, List<RunRow>> cones = CampaignRuns.group(campaign.rows(), row -> row.text("front_cone_deg"));
         String said = String.format(
                 Locale.ROOT,
                 "is stuck in %s with a cone of 20 degrees, in %s with 10 degrees and in %s with 5 degrees.",

@@ -87,15 +87,15 @@ class CellTableTest {
         }
     }
 
-    private RunData data() {
-        return new RunData(plan, lines);
+    private CampaignRuns campaign() {
+        return new CampaignRuns(plan, lines);
     }
 
     /** The interval is Wilson's for 7 of 9; the fifth of ten delays is their median, the ninth their 90 % quantile. */
     @Test
     void aRowCountsTheRunsOfItsCell() {
         addTenRuns();
-        List<String> rows = new CellTable(data()).csv().lines().toList();
+        List<String> rows = new CellTable(campaign()).csv().lines().toList();
         assertEquals(
                 "fault_kind,fault_sensor,final_rung,runs,carried_on,share,share_low,share_high,collided,lost,stopped,"
                         + "undecided,broken,detected,delay_median_s,delay_90_s,false_alarm_runs,view_median_s,"
@@ -115,7 +115,7 @@ class CellTableTest {
         lines.add(List.of("1", "0", "off", "front", "THREE", "carried_on", "1"));
         lines.add(List.of("2", "1", "off", "front", "THREE", "lost", "0"));
         lines.add(List.of("3", "2", "off", "front", "", "lost", "0"));
-        List<String> rungs = new CellTable(data())
+        List<String> rungs = new CellTable(campaign())
                 .csv()
                 .lines()
                 .skip(1)
@@ -145,7 +145,7 @@ class CellTableTest {
             addRun(block, "finished", carriedOn, "0", "", "", 0);
             addRun(block, "finished", carriedOn, "0", "", "", 0);
         }
-        Survival survival = Survival.of(data().rows());
+        Survival survival = Survival.of(campaign().rows());
         Interval three = Interval.wilson(2, 3);
         assertEquals(4 / 6.0, survival.share());
         assertEquals(three.low(), survival.interval().low(), 1e-12);
@@ -155,8 +155,9 @@ class CellTableTest {
     @Test
     void withoutAVerdictEveryShareIsPossible() {
         addRun("undecided", "", "0", "", "", 0);
-        assertEquals(new Survival(0, 0, new Interval(0, 1)), Survival.of(data().rows()));
-        assertEquals(0, Survival.of(data().rows()).share());
+        assertEquals(
+                new Survival(0, 0, new Interval(0, 1)), Survival.of(campaign().rows()));
+        assertEquals(0, Survival.of(campaign().rows()).share());
     }
 
     /** Other programs write a missing number in these ways. */
@@ -165,9 +166,9 @@ class CellTableTest {
     void aNumberThatIsNotFiniteIsMissing(String text) {
         addRun("carried_on", "1", "0", text, text, 0);
         addRun("carried_on", "1", "0", "0.5", "3", 0);
-        assertArrayEquals(new double[] {0.5}, RunData.values(data().rows(), "coverage"));
-        assertArrayEquals(new double[] {3}, RunData.values(data().rows(), FaultSections.DELAY));
-        String charts = new VariantSections(data()).distributions();
+        assertArrayEquals(new double[] {0.5}, CampaignRuns.values(campaign().rows(), "coverage"));
+        assertArrayEquals(new double[] {3}, CampaignRuns.values(campaign().rows(), FaultSections.DELAY));
+        String charts = new VariantSections(campaign()).distributions();
         assertTrue(charts.contains("coverage, n 1"), charts);
     }
 }

@@ -63,7 +63,7 @@ class ComparisonTest {
     }
 
     private Comparison comparison() {
-        return new Comparison(new RunData(plan, lines), plan.factors().get(0));
+        return new Comparison(new CampaignRuns(plan, lines), plan.factors().get(0));
     }
 
     private Optional<Comparison.Difference> numberDifference() {

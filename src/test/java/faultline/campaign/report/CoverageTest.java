@@ -30,7 +30,7 @@ class CoverageTest {
     }
 
     /** Returns a campaign with a slow and a fast run in each block; the shares of their levels are independent. */
-    private RunData simulate(CampaignPlan plan, int worlds) {
+    private CampaignRuns simulate(CampaignPlan plan, int worlds) {
         List<List<String>> lines = new ArrayList<>(List.of(HEADER));
         for (int world = 0; world < worlds; world++) {
             double slow = drawShare();
@@ -40,7 +40,7 @@ class CoverageTest {
                 addRun(lines, world * RUNS + run, world, "0.3", fast);
             }
         }
-        return new RunData(plan, lines);
+        return new CampaignRuns(plan, lines);
     }
 
     private void addRun(List<List<String>> lines, int block, int world, String speed, double share) {

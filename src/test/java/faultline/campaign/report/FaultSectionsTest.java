@@ -36,7 +36,7 @@ class FaultSectionsTest {
     }
 
     private String delays() {
-        return new FaultSections(new RunData(plan, lines)).delays();
+        return new FaultSections(new CampaignRuns(plan, lines)).delays();
     }
 
     @Test
@@ -77,7 +77,7 @@ class FaultSectionsTest {
         lines.add(List.of("1", "none", "", "stuck", "left", "0", "0"));
         lines.add(List.of("2", "off", "front", "none", "", "1", "0"));
         lines.add(List.of("3", "off", "front", "stuck", "left", "0", "0"));
-        return new FaultSections(new RunData(plan, lines));
+        return new FaultSections(new CampaignRuns(plan, lines));
     }
 
     @Test
@@ -112,7 +112,7 @@ class FaultSectionsTest {
         lines.clear();
         lines.add(List.of("run", "block", "fault_kind", "fault_sensor", "fault_label", "carried_on"));
         lines.add(List.of("0", "0", "off", "front", "cut", "1"));
-        String matrix = new FaultSections(new RunData(plan, lines)).matrix();
+        String matrix = new FaultSections(new CampaignRuns(plan, lines)).matrix();
         assertTrue(matrix.contains("<th scope=\"row\">cut</th>"), matrix);
         assertFalse(matrix.contains("<th scope=\"row\">off</th>"), matrix);
     }
@@ -120,10 +120,10 @@ class FaultSectionsTest {
     @Test
     void aGroupOfRunsIsNamedAfterAllOfItsFaults() throws ScenarioException {
         sectionsOfTwoFaults();
-        RunData data = new RunData(plan, lines);
+        CampaignRuns campaign = new CampaignRuns(plan, lines);
         assertEquals(
                 List.of("healthy", "left stuck", "front off", "front off + left stuck"),
-                data.rows().stream().map(data::faultName).toList());
+                campaign.rows().stream().map(campaign::faultName).toList());
     }
 
     @Test

@@ -54,14 +54,14 @@ class RepeatedRunsTest {
         lines.add(cells);
     }
 
-    private RunData data() {
-        return new RunData(plan, lines);
+    private CampaignRuns campaign() {
+        return new CampaignRuns(plan, lines);
     }
 
-    private static void assertIndependentRuns(int expected, RunData data) {
-        Survival survival = Survival.of(data.rows());
+    private static void assertIndependentRuns(int expected, CampaignRuns campaign) {
+        Survival survival = Survival.of(campaign.rows());
         assertEquals(Interval.wilson(expected, expected), survival.interval());
-        assertEquals(data.rows().size(), survival.n());
+        assertEquals(campaign.rows().size(), survival.n());
     }
 
     @Test
@@ -69,8 +69,8 @@ class RepeatedRunsTest {
         for (int seed = 0; seed < 10; seed++) {
             addRun(seed, "on", "0.3", "feed");
         }
-        assertIndependentRuns(1, data());
-        assertEquals(9, data().repeatCount());
+        assertIndependentRuns(1, campaign());
+        assertEquals(9, campaign().repeatCount());
     }
 
     @Test
@@ -78,7 +78,7 @@ class RepeatedRunsTest {
         for (int seed = 0; seed < 10; seed++) {
             addRun(seed, "on", "0.3" + seed, "feed");
         }
-        assertIndependentRuns(10, data());
+        assertIndependentRuns(10, campaign());
     }
 
     @Test
@@ -86,7 +86,7 @@ class RepeatedRunsTest {
         for (int seed = 0; seed < 10; seed++) {
             addRun(seed, "on", "0.3", "feed" + seed);
         }
-        assertIndependentRuns(10, data());
+        assertIndependentRuns(10, campaign());
     }
 
     /** A run that failed has no trajectory. */
@@ -95,8 +95,8 @@ class RepeatedRunsTest {
         for (int seed = 0; seed < 10; seed++) {
             addRun(seed, "on", "0.3", "");
         }
-        assertIndependentRuns(10, data());
-        assertEquals(0, data().repeatCount());
+        assertIndependentRuns(10, campaign());
+        assertEquals(0, campaign().repeatCount());
     }
 
     @Test
@@ -118,8 +118,8 @@ class RepeatedRunsTest {
     }
 
     private Interval difference() {
-        Comparison comparison = new Comparison(data(), plan.factors().get(0));
-        Map<String, List<RunRow>> levels = comparison.levels(data().rows());
+        Comparison comparison = new Comparison(campaign(), plan.factors().get(0));
+        Map<String, List<RunRow>> levels = comparison.levels(campaign().rows());
         return comparison
                 .survival(levels.get("on"), levels.get("off"))
                 .orElseThrow()

@@ -33,7 +33,7 @@ class SensorSetsTest {
     }
 
     private String section() {
-        return new FaultSections(new RunData(plan, lines)).sensorSets();
+        return new FaultSections(new CampaignRuns(plan, lines)).sensorSets();
     }
 
     private static String row(String set) {

@@ -38,7 +38,7 @@ class VariantSectionsTest {
             addRun(block, "0.3", block < fast ? "1" : "0");
         }
         CampaignPlan plan = plan("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
-        return new VariantSections(new RunData(plan, lines)).comparisons();
+        return new VariantSections(new CampaignRuns(plan, lines)).comparisons();
     }
 
     @Test
@@ -67,7 +67,7 @@ class VariantSectionsTest {
             addRun(block, "0.3", "1", odd ? "0.8" : "0.6", odd ? "3" : "1");
         }
         CampaignPlan plan = plan("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
-        String section = new VariantSections(new RunData(plan, lines)).comparisons();
+        String section = new VariantSections(new CampaignRuns(plan, lines)).comparisons();
         assertTrue(section.contains("<th scope=\"col\">difference of 0.3</th>"), section);
         String coverage = "<th scope=\"row\">coverage</th><td>0.5 <small>n 10</small></td>"
                 + "<td>0.7 <small>n 10</small></td><td><b>+0.2</b><br><small>0.125 to 0.275; 10 pairs</small></td>";
@@ -84,7 +84,7 @@ class VariantSectionsTest {
         }
         addRun(13, "0.8", "0");
         CampaignPlan plan = plan("<faults><fault kind=\"stuck\" sensor=\"front\" value=\"0..0.8\" at=\"1\"/></faults>");
-        String chart = new VariantSections(new RunData(plan, lines)).responses();
+        String chart = new VariantSections(new CampaignRuns(plan, lines)).responses();
         ReportChartsTest.assertPlaces(chart, ReportChartsTest.DOT, 0.05, 1, 0.15, 1, 0.95, 0);
     }
 }

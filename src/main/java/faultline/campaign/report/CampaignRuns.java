@@ -31,8 +31,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** The runs of a campaign, and the meaning of their columns according to the plan. */
-final class RunData {
+/** The rows of {@code runs.csv}, and the meaning of their columns according to the plan. */
+final class CampaignRuns {
 
     /** The maximum number of levels of a variable for a comparison of variants. */
     private static final int MAX_COMPARED = 12;
@@ -49,8 +49,8 @@ final class RunData {
     /** The number of cells of that row. */
     private int damagedCells;
 
-    /** Creates the data of a table from the cells of its header and rows; an incomplete last row is omitted. */
-    RunData(CampaignPlan plan, Iterable<List<String>> lines) {
+    /** Creates the runs of a table from the cells of its header and rows; an incomplete last row is omitted. */
+    CampaignRuns(CampaignPlan plan, Iterable<List<String>> lines) {
         this.plan = plan;
         this.faults = plan.factors().stream()
                 .filter(factor -> factor.kind() == FactorKind.FAULTS)
@@ -99,7 +99,7 @@ final class RunData {
     }
 
     /** Reads the campaign of a folder. Throws an exception if there is none, or a row cannot be used. */
-    static RunData read(Path folder) throws IOException, ScenarioException {
+    static CampaignRuns read(Path folder) throws IOException, ScenarioException {
         CampaignFolder campaign = new CampaignFolder(folder);
         campaign.requireReadable();
         if (!Files.isRegularFile(campaign.runs())) {
@@ -109,17 +109,20 @@ final class RunData {
     }
 
     /** Reads a table. Throws an exception if a row cannot be used. */
-    static RunData read(CampaignPlan plan, Path table) throws IOException {
+    static CampaignRuns read(CampaignPlan plan, Path table) throws IOException {
         checkLines(table);
         try (BufferedReader in = Files.newBufferedReader(table)) {
             Map<String, String> shared = new HashMap<>();
-            RunData data = new RunData(plan, in.lines().map(line -> cells(line, shared))::iterator);
-            if (data.damagedLine > 0) {
-                throw wrong(table, data.damagedLine, RowCheck.cellCount(data.damagedCells, data.indices.size()));
+            CampaignRuns campaign = new CampaignRuns(plan, in.lines().map(line -> cells(line, shared))::iterator);
+            if (campaign.damagedLine > 0) {
+                throw wrong(
+                        table,
+                        campaign.damagedLine,
+                        RowCheck.cellCount(campaign.damagedCells, campaign.indices.size()));
             }
-            data.checkColumns(table);
-            data.checkRows(table);
-            return data;
+            campaign.checkColumns(table);
+            campaign.checkRows(table);
+            return campaign;
         } catch (UncheckedIOException e) {
             throw new MessageException(table.toString(), ResultsProblem.NOT_TEXT.with(), e);
         }
