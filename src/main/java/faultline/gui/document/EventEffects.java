@@ -1,9 +1,11 @@
 package faultline.gui.document;
 
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -64,6 +66,8 @@ final class EventEffects {
             other(),
             other());
 
+    private static final int NO_PLACE = -1;
+
     private EventEffects() {}
 
     /** What an event changes: a property of a sensor or of a side. */
@@ -123,6 +127,40 @@ final class EventEffects {
         steps.addAll(difference(without, with));
         steps.forEach(step -> change(with, step));
         return others.isEmpty() && !with.equals(without) ? event.inverse() : steps;
+    }
+
+    /**
+     * Returns when events, in their order, end each of the faults of one subject, seconds; infinity if they do not. The
+     * faults are represented by what began them, oldest first.
+     */
+    static List<Double> ends(List<Command> faults, List<TimedCommand> events) {
+        List<Double> ends = new ArrayList<>(Collections.nCopies(faults.size(), Double.POSITIVE_INFINITY));
+        List<Command> active = new ArrayList<>(faults);
+        // The places of the active faults in the list of ends; faults that begin later have none.
+        List<Integer> places = new ArrayList<>();
+        faults.forEach(fault -> places.add(places.size()));
+        for (TimedCommand event : events) {
+            int before = active.size();
+            int oldest = indexOfEnded(active, event.command());
+            change(active, event.command());
+            if (active.size() > before) {
+                places.add(NO_PLACE);
+            } else if (active.size() < before) {
+                List<Integer> ended = active.isEmpty() ? places : places.subList(oldest, oldest + 1);
+                ended.stream().filter(place -> place != NO_PLACE).forEach(place -> ends.set(place, event.time()));
+                ended.clear();
+            }
+        }
+        return ends;
+    }
+
+    /** Returns the index of the oldest fault that an event ends alone, or the number of faults. */
+    private static int indexOfEnded(List<Command> active, Command event) {
+        int index = 0;
+        while (index < active.size() && !active.get(index).match(ENDS).equals(Optional.of(event))) {
+            index++;
+        }
+        return index;
     }
 
     /** Returns the elements of a list that another one lacks, each as often as it lacks it. */

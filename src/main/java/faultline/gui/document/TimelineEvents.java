@@ -7,6 +7,7 @@ import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -67,6 +68,24 @@ public final class TimelineEvents {
                 .filter(other -> isEvent(other) && EventEffects.subject(other).equals(subject))
                 .toList();
         return EventEffects.undo(event, others);
+    }
+
+    /**
+     * Returns when a timeline ends each of the active faults of one sensor or of the motors of one side, seconds;
+     * infinity if it does not. The faults are represented by the commands that add them, oldest first.
+     */
+    public static List<Double> ends(List<Command> faults, List<TimedCommand> timeline, double now) {
+        if (faults.isEmpty()) {
+            return List.of();
+        }
+        Object subject = subject(faults.get(0));
+        return EventEffects.ends(
+                faults,
+                timeline.stream()
+                        .filter(planned -> planned.time() > now && isEvent(planned.command()))
+                        .filter(planned -> subject(planned.command()).equals(subject))
+                        .sorted(Comparator.comparingDouble(TimedCommand::time))
+                        .toList());
     }
 
     /** Returns a scenario whose timeline lacks some events; of equal ones, it lacks the last. */

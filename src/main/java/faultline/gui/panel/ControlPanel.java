@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
@@ -297,14 +298,20 @@ public final class ControlPanel extends JPanel {
         sensorDetails.renameSensors(presentId);
     }
 
+    /** Shows the state of a world without a timeline. */
     public void setSnapshot(Snapshot world) {
+        setSnapshot(world, List.of());
+    }
+
+    /** Shows the state of a world, given the timeline of its scenario; the same list as before if it is equal. */
+    public void setSnapshot(Snapshot world, List<TimedCommand> timeline) {
         assert EventQueue.isDispatchThread();
         disabledControls.forEach(control -> control.setEnabled(true));
         disabledControls = List.of();
         editor.pendingEdits().setRobot(world.robot());
         robot.setRobot(editor.pendingEdits().robot());
         sensors.setSensors(world.sensors());
-        sensorDetails.setSensors(world.sensors());
+        sensorDetails.setSensors(world.sensors(), timeline, world.time());
     }
 
     /** Shows the result of a run so far. */

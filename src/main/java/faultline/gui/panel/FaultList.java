@@ -1,53 +1,199 @@
 package faultline.gui.panel;
 
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.document.TimelineEvents;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
+import faultline.gui.text.NumberText;
 import faultline.gui.text.ReadingText;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
+import faultline.io.DecimalText;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaults;
+import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import java.awt.GridBagConstraints;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.SwingConstants;
 
-/** The active faults, oldest first for each sensor, each with a button that repairs it. */
-final class FaultList extends JPanel {
+/**
+ * Active faults, oldest first for each sensor or side, each with the time that remains, if the timeline ends the fault,
+ * and a button that repairs it.
+ */
+public final class FaultList extends JPanel {
 
     private static final GlyphIcon WARNING_ICON = new GlyphIcon(Glyph.WARNING, 16, colours -> colours.warning());
     private static final GlyphIcon REMOVE_ICON = new GlyphIcon(Glyph.REMOVE, 14, colours -> colours.text());
 
     private final transient UndoController editor;
     private transient List<ListedFault> shownFaults = List.of();
+    private final transient List<RemainingTime> remainingTimes = new ArrayList<>();
+    private transient List<TimedCommand> timeline = List.of();
+    /** The present time, seconds. */
+    private double now;
+    /** The first end of a fault, seconds. */
+    private double firstEnd = Double.POSITIVE_INFINITY;
+
+    /** An active fault. */
+    private sealed interface RepairableFault {
+
+        /** Returns the name of what has the fault. */
+        String owner();
+
+        /** Returns the fault in the user's language. */
+        String text();
+
+        Command injection();
+
+        Command repair();
+
+        /** Returns what repairs this fault and all others of the same sensor or side. */
+        Command repairAll();
+
+        default String description() {
+            return owner() + ": " + text();
+        }
+    }
 
     /** A fault of a sensor. */
-    private record ListedFault(String sensor, Fault fault) {}
+    private record SensorFault(String owner, Fault fault) implements RepairableFault {
 
-    FaultList(UndoController editor) {
+        @Override
+        public String text() {
+            return ReadingText.format(fault);
+        }
+
+        @Override
+        public Command injection() {
+            return new Command.InjectFault(owner, fault);
+        }
+
+        @Override
+        public Command repair() {
+            return new Command.ClearFault(owner, fault);
+        }
+
+        @Override
+        public Command repairAll() {
+            return new Command.ClearFaults(owner);
+        }
+    }
+
+    /** A fault of the motors of a side. */
+    private record SideFault(MotorSide side, MotorFault fault) implements RepairableFault {
+
+        @Override
+        public String owner() {
+            return MotorFaultText.motors(side);
+        }
+
+        @Override
+        public String text() {
+            return MotorFaultText.format(fault);
+        }
+
+        @Override
+        public Command injection() {
+            return new Command.InjectMotorFault(side, fault);
+        }
+
+        @Override
+        public Command repair() {
+            return new Command.ClearMotorFault(side, fault);
+        }
+
+        @Override
+        public Command repairAll() {
+            return new Command.ClearMotorFaults(side);
+        }
+    }
+
+    /** A fault and its end, seconds, infinite if it has none. */
+    private record ListedFault(RepairableFault active, double end) {}
+
+    /** The label of the time that remains until the end of a fault, seconds. */
+    private record RemainingTime(ValueLabel label, double end) {}
+
+    /** Creates an empty list; the editor receives repairs. */
+    public FaultList(UndoController editor) {
         super(new WrappingGridLayout());
         this.editor = editor;
         rebuild();
     }
 
-    void setSensors(List<SensorSnapshot> sensors) {
-        List<ListedFault> now = sensors.stream()
-                .flatMap(sensor -> sensor.faults().stream()
-                        .map(fault -> new ListedFault(sensor.spec().id(), fault)))
-                .toList();
-        if (!now.equals(shownFaults)) {
-            shownFaults = now;
-            rebuild();
+    /** Shows the faults of sensors, given the timeline and the present time, seconds. */
+    void setSensors(List<SensorSnapshot> sensors, List<TimedCommand> newTimeline, double newNow) {
+        setFaults(
+                sensors.stream()
+                        .<RepairableFault>flatMap(sensor -> sensor.faults().stream()
+                                .map(fault -> new SensorFault(sensor.spec().id(), fault)))
+                        .toList(),
+                newTimeline,
+                newNow);
+    }
+
+    /** Shows the faults of motors, given the timeline and the present time, seconds. */
+    public void setMotors(MotorFaults faults, List<TimedCommand> newTimeline, double newNow) {
+        setFaults(
+                Stream.of(MotorSide.values())
+                        .<RepairableFault>flatMap(
+                                side -> faults.of(side).stream().map(fault -> new SideFault(side, fault)))
+                        .toList(),
+                newTimeline,
+                newNow);
+    }
+
+    private void setFaults(List<RepairableFault> active, List<TimedCommand> newTimeline, double newNow) {
+        boolean sameFaults =
+                active.equals(shownFaults.stream().map(ListedFault::active).toList());
+        // While the time passes, the ends stay the same until the first of them.
+        boolean sameEnds = sameFaults && newTimeline == timeline && newNow >= now && newNow < firstEnd;
+        timeline = newTimeline;
+        now = newNow;
+        if (!sameEnds) {
+            List<ListedFault> listed = listed(active);
+            firstEnd = listed.stream().mapToDouble(ListedFault::end).min().orElse(Double.POSITIVE_INFINITY);
+            if (!listed.equals(shownFaults)) {
+                shownFaults = listed;
+                rebuild();
+            }
         }
+        remainingTimes.forEach(time -> time.label().setValue(remainingText(time.end())));
+    }
+
+    /** Returns the faults with their ends. */
+    private List<ListedFault> listed(List<RepairableFault> active) {
+        Map<Command, List<RepairableFault>> byOwner = new LinkedHashMap<>();
+        active.forEach(fault -> byOwner.computeIfAbsent(fault.repairAll(), owner -> new ArrayList<>())
+                .add(fault));
+        List<ListedFault> listed = new ArrayList<>();
+        byOwner.values().forEach(faults -> {
+            List<Double> ends = TimelineEvents.ends(
+                    faults.stream().map(RepairableFault::injection).toList(), timeline, now);
+            for (int i = 0; i < faults.size(); i++) {
+                listed.add(new ListedFault(faults.get(i), ends.get(i)));
+            }
+        });
+        return listed;
     }
 
     private void rebuild() {
         removeAll();
+        remainingTimes.clear();
         if (shownFaults.isEmpty()) {
             add(MutedLabel.ofKey("faults.none"), FormConstraints.fillCell(0, 0));
         } else {
@@ -62,31 +208,49 @@ final class FaultList extends JPanel {
         repaint();
     }
 
-    private void addRow(int row, ListedFault active) {
+    private void addRow(int row, ListedFault listed) {
+        RepairableFault active = listed.active();
         // Two labels, so that a narrow panel can show the fault below its sensor.
-        add(new JLabel(active.sensor() + ":", WARNING_ICON, JLabel.LEADING), FormConstraints.cell(0, row));
-        JLabel fault = RefreshSteps.add(new JLabel(), self -> self.setText(ReadingText.format(active.fault())));
+        JLabel owner = new JLabel("", WARNING_ICON, JLabel.LEADING);
+        add(RefreshSteps.add(owner, self -> self.setText(active.owner() + ":")), FormConstraints.cell(0, row));
+        JLabel fault = RefreshSteps.add(new JLabel(), self -> self.setText(active.text()));
         add(fault, FormConstraints.fillCell(1, row));
+        if (Double.isFinite(listed.end())) {
+            add(remainingTime(listed), FormConstraints.cell(2, row));
+        }
         JButton mend = new JButton(REMOVE_ICON);
         mend.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
         RefreshSteps.add(mend, button -> {
-            button.setToolTipText(Messages.get("faults.repair", text(active)));
+            button.setToolTipText(Messages.get("faults.repair", active.description()));
             button.getAccessibleContext().setAccessibleName(button.getToolTipText());
         });
-        mend.addActionListener(event -> editor.send(new Command.ClearFault(active.sensor(), active.fault())));
-        add(mend, FormConstraints.cell(2, row));
+        mend.addActionListener(event -> editor.send(active.repair()));
+        add(mend, FormConstraints.cell(3, row));
     }
 
-    private static String text(ListedFault active) {
-        return active.sensor() + ": " + ReadingText.format(active.fault());
+    private ValueLabel remainingTime(ListedFault listed) {
+        String end = DecimalText.format(listed.end());
+        ValueLabel label = new ValueLabel(
+                () -> Messages.get("faults.end", listed.active().description(), end),
+                () -> List.of(Messages.get("faults.remaining", NumberText.format("%.1f", listed.end()))));
+        label.setHorizontalAlignment(SwingConstants.TRAILING);
+        RefreshSteps.add(label, self -> {
+            self.setToolTipText(Messages.get("faults.end.tip", end));
+            self.setValue(remainingText(listed.end()));
+        });
+        remainingTimes.add(new RemainingTime(label, listed.end()));
+        return label;
+    }
+
+    private String remainingText(double end) {
+        return Messages.get("faults.remaining", NumberText.format("%.1f", Math.max(0, end - now)));
     }
 
     private void addClearAll(int row) {
         JButton all = UiText.button("faults.repairAll");
         all.addActionListener(event -> editor.send(shownFaults.stream()
-                .map(ListedFault::sensor)
+                .map(listed -> listed.active().repairAll())
                 .distinct()
-                .<Command>map(Command.ClearFaults::new)
                 .toList()));
         GridBagConstraints constraints = FormConstraints.fillRow(0, row);
         constraints.fill = GridBagConstraints.NONE;

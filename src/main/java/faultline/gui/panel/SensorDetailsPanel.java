@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.UiText;
@@ -190,21 +191,24 @@ public final class SensorDetailsPanel extends JPanel {
         sensorChoice.setModel(model);
     }
 
-    /** Shows the sensors and their faults, in the robot's order. */
-    public void setSensors(List<SensorSnapshot> sensors) {
+    /**
+     * Shows the sensors and their faults, in the robot's order, given the timeline that may end the faults and the
+     * present time, seconds.
+     */
+    void setSensors(List<SensorSnapshot> sensors, List<TimedCommand> timeline, double now) {
         assert EventQueue.isDispatchThread();
-        List<String> now =
+        List<String> newIds =
                 sensors.stream().map(snapshot -> snapshot.spec().id()).toList();
-        if (!now.equals(ids)) {
-            setIds(now, UnaryOperator.identity());
+        if (!newIds.equals(ids)) {
+            setIds(newIds, UnaryOperator.identity());
         }
         showSensor();
-        inject.setEnabled(!now.isEmpty());
-        removeSensor.setEnabled(!now.isEmpty());
+        inject.setEnabled(!newIds.isEmpty());
+        removeSensor.setEnabled(!newIds.isEmpty());
         mountFields.update();
         sensors.stream()
                 .filter(sensor -> sensor.spec().id().equals(sensorChoice.getSelectedItem()))
                 .forEach(sensor -> fault.setRange(sensor.spec().range()));
-        faultList.setSensors(sensors);
+        faultList.setSensors(sensors, timeline, now);
     }
 }

@@ -172,7 +172,7 @@ final class MainPanel extends JPanel {
     void setFrame(SessionFrame frame, SessionStatus now) {
         assert EventQueue.isDispatchThread();
         // The canvas may select a sensor that is new in this frame, so the control panel must have it before.
-        controlPanel.setSnapshot(frame.snapshot());
+        controlPanel.setSnapshot(frame.snapshot(), timeline.commands());
         if (!timeline.bar().isAdjusting() && shownFrame != frame) {
             shownFrame = frame;
             canvas.setFrame(frame.frame());

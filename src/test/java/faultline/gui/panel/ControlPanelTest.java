@@ -261,9 +261,9 @@ class ControlPanelTest {
         SensorDetailsPanel details =
                 callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {}), sensorEdits));
         runOnEdt(() -> {
-            details.setSensors(world.sensors());
+            details.setSensors(world.sensors(), List.of(), 0);
             details.startScenario();
-            details.setSensors(List.of());
+            details.setSensors(List.of(), List.of(), 0);
             assertEquals(List.of(), enabledControls(details));
             assertEquals(
                     0, ComponentFinder.find(details, JComboBox.class, "Sensor").getItemCount());

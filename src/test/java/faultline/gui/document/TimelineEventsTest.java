@@ -1,0 +1,67 @@
+package faultline.gui.document;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** When the timeline ends the faults that are active. */
+class TimelineEventsTest {
+
+    private static final double NEVER = Double.POSITIVE_INFINITY;
+    private static final MotorFault WEAK = new MotorFault.Weak(0.5);
+    private static final Command LEFT_WEAK = new Command.InjectMotorFault(MotorSide.LEFT, WEAK);
+    private static final Command LEFT_DEAD = new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.NoDrive());
+    private static final Command LEFT_WEAK_ENDS = new Command.ClearMotorFault(MotorSide.LEFT, WEAK);
+
+    private static TimedCommand at(double time, Command command) {
+        return new TimedCommand(time, command);
+    }
+
+    @Test
+    void aFaultEndsAtItsNextRepair() {
+        List<TimedCommand> timeline =
+                List.of(at(8, LEFT_WEAK_ENDS), at(3, LEFT_WEAK_ENDS), at(5, LEFT_WEAK), at(2, LEFT_WEAK));
+        assertEquals(List.of(3.0), TimelineEvents.ends(List.of(LEFT_WEAK), timeline, 2));
+        assertEquals(List.of(8.0), TimelineEvents.ends(List.of(LEFT_WEAK), timeline, 5));
+        assertEquals(List.of(NEVER), TimelineEvents.ends(List.of(LEFT_WEAK), timeline, 8));
+    }
+
+    @Test
+    void theOldestOfEqualFaultsEndsFirstAndALaterOneNotBeforeThem() {
+        List<TimedCommand> timeline =
+                List.of(at(3, LEFT_WEAK), at(4, LEFT_WEAK_ENDS), at(5, LEFT_WEAK_ENDS), at(6, LEFT_WEAK_ENDS));
+        assertEquals(
+                List.of(4.0, NEVER, 5.0), TimelineEvents.ends(List.of(LEFT_WEAK, LEFT_DEAD, LEFT_WEAK), timeline, 1));
+    }
+
+    @Test
+    void aRepairOfAllFaultsEndsEachThatIsLeft() {
+        List<TimedCommand> timeline = List.of(
+                at(2, LEFT_WEAK_ENDS),
+                at(3, LEFT_WEAK),
+                at(4, new Command.ClearMotorFaults(MotorSide.LEFT)),
+                at(9, LEFT_WEAK_ENDS));
+        assertEquals(List.of(2.0, 4.0), TimelineEvents.ends(List.of(LEFT_WEAK, LEFT_DEAD), timeline, 1));
+    }
+
+    @Test
+    void eventsOfOthersEndNothing() {
+        Fault stuck = new Fault.Stuck(0.4);
+        List<TimedCommand> timeline = List.of(
+                at(2, new Command.ClearMotorFault(MotorSide.RIGHT, WEAK)),
+                at(3, new Command.ClearMotorFaults(MotorSide.RIGHT)),
+                at(4, new Command.ClearFaults("left")),
+                at(5, new Command.SwitchSensor("front", false)),
+                at(6, new Command.SetPlatform(0.2, 0.2, 0.3)),
+                at(7, new Command.ClearFault("front", stuck)));
+        assertEquals(List.of(NEVER), TimelineEvents.ends(List.of(LEFT_WEAK), timeline, 0));
+        assertEquals(List.of(7.0), TimelineEvents.ends(List.of(new Command.InjectFault("front", stuck)), timeline, 0));
+        assertEquals(List.of(), TimelineEvents.ends(List.of(), timeline, 0));
+    }
+}
