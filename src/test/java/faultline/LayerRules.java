@@ -48,6 +48,7 @@ final class LayerRules {
             "gui.canvas.tool",
             "gui.canvas",
             "gui.panel",
+            "gui.motor",
             "gui.action",
             "gui.timeline",
             "gui.instrument",

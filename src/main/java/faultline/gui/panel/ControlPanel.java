@@ -67,6 +67,7 @@ public final class ControlPanel extends JPanel {
     private final ControllerPanel controller;
     private final RunPanel run = new RunPanel();
     private final JTabbedPane tabs = new JTabbedPane();
+    private final JPanel robotTab;
     private final transient UndoController editor;
     private final transient PropertyChangeListener showFocused = this::showFocused;
     /** The controls that the first snapshot enables. */
@@ -100,11 +101,11 @@ public final class ControlPanel extends JPanel {
         tabs.addChangeListener(event -> moveFocusToTitle());
         KeyBindings.bind(tabs, "PAGE_UP", () -> scrollByPage(-1));
         KeyBindings.bind(tabs, "PAGE_DOWN", () -> scrollByPage(1));
-        addTab(
-                "panel.robot",
+        robotTab = createColumn(
                 new TitledSection(robot),
                 new TitledSection("sensors.title", sensors),
                 new TitledSection("faults.title", sensorDetails));
+        addTab("panel.robot", robotTab);
         addTab("panel.controller", controller);
         addTab("panel.run", run);
         add(tabs, BorderLayout.CENTER);
@@ -184,11 +185,24 @@ public final class ControlPanel extends JPanel {
 
     /** Adds a tab with the key of its name and its sections from top to bottom. */
     public void addTab(String key, JComponent... sections) {
+        addTab(key, createColumn(sections));
+    }
+
+    private static JPanel createColumn(JComponent... sections) {
         JPanel column = new JPanel();
         column.setLayout(new BoxLayout(column, BoxLayout.PAGE_AXIS));
         for (JComponent section : sections) {
             column.add(section);
         }
+        return column;
+    }
+
+    /** Adds a section with the key of its heading below all others of the tab of the robot. */
+    public void addRobotSection(String key, JComponent section) {
+        robotTab.add(new TitledSection(key, section));
+    }
+
+    private void addTab(String key, JPanel column) {
         JPanel top = new NarrowingColumn();
         top.add(column, BorderLayout.NORTH);
         JScrollPane scroll =

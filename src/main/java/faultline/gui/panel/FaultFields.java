@@ -157,6 +157,11 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         }
     }
 
+    /** Returns the choice of the kind. */
+    public JComponent kindField() {
+        return kind;
+    }
+
     /** Returns the fault, or moves the focus to the invalid number and returns nothing. */
     public Optional<F> commitFault() {
         if (selected().takesValue() && !isCommitted(value) || selected().takesLength() && !isCommitted(length)) {

@@ -73,6 +73,14 @@ public final class FormDialog {
         return FormPane.ACCEPTED.equals(pane.getValue());
     }
 
+    /** Commits the visible numbers in a form; returns the first one that is not allowed, which its field shows. */
+    public static Optional<FormProblem> findRefusedNumber(Container form) {
+        return NumberSpinner.findIn(form)
+                .filter(field -> field.isVisible() && !field.commitValidEdit())
+                .findFirst()
+                .map(field -> new FormProblem("", field.textField()));
+    }
+
     /** Returns the fields for a text in a component and its descendants, without those that are a part of another. */
     private static Stream<JTextField> textFields(Container parent) {
         return Stream.of(parent.getComponents())

@@ -101,11 +101,9 @@ final class ItemDialog {
 
     /** Commits what is being typed, and returns what is wrong; empty if nothing is. */
     private Optional<FormDialog.FormProblem> findProblem() {
-        Optional<NumberSpinner> refused = NumberSpinner.findIn(form)
-                .filter(field -> field.isVisible() && !field.commitValidEdit())
-                .findFirst();
+        Optional<FormDialog.FormProblem> refused = FormDialog.findRefusedNumber(form);
         if (refused.isPresent()) {
-            return refused.map(field -> new FormDialog.FormProblem("", field.textField()));
+            return refused;
         }
         return endsBeforeItStarts()
                 ? Optional.of(new FormDialog.FormProblem(Messages.get("timeline.order"), from.textField()))

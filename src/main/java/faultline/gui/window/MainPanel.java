@@ -12,6 +12,8 @@ import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.instrument.PositionedSplitPane;
+import faultline.gui.motor.MotorFaultDialog;
+import faultline.gui.motor.MotorPanel;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.panel.RunVerdict;
 import faultline.gui.panel.VerdictBanner;
@@ -65,6 +67,7 @@ final class MainPanel extends JPanel {
     private final InstrumentDock instruments;
     private final TimelinePanel timeline;
     private final ObstaclePanel obstacles;
+    private final MotorPanel motors;
     private final VerdictBanner banner;
     private final transient CanvasOverlays overlays;
     private final PositionedSplitPane stage;
@@ -105,6 +108,8 @@ final class MainPanel extends JPanel {
                         editors.sensors()::add, editors.sensors()::remove, editors.sensors()::rename),
                 new ControlPanel.PanelActions(
                         actions.get("path"), actions.get("chooseController"), actions.get("scenarioController")));
+        motors = new MotorPanel(editors.run(), new MotorFaultDialog(this, editors.run())::addFault);
+        controlPanel.addRobotSection("motors.title", motors);
         obstacles = new ObstaclePanel(editors.run(), canvas.tools());
         controlPanel.addTab("panel.obstacles", obstacles);
         instruments = new InstrumentDock(jump);
@@ -173,6 +178,7 @@ final class MainPanel extends JPanel {
         assert EventQueue.isDispatchThread();
         // The canvas may select a sensor that is new in this frame, so the control panel must have it before.
         controlPanel.setSnapshot(frame.snapshot(), timeline.commands());
+        motors.setSnapshot(frame.snapshot(), timeline.commands());
         if (!timeline.bar().isAdjusting() && shownFrame != frame) {
             shownFrame = frame;
             canvas.setFrame(frame.frame());
