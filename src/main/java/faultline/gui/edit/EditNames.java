@@ -55,7 +55,8 @@ final class EditNames {
                 clearFaults -> new EditName("edit.repair", "edit.repairSeveral", clearFaults.sensor()),
                 injectMotorFault -> new EditName("edit.fault", MotorFaultText.motors(injectMotorFault.motor())),
                 clearMotorFault -> new EditName("edit.repair", MotorFaultText.motors(clearMotorFault.motor())),
-                clearMotorFaults -> new EditName("edit.repair", MotorFaultText.motors(clearMotorFaults.motor())),
+                clearMotorFaults -> new EditName(
+                        "edit.repair", "edit.repairMotors", MotorFaultText.motors(clearMotorFaults.motor())),
                 this::nameOfMove,
                 this::nameOfPlacement,
                 removeObstacle -> new EditName("edit.remove", "edit.removeSeveral", removeObstacle.obstacle()),

@@ -24,6 +24,7 @@ import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.gui.timeline.TimelinePanel;
 import faultline.paint.scene.ReferenceOverlay;
+import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -68,6 +69,7 @@ final class MainPanel extends JPanel {
     private final TimelinePanel timeline;
     private final ObstaclePanel obstacles;
     private final MotorPanel motors;
+    private final transient MotorFaultDialog motorFaultDialog;
     private final VerdictBanner banner;
     private final transient CanvasOverlays overlays;
     private final PositionedSplitPane stage;
@@ -108,7 +110,8 @@ final class MainPanel extends JPanel {
                         editors.sensors()::add, editors.sensors()::remove, editors.sensors()::rename),
                 new ControlPanel.PanelActions(
                         actions.get("path"), actions.get("chooseController"), actions.get("scenarioController")));
-        motors = new MotorPanel(editors.run(), new MotorFaultDialog(this, editors.run())::addFault);
+        motorFaultDialog = new MotorFaultDialog(this, editors.run());
+        motors = new MotorPanel(editors.run(), this::addMotorFault);
         controlPanel.addRobotSection("motors.title", motors);
         obstacles = new ObstaclePanel(editors.run(), canvas.tools());
         controlPanel.addTab("panel.obstacles", obstacles);
@@ -192,6 +195,11 @@ final class MainPanel extends JPanel {
             obstacles.setObstacles(frame.snapshot().obstacles());
         }
         statusBar.setFrame(frame.frame(), now);
+    }
+
+    /** Asks for a fault of the motors of a side, and adds it to the run. */
+    void addMotorFault(MotorSide side) {
+        motorFaultDialog.addFault(side);
     }
 
     /** Returns the frame that was shown last; null before the first. */

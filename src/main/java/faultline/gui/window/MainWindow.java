@@ -257,7 +257,10 @@ public final class MainWindow extends JFrame {
 
     private void installViewListeners() {
         mainPanel.instruments().chart().setMenuExtension(popup -> Menus.addChartItems(popup, actionRegistry));
-        Menus.installContextMenu(canvas, actionRegistry, new SensorMenu(undoController, sensorActions, this::addFault));
+        Menus.installContextMenu(
+                canvas,
+                actionRegistry,
+                new RobotMenu(undoController, sensorActions, this::addFault, mainPanel::addMotorFault));
         canvas.tools().setReservedIds(workspace::obstacleIds);
         canvas.tools().listeners().addStartListener(pose -> workspace
                 .scenario()

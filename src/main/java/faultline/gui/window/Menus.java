@@ -93,14 +93,17 @@ final class Menus {
     }
 
     /** Lets the canvas show a context menu for the item under the cursor. */
-    static void installContextMenu(SimulationCanvas canvas, ActionRegistry actions, SensorMenu sensorMenu) {
+    static void installContextMenu(SimulationCanvas canvas, ActionRegistry actions, RobotMenu robotMenu) {
         canvas.tools().listeners().addMenuListener(at -> {
             MenuTarget target = canvas.tools().targetAt(at);
             JPopupMenu popup = new JPopupMenu();
             if (target == MenuTarget.SENSOR) {
-                canvas.tools().selectSensorAt(at).ifPresent(sensor -> sensorMenu.addTo(popup, sensor));
+                canvas.tools().selectSensorAt(at).ifPresent(sensor -> robotMenu.addSensor(popup, sensor));
             } else if (target == MenuTarget.ROBOT) {
-                canvas.tools().directionOf(at).ifPresent(direction -> sensorMenu.addNewSensor(popup, direction));
+                canvas.tools().directionOf(at).ifPresent(direction -> robotMenu.addNewSensor(popup, direction));
+                canvas.frame()
+                        .ifPresent(frame ->
+                                robotMenu.addMotors(popup, frame.snapshot().motorFaults()));
             }
             addCanvasItems(popup, actions, target);
             ContextMenu.show(popup, canvas, at.x, at.y);

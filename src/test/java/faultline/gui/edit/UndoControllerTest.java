@@ -12,6 +12,7 @@ import faultline.control.Threshold;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.MotorFault;
+import faultline.robot.MotorFaults;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
@@ -421,6 +422,20 @@ class UndoControllerTest {
         assertEquals(Optional.of("2 changes"), undoName());
         runOnEdt(controller::undo);
         assertEquals(List.of(DESK), world.snapshot().obstacles());
+    }
+
+    @Test
+    void repairingTheMotorsOfBothSidesIsOneEditThatUndoRestores() {
+        Command left = new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.NoDrive());
+        Command right = new Command.InjectMotorFault(MotorSide.RIGHT, new MotorFault.Weak(0.5));
+        runOnEdt(() -> controller.send(List.of(left, right)));
+        runOnEdt(() -> controller.send(
+                List.of(new Command.ClearMotorFaults(MotorSide.LEFT), new Command.ClearMotorFaults(MotorSide.RIGHT))));
+        assertEquals(Optional.of("Repair all motors"), undoName());
+        runOnEdt(controller::undo);
+        assertEquals(
+                new MotorFaults(List.of(new MotorFault.NoDrive()), List.of(new MotorFault.Weak(0.5))),
+                world.snapshot().motorFaults());
     }
 
     @Test

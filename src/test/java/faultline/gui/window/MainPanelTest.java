@@ -45,6 +45,7 @@ import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.paint.scene.Pixels;
+import faultline.robot.MotorFaults;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
@@ -124,7 +125,7 @@ class MainPanelTest {
     private SimulationCanvas canvas;
     private MainPanel mainPanel;
     private SensorActions sensors;
-    private SensorMenu sensorMenu;
+    private RobotMenu robotMenu;
     private JMenuBar menus;
 
     @BeforeEach
@@ -173,7 +174,7 @@ class MainPanelTest {
         sensors = new SensorActions(workspace, edits, editor, canvas.tools());
         sensors.addTo(actions);
         obstacleActions(edits).addTo(actions);
-        sensorMenu = new SensorMenu(edits, sensors, id -> {});
+        robotMenu = new RobotMenu(edits, sensors, id -> {}, side -> {});
     }
 
     private ObstacleActions obstacleActions(UndoController edits) {
@@ -449,9 +450,11 @@ class MainPanelTest {
     private JPopupMenu contextMenu(MenuTarget target) {
         JPopupMenu menu = new JPopupMenu();
         if (target == MenuTarget.SENSOR) {
-            sensorMenu.addTo(menu, SampleFrames.fullFrame().snapshot().sensors().get(0));
+            robotMenu.addSensor(
+                    menu, SampleFrames.fullFrame().snapshot().sensors().get(0));
         } else if (target == MenuTarget.ROBOT) {
-            sensorMenu.addNewSensor(menu, 0);
+            robotMenu.addNewSensor(menu, 0);
+            robotMenu.addMotors(menu, MotorFaults.NONE);
         }
         Menus.addCanvasItems(menu, actions, target);
         return menu;

@@ -3,28 +3,52 @@ package faultline.gui.window;
 import faultline.gui.action.SensorActions;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.UiText;
+import faultline.robot.MotorFaults;
+import faultline.robot.MotorSide;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import java.util.function.Consumer;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 
-/** The items of context menus that concern sensors: they are switched, get faults, and are added and removed. */
-final class SensorMenu {
+/**
+ * The items of context menus that concern the robot: its sensors are switched, get faults, and are added and removed;
+ * its motors get faults.
+ */
+final class RobotMenu {
 
     private final UndoController editor;
     private final SensorActions actions;
     private final Consumer<String> newFault;
+    private final Consumer<MotorSide> newMotorFault;
 
-    /** Creates the items; {@code newFault} receives the id of a sensor for which it asks for a fault. */
-    SensorMenu(UndoController editor, SensorActions actions, Consumer<String> newFault) {
+    /**
+     * Creates the items; {@code newFault} receives the id of a sensor for which it asks for a fault, and
+     * {@code newMotorFault} the side of motors.
+     */
+    RobotMenu(
+            UndoController editor,
+            SensorActions actions,
+            Consumer<String> newFault,
+            Consumer<MotorSide> newMotorFault) {
         this.editor = editor;
         this.actions = actions;
         this.newFault = newFault;
+        this.newMotorFault = newMotorFault;
+    }
+
+    /** Adds the items about the motors, which have some faults, to a menu. */
+    void addMotors(JPopupMenu popup, MotorFaults faults) {
+        for (MotorSide side : MotorSide.values()) {
+            add(popup, "fault." + side.fileName(), "", () -> newMotorFault.accept(side));
+            add(popup, "repair." + side.fileName(), "", () -> editor.send(new Command.ClearMotorFaults(side)))
+                    .setEnabled(!faults.of(side).isEmpty());
+        }
+        popup.addSeparator();
     }
 
     /** Adds the items about one sensor to a menu. */
-    void addTo(JPopupMenu popup, SensorSnapshot sensor) {
+    void addSensor(JPopupMenu popup, SensorSnapshot sensor) {
         String id = sensor.spec().id();
         boolean on = sensor.spec().on();
         add(popup, on ? "off" : "on", id, () -> editor.send(new Command.SwitchSensor(id, !on)));
@@ -44,7 +68,7 @@ final class SensorMenu {
     }
 
     private static JMenuItem add(JPopupMenu popup, String key, String id, Runnable action) {
-        JMenuItem item = popup.add(UiText.menuText(new JMenuItem(), "sensorMenu." + key, id));
+        JMenuItem item = popup.add(UiText.menuText(new JMenuItem(), "robotMenu." + key, id));
         item.addActionListener(event -> action.run());
         return item;
     }
