@@ -7,6 +7,7 @@ import faultline.paint.surface.ChartStyle;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
 import faultline.paint.surface.Shapes;
+import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import java.awt.Color;
 import java.awt.Shape;
@@ -48,7 +49,7 @@ final class RobotPainter {
         context.drawRing(centre, radius, 1.8, context.palette().robot());
     }
 
-    private static double haloRadius(DrawContext context, RobotSpec robot) {
+    static double haloRadius(DrawContext context, RobotSpec robot) {
         return context.camera().scale() * Math.hypot(robot.length(), robot.width()) / 2 + HALO_REACH;
     }
 
@@ -75,8 +76,12 @@ final class RobotPainter {
     static void paint(DrawContext context, RobotSpec robot, Pose pose, double opacity) {
         AffineTransform frame = RigidMotion.poseTransform(pose);
         Color dark = ChartStyle.withOpacity(context.palette().robotOutline(), opacity);
-        for (Shape wheel : wheels(robot)) {
-            context.fill(context.toScreen(wheel, frame), dark);
+        // The front wheels come first, so that the picture stays the same to the byte.
+        for (int axle = 0; axle < 2; axle++) {
+            for (MotorSide side : MotorSide.values()) {
+                Vector2 centre = wheelCentres(robot, side).get(axle);
+                context.fill(context.toScreen(wheel(robot, centre), frame), dark);
+            }
         }
         Shape body = context.toScreen(body(robot), frame);
         context.fill(body, ChartStyle.withOpacity(context.palette().robot(), opacity));
@@ -91,24 +96,26 @@ final class RobotPainter {
         return new RoundRectangle2D.Double(-robot.length() / 2, -side / 2, robot.length(), side, corner, corner);
     }
 
-    private static double wheelWidth(RobotSpec robot) {
+    static double wheelWidth(RobotSpec robot) {
         return robot.width() * 0.16;
     }
 
-    private static List<Shape> wheels(RobotSpec robot) {
-        double ahead = robot.length() * 0.27;
-        double aside = (robot.width() - wheelWidth(robot)) / 2;
-        return List.of(
-                wheel(robot, ahead, aside),
-                wheel(robot, ahead, -aside),
-                wheel(robot, -ahead, aside),
-                wheel(robot, -ahead, -aside));
+    static double wheelLength(RobotSpec robot) {
+        return robot.length() * 0.3;
     }
 
-    private static Shape wheel(RobotSpec robot, double x, double y) {
-        double length = robot.length() * 0.3;
+    /** Returns the centres of the two wheels of a side, in the robot's frame, metres. */
+    static List<Vector2> wheelCentres(RobotSpec robot, MotorSide side) {
+        double ahead = robot.length() * 0.27;
+        double aside = (robot.width() - wheelWidth(robot)) / 2 * (side == MotorSide.LEFT ? 1 : -1);
+        return List.of(new Vector2(ahead, aside), new Vector2(-ahead, aside));
+    }
+
+    private static Shape wheel(RobotSpec robot, Vector2 centre) {
+        double length = wheelLength(robot);
         double width = wheelWidth(robot);
-        return new RoundRectangle2D.Double(x - length / 2, y - width / 2, length, width, width * 0.7, width * 0.7);
+        return new RoundRectangle2D.Double(
+                centre.x() - length / 2, centre.y() - width / 2, length, width, width * 0.7, width * 0.7);
     }
 
     private static Shape front(RobotSpec robot) {

@@ -88,9 +88,13 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         }
         obstacles.forEach(obstacle -> paintMovingObstacle(context, obstacle));
         RobotPainter.paintHalo(context, world.robot(), world.pose());
-        paintSensors(context, world.sensors());
+        List<MotorFaultPainter.SideLabel> motorLabels =
+                MotorFaultPainter.labels(context.withFont(labels.font()), world, labels);
+        paintSensors(context, world.sensors(), motorLabels);
         RobotPainter.paint(context, world.robot(), world.pose());
         RobotPainter.paintHeading(context, world.robot(), world.pose());
+        MotorFaultPainter.paintWheels(context, world);
+        MotorFaultPainter.paintLabels(context.withFont(labels.font()), motorLabels);
         if (layers.contains(Layer.INTERSECTIONS)) {
             paintIntersections(context, world.sensors());
         }
@@ -121,14 +125,17 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         obstaclePainter().paint(context, obstacle);
     }
 
-    private void paintSensors(DrawContext context, List<SensorSnapshot> sensors) {
+    private void paintSensors(
+            DrawContext context, List<SensorSnapshot> sensors, List<MotorFaultPainter.SideLabel> motorLabels) {
         if (!layers.contains(Layer.CONES)) {
             return;
         }
         for (int i = 0; i < sensors.size(); i++) {
             SensorPainter.paintCone(context, i, sensors.get(i));
         }
-        SensorPainter.paintLabels(context.withFont(labels.font()), sensors, labels);
+        List<Rectangle2D> covered =
+                motorLabels.stream().map(MotorFaultPainter.SideLabel::box).toList();
+        SensorPainter.paintLabels(context.withFont(labels.font()), sensors, labels, covered);
     }
 
     private static void paintIntersections(DrawContext context, List<SensorSnapshot> sensors) {

@@ -79,9 +79,10 @@ final class SensorPainter {
 
     /**
      * Paints what other cones must not cover. Names of faults are painted before plain numbers, and a number that would
-     * overlap a label is omitted.
+     * overlap a label, or an area that other labels will cover, pixels, is omitted.
      */
-    static void paintLabels(DrawContext context, List<SensorSnapshot> sensors, SceneLabels labels) {
+    static void paintLabels(
+            DrawContext context, List<SensorSnapshot> sensors, SceneLabels labels, List<Rectangle2D> covered) {
         List<SensorLabel> all = new ArrayList<>();
         for (int i = 0; i < sensors.size(); i++) {
             ScreenSector cone = ScreenSector.of(context.camera(), sensors.get(i).sector());
@@ -91,7 +92,7 @@ final class SensorPainter {
             }
         }
         all.sort(Comparator.comparing(SensorLabel::isNumber));
-        List<Rectangle2D> used = new ArrayList<>();
+        List<Rectangle2D> used = new ArrayList<>(covered);
         for (SensorLabel label : all) {
             if (!label.isNumber() || used.stream().noneMatch(label.box()::intersects)) {
                 used.add(label.box());

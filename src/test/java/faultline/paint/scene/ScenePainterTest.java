@@ -13,7 +13,9 @@ import faultline.geometry.Vector2;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Camera;
+import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
 import faultline.sensor.FaultKind;
@@ -23,10 +25,13 @@ import faultline.world.Collision;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.SensorSnapshot;
+import faultline.world.Snapshot;
 import faultline.world.WaypointPath;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -115,6 +120,68 @@ class ScenePainterTest {
         assertTrue(Pixels.countVisiblyDifferent(
                         with.getSubimage(0, bottomOfBand, width, bar), without.getSubimage(0, bottomOfBand, width, bar))
                 > 60);
+    }
+
+    private static Frame withMotorFaults(Pose pose, MotorFaults faults) {
+        Frame frame = SampleFrames.frameOf(pose);
+        Snapshot world = frame.snapshot();
+        return new Frame(
+                new Snapshot(
+                        world.tick(),
+                        world.time(),
+                        world.width(),
+                        world.height(),
+                        world.enclosed(),
+                        world.robot(),
+                        world.pose(),
+                        world.wheelSpeeds(),
+                        faults,
+                        world.sensors(),
+                        world.obstacles(),
+                        world.contacts(),
+                        world.collisions()),
+                frame.telemetry(),
+                frame.leftVolts(),
+                frame.rightVolts(),
+                frame.path(),
+                frame.trajectoryHash());
+    }
+
+    /** The contact colour marks a faulty wheel, at the left when the robot looks along the x axis above. */
+    @ParameterizedTest
+    @EnumSource(MotorFaultKind.class)
+    void theWheelsOfTheFaultySideAreMarked(MotorFaultKind kind) {
+        MotorFaults left = new MotorFaults(List.of(kind.createFault(kind.defaultValue())), List.of());
+        Pixels pixels = Pixels.render(withMotorFaults(AT_2_1, left), LIGHT);
+        for (double ahead : new double[] {-0.0675, 0.0675}) {
+            assertTrue(pixels.hasNear(LIGHT.contact(), new Vector2(2 + ahead, 1.084), 3), "left, " + ahead);
+            assertFalse(pixels.hasNear(LIGHT.contact(), new Vector2(2 + ahead, 0.916), 3), "right, " + ahead);
+            assertTrue(pixels.hasNear(LIGHT.robotOutline(), new Vector2(2 + ahead, 0.916), 1), "right, " + ahead);
+        }
+    }
+
+    @Test
+    void everyKindOfMotorFaultHasAnotherHatchingAndItsNameBesideTheRobot() {
+        Set<Integer> pictures = new HashSet<>();
+        for (MotorFaultKind kind : MotorFaultKind.values()) {
+            MotorFaults right = new MotorFaults(List.of(), List.of(kind.createFault(kind.defaultValue())));
+            BufferedImage image = FrameRenderer.render(withMotorFaults(AT_2_1, right), LIGHT, 900, 600);
+            Camera camera = FrameRenderer.fitCamera(SampleFrames.frameOf(AT_2_1).snapshot(), 900, 600);
+            Vector2 centre = camera.toScreen(AT_2_1.position());
+            int half = (int) (0.125 * camera.scale());
+            int[] robot = image.getRGB(
+                    (int) centre.x() - half, (int) centre.y() - half, 2 * half, 2 * half, null, 0, 2 * half);
+            pictures.add(Arrays.hashCode(robot));
+            DrawContext context = new DrawContext(image.createGraphics(), camera, LIGHT);
+            assertEquals(
+                    List.of("right motors: " + kind.fileName()),
+                    MotorFaultPainter.labels(
+                                    context, withMotorFaults(AT_2_1, right).snapshot(), SceneLabels.ENGLISH)
+                            .stream()
+                            .map(MotorFaultPainter.SideLabel::text)
+                            .toList());
+        }
+        assertEquals(MotorFaultKind.values().length, pictures.size());
     }
 
     @Test
