@@ -15,6 +15,7 @@ import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.Timer;
 
@@ -30,6 +31,7 @@ final class BatchDialog extends RunsDialog {
     private final BatchForm form;
     private final JButton start = button("batch.start", this::start);
     private final JButton cancel = button("batch.cancel", this::cancel);
+    private final JButton resume = button("batch.continue", this::resume);
     private final JButton savePlan = button("batch.savePlan", this::savePlan);
     private final JButton saveResults = button("batch.saveResults", () -> saveResults(() -> {}));
     private final JButton reopen = button("batch.reopen", this::reopen);
@@ -41,6 +43,10 @@ final class BatchDialog extends RunsDialog {
     private transient ControllerChoice controller = ControllerChoice.SCENARIO;
 
     private boolean running;
+    /** Whether the batch has been stopped before its last run. */
+    private boolean stopped;
+    /** Returns how the batch ended, in the current language; null before the end. */
+    private transient Supplier<String> endText;
     /** Runs when the batch has ended, null for nothing. */
     private transient Runnable afterEnd;
     /** The number of plans and results that are being written. */
@@ -67,6 +73,7 @@ final class BatchDialog extends RunsDialog {
         RefreshSteps.add(
                 getRootPane(),
                 root -> setTitle(Messages.get("batch.title", source.scenario().name())));
+        UiText.tip(resume, "batch.continue.tip");
         UiText.tip(reopen, "batch.reopen.tip");
         reopen.setEnabled(false);
         addWindowListener(new WindowAdapter() {
@@ -77,7 +84,7 @@ final class BatchDialog extends RunsDialog {
         });
         getRootPane().setDefaultButton(start);
         setRunning(false);
-        layOut(List.of(start, cancel, savePlan, saveResults, reopen, close));
+        layOut(List.of(start, cancel, resume, savePlan, saveResults, reopen, close));
     }
 
     /** Returns whether the dialog is for a scenario. */
@@ -98,9 +105,10 @@ final class BatchDialog extends RunsDialog {
         saveResults.setEnabled(!now && results != null && results.size() > 0);
     }
 
-    /** Allows another run unless files are being written: it would delete those that are being copied. */
+    /** Allows more runs unless files are being written: they would change or delete those that are being copied. */
     private void enableStart() {
         start.setEnabled(!running && writes == 0);
+        resume.setEnabled(!running && writes == 0 && stopped);
     }
 
     private Optional<BatchPlan> checkedPlan() {
@@ -121,20 +129,33 @@ final class BatchDialog extends RunsDialog {
     private void startHandled() {
         checkedPlan().ifPresent(plan -> {
             discardRun();
-            BatchRun started = new BatchRun(plan, form.jobs());
-            run = started;
+            run = new BatchRun(plan, form.jobs());
             controller = form.controllerChoice();
-            ControllerChoice made = controller;
             saved = true;
-            setRunning(true);
-            progress().showStatus(() -> Messages.get("batch.checking"));
-            progress().begin();
-            poll.start();
-            BackgroundTasks.computeBeforeExit(
-                    () -> made.callWithJars(started::make),
-                    result -> ended(started, result),
-                    failure -> failed(started, failure));
+            make(run);
         });
+    }
+
+    /** Makes the other runs of a batch that has been stopped. */
+    private void resume() {
+        if (stopped && !running && writes == 0) {
+            run.prepareToContinue();
+            make(run);
+        }
+    }
+
+    private void make(BatchRun made) {
+        ControllerChoice driving = controller;
+        stopped = false;
+        endText = null;
+        setRunning(true);
+        progress().showStatus(() -> Messages.get("batch.checking"));
+        progress().begin();
+        poll.start();
+        BackgroundTasks.computeBeforeExit(
+                () -> driving.callWithJars(made::make),
+                result -> ended(made, result),
+                failure -> failed(made, failure));
     }
 
     private void cancel() {
@@ -151,10 +172,10 @@ final class BatchDialog extends RunsDialog {
             return;
         }
         update();
+        stopped = !result.isComplete();
         stopProgress();
-        progress()
-                .showStatus(() ->
-                        BatchProgressPanel.endText(result, ended.completion().seconds(), ended.repeatCount()));
+        endText = () -> BatchProgressPanel.endText(result, ended.completion().seconds(), ended.repeatCount());
+        progress().showStatus(endText);
         if (afterEnd != null) {
             afterEnd.run();
             afterEnd = null;
@@ -238,7 +259,7 @@ final class BatchDialog extends RunsDialog {
                 work,
                 () -> {
                     endWriting(written);
-                    progress().showStatus(() -> Messages.get("saved", String.valueOf(target.getFileName())));
+                    showSaved(endText, String.valueOf(target.getFileName()));
                     onWritten.run();
                 },
                 failure -> {
@@ -250,6 +271,14 @@ final class BatchDialog extends RunsDialog {
                                 ErrorMessages.describe(failure, target)));
                     }
                 });
+    }
+
+    /** Shows that a file or folder has been written, after how the batch ended, null before the end. */
+    private void showSaved(Supplier<String> end, String name) {
+        progress()
+                .showStatus(() -> end == null
+                        ? Messages.get("saved", name)
+                        : Messages.get("batch.saved", end.get(), Messages.get("saved", name)));
     }
 
     /** Deletes a batch whose dialog was closed while it was written. */

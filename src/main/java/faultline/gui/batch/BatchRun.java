@@ -32,7 +32,7 @@ final class BatchRun {
 
     private final BatchPlan batch;
     private final int jobs;
-    private final TaskProgress progress = new TaskProgress();
+    private volatile TaskProgress progress = new TaskProgress();
     private final Queue<List<String>> newRows = new ConcurrentLinkedQueue<>();
     /** The cells of the header and of the rows. */
     private final List<List<String>> lines = new ArrayList<>();
@@ -68,6 +68,11 @@ final class BatchRun {
         return progress;
     }
 
+    /** Lets the next call of {@link #make} make the other runs of a batch that has been cancelled and has ended. */
+    void prepareToContinue() {
+        progress = new TaskProgress();
+    }
+
     /** Returns the plan; null until it has been read. */
     CampaignPlan planOrNull() {
         return plan;
@@ -93,23 +98,30 @@ final class BatchRun {
     }
 
     /**
-     * Makes the runs; if the batch is cancelled, those that are finished are kept.
+     * Makes the runs that have not been made; if the batch is cancelled, those that are finished are kept.
      *
      * @throws ScenarioException with everything that is wrong with the plan
      * @throws IOException if the temporary folder cannot be used
      */
     CampaignRunner.RunCounts make() throws IOException, ScenarioException {
+        boolean resume = plan != null;
+        if (!resume) {
+            prepare();
+        }
+        CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(results()), Shard.ALL, jobs);
+        CampaignRunner.RunCounts result = runner.run(resume, new RowCollector(), () -> !progress.isActive());
+        cells = BatchResults.cellsOf(plan, lines);
+        repeatCount = CampaignCell.repeatCount(plan, lines);
+        return result;
+    }
+
+    private void prepare() throws IOException, ScenarioException {
         temporary = TemporaryFolder.create("faultline-batch-");
         folder = temporary.path();
         CampaignPlan read = batch.prepare(folder);
         lines.add(ResultColumns.of(read).stream().map(column -> column.name()).toList());
         completion = new Completion(0, read.runCount(), 0);
         plan = read;
-        CampaignRunner runner = new CampaignRunner(read, new CampaignFolder(results()), Shard.ALL, jobs);
-        CampaignRunner.RunCounts result = runner.run(false, new RowCollector(), () -> !progress.isActive());
-        cells = BatchResults.cellsOf(plan, lines);
-        repeatCount = CampaignCell.repeatCount(read, lines);
-        return result;
     }
 
     private Path results() {
@@ -118,7 +130,8 @@ final class BatchRun {
 
     /** Collects the rows as they are written. */
     private final class RowCollector implements CampaignRunner.Progress {
-        private final long start = System.nanoTime();
+        /** The time at which the first run would have begun if all had been made at once. */
+        private final long start = System.nanoTime() - Math.round(completion.seconds() * 1e9);
 
         @Override
         public void rowAdded(List<String> cells) {

@@ -38,6 +38,7 @@ import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -276,6 +277,36 @@ class BatchRunTest {
                 rest.run(true, (made, runs) -> seen.set(made), () -> seen.get() > result.made());
         assertEquals(result.made() + 1, continued.made());
         run.delete();
+    }
+
+    @Test
+    void aCancelledBatchIsContinuedAsIfItHadBeenMadeAtOnce() throws Exception {
+        BatchPlan plan = plan(DiagnosisChoice.BOTH, 2);
+        BatchRun run = new BatchRun(plan, 1);
+        run.progress().cancel();
+        assertEquals(new CampaignRunner.RunCounts(0, 36, 0), run.make());
+        run.prepareToContinue();
+        Thread canceller = new Thread(() -> {
+            while (run.completion().made() < 3) {
+                Thread.onSpinWait();
+            }
+            run.progress().cancel();
+        });
+        canceller.start();
+        run.make();
+        canceller.join();
+        double seconds = run.completion().seconds();
+        run.prepareToContinue();
+        assertEquals(new CampaignRunner.RunCounts(36, 36, 0), run.make());
+        assertTrue(run.completion().seconds() >= seconds);
+        assertEquals(
+                LongStream.range(0, 36).boxed().toList(),
+                IntStream.range(0, 36).mapToObj(results(run)::run).toList());
+        run.saveResults(folder.resolve("results"));
+        run.delete();
+        assertArrayEquals(
+                runsOf(PlanFiles.read(folder.resolve("results/plan/plan.xml")), folder.resolve("again")),
+                Files.readAllBytes(folder.resolve("results/runs.csv")));
     }
 
     @Test

@@ -185,6 +185,24 @@ class BatchEndRobotTest {
     }
 
     @Test
+    void aStoppedBatchIsContinued() throws Exception {
+        JDialog dialog = startBatch("9000", "3");
+        JButton resume = button(dialog, "Continue");
+        waitForRuns(dialog, 3);
+        assertFalse(callOnEdt(resume::isEnabled));
+        driver.click(button(dialog, "Stop"));
+        driver.robot().waitFor("the batch can be continued", resume::isEnabled);
+        int made = callOnEdt(() -> runsOf(dialog).getModel().getRowCount());
+        driver.click(resume);
+        waitForRuns(dialog, made + 3);
+        assertFalse(callOnEdt(resume::isEnabled));
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        answerLoss(KeyEvent.VK_RIGHT, KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
+        assertNothingIsLeft();
+    }
+
+    @Test
     void closingTheDialogStopsARunThatWouldTakeHours() throws Exception {
         JDialog dialog = startBatch("1", "900000");
         driver.robot().waitFor("the runs are being made", BatchEndRobotTest::isBatchThreadAlive);
@@ -223,7 +241,7 @@ class BatchEndRobotTest {
         driver.enterFile(title, results);
         // The folder is there shortly before the dialog learns of it.
         driver.robot().waitFor("the results are saved", () -> ComponentFinder.findAll(dialog, JLabel.class)
-                .anyMatch(label -> "Saved as results".equals(label.getText())));
+                .anyMatch(label -> label.getText().matches("180 runs in .*, 0 failed.*\\. Saved as results")));
         assertEquals(181, Files.readAllLines(results.resolve("runs.csv")).size());
         try (Stream<Path> files = Files.list(folder)) {
             assertEquals(
