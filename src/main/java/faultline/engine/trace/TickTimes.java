@@ -5,9 +5,7 @@ import java.math.BigDecimal;
 /** The exact times of ticks, by one division of integers as far as that is exact. */
 final class TickTimes {
 
-    /** Integers of this number of digits are exact as doubles. */
-    private static final int EXACT_DIGITS = 15;
-
+    /** Integers up to this one are exact as doubles. */
     private static final long MAX_EXACT = 999_999_999_999_999L;
 
     private static final double[] POWERS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
@@ -22,7 +20,7 @@ final class TickTimes {
 
     private TickTimes(BigDecimal dt) {
         this.dt = dt;
-        boolean exact = dt.scale() > 0 && dt.scale() < POWERS.length && dt.precision() <= EXACT_DIGITS;
+        boolean exact = dt.scale() > 0 && dt.scale() < POWERS.length;
         units = exact ? dt.unscaledValue().longValueExact() : 0;
         scale = exact ? dt.scale() : 1;
         unitsPerSecond = POWERS[scale];

@@ -8,33 +8,54 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.Controller;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
+import faultline.control.SensorHealth;
 import faultline.control.Telemetry;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.geometry.Angles;
+import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
 import faultline.sensor.Reading;
+import java.io.BufferedOutputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The rows of a trace are those that plain code with the JDK's formatter writes. */
 class TraceWriterTest {
 
     private static String plainRow(Simulation simulation) {
+        List<String> cells = plainMotion(simulation, simulation.time());
+        for (int i = 0; i < simulation.robot().sensors().size(); i++) {
+            cells.add(plainReading(simulation.trueReading(i)));
+            cells.add(plainReading(simulation.reportedReading(i)));
+        }
+        return String.join(",", cells);
+    }
+
+    private static List<String> plainMotion(Simulation simulation, double time) {
         List<String> cells = new ArrayList<>(List.of(Long.toString(simulation.ticks())));
         for (double number : new double[] {
-            simulation.time(),
+            time,
             simulation.pose().x(),
             simulation.pose().y(),
             StrictMath.toDegrees(Angles.normalize(simulation.pose().heading())),
@@ -47,11 +68,58 @@ class TraceWriterTest {
         }
         cells.add(simulation.telemetry().state().name());
         cells.add(Boolean.toString(simulation.collision().isPresent()));
+        return cells;
+    }
+
+    private static String plainRowOfFormatTwo(Simulation simulation) {
+        BigDecimal dt = BigDecimal.valueOf(simulation.setup().dt());
+        List<String> cells = plainMotion(
+                simulation, dt.multiply(BigDecimal.valueOf(simulation.ticks())).doubleValue());
+        Telemetry telemetry = simulation.telemetry();
+        for (double number : new double[] {
+            simulation.leftVolts(),
+            simulation.rightVolts(),
+            telemetry.wall().wantedDistance(),
+            telemetry.wall().measuredDistance(),
+            telemetry.wall().proportional(),
+            telemetry.wall().derivative(),
+            telemetry.edges().tF3(),
+            telemetry.edges().tF4(),
+            telemetry.edges().tP()
+        }) {
+            cells.add(plainNumber(number));
+        }
+        cells.add(telemetry.diagnosis().rung());
+        for (MotorSide side : MotorSide.values()) {
+            cells.add(plainFaults(simulation.motorFaults().of(side)));
+        }
         for (int i = 0; i < simulation.robot().sensors().size(); i++) {
-            cells.add(plainReading(simulation.trueReading(i)));
-            cells.add(plainReading(simulation.reportedReading(i)));
+            cells.add(plainNumber(simulation.trueReading(i)));
+            cells.add(plainNumber(simulation.reportedReading(i)));
+            cells.add(Reading.isOff(simulation.reportedReading(i)) ? "0" : "1");
+            cells.add(plainFaults(simulation.faults(i)));
+            List<SensorHealth> health = telemetry.diagnosis().health();
+            cells.add(health.isEmpty() ? "" : health.get(i).trust().name().toLowerCase(Locale.ROOT));
+            cells.add(health.isEmpty() ? "" : health.get(i).finding().name().toLowerCase(Locale.ROOT));
+            cells.add(health.isEmpty() ? "" : Double.toString(health.get(i).evidence()));
         }
         return String.join(",", cells);
+    }
+
+    private static String plainNumber(double number) {
+        return Double.isFinite(number) ? Double.toString(number) : "";
+    }
+
+    /** Returns the faults as they are listed in the scenario, without a value if their kind has none. */
+    private static String plainFaults(List<?> faults) {
+        return faults.stream()
+                .map(fault -> Map.of(
+                                "Stuck[value=0.3]", "stuck=0.3",
+                                "Dead[]", "off",
+                                "Weak[value=0.9]", "weak=0.9",
+                                "NoDrive[]", "dead")
+                        .getOrDefault(fault.toString(), fault.toString()))
+                .collect(Collectors.joining(" "));
     }
 
     private static String plainReading(double reading) {
@@ -87,6 +155,97 @@ class TraceWriterTest {
         assertPlain("noisy-sensors.xml", 50);
         assertPlain("front-sensor-dies.xml", 100);
         assertPlain("collision-on-purpose.xml", 20);
+    }
+
+    /**
+     * Returns a scenario in which faults come and go, with the eight usual sensors and others. With fifteen sensors, a
+     * row has 128 cells, which fill two words of 64 bits.
+     */
+    private static Scenario withSensors(Path folder, int sensors) throws Exception {
+        StringBuilder text = new StringBuilder("<scenario xmlns='urn:faultline:scenario:1' name='Traced' duration='12'>"
+                + "<world width='5' height='4'/><robot x='2' y='0.7' heading='-90'>");
+        for (int i = 8; i < sensors; i++) {
+            text.append("<sensor id='s")
+                    .append(i)
+                    .append("' x='0' y='0' bearing='")
+                    .append(20 * i - 180)
+                    .append("'/>");
+        }
+        text.append("</robot>")
+                .append(
+                        """
+                <timeline>
+                  <fault at="0.5" sensor="right" kind="stuck" value="0.3" until="2"/>
+                  <fault at="1" sensor="right" kind="off" until="3"/>
+                  <fault at="8" sensor="front" kind="off"/>
+                  <fault at="9" motor="left" kind="weak" value="0.9"/>
+                  <fault at="10" motor="left" kind="dead"/>
+                  <fault at="11" motor="right" kind="dead"/>
+                </timeline></scenario>""");
+        return Scenario.load(Files.writeString(folder.resolve("traced.xml"), text));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"8, 2147483647", "8, 1", "8, 7", "15, 2147483647", "15, 1"})
+    void rowsOfFormatTwoAreThoseOfPlainCode(int sensors, int maxRows, @TempDir Path folder) throws Exception {
+        SimulationSetup setup = withSensors(folder, sensors).setup();
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        List<String> plain = new ArrayList<>();
+        try (TraceWriter trace = new TraceWriter(new BufferedOutputStream(out), TraceFormat.TWO, maxRows)) {
+            HeadlessRun.run(
+                    setup,
+                    ControllerMode.DIRECT,
+                    List.of(trace, simulation -> plain.add(plainRowOfFormatTwo(simulation))));
+            trace.flush();
+        }
+        plain.add(0, String.join(",", columns(TraceFormat.TWO, setup)));
+        assertRows(plain, rows(out));
+        assertEquals(23 + 7 * sensors, columns(TraceFormat.TWO, setup).size());
+        assertTrue(plain.stream().anyMatch(row -> row.contains(",weak=0.9 dead,dead,")));
+        assertTrue(plain.stream().anyMatch(row -> row.contains(",stuck=0.3 off,")));
+    }
+
+    private static void assertRows(List<String> expected, List<String> actual) {
+        for (int row = 0; row < Math.min(expected.size(), actual.size()); row++) {
+            assertEquals(expected.get(row), actual.get(row));
+        }
+        assertEquals(expected.size(), actual.size());
+    }
+
+    private static List<String> columns(TraceFormat format, SimulationSetup setup) {
+        return format.columns(setup.robot()).stream().map(TraceColumn::name).toList();
+    }
+
+    @Test
+    void cellsOfADiagnosisAreEmptyWhileThereIsNone(@TempDir Path folder) throws Exception {
+        SimulationSetup setup = withSensors(folder, 8).setup();
+        List<SensorHealth> healths = setup.robot().sensors().stream()
+                .map(sensor -> SensorHealth.trusted(sensor.id()))
+                .toList();
+        Controller controller = observation -> new Decision(
+                1,
+                1,
+                new Telemetry(
+                        ControllerState.of("s".repeat(5000)),
+                        "",
+                        0,
+                        0,
+                        Telemetry.WallControl.NONE,
+                        Telemetry.EdgeTimes.NONE,
+                        observation.tick() % 4 < 2
+                                ? Telemetry.Diagnosis.NONE
+                                : new Telemetry.Diagnosis("ALL", healths)));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        List<String> plain = new ArrayList<>();
+        try (TraceWriter trace = new TraceWriter(out, TraceFormat.TWO)) {
+            HeadlessRun.run(
+                    setup.withDuration(0.3),
+                    controller,
+                    ControllerMode.DIRECT,
+                    List.of(trace, simulation -> plain.add(plainRowOfFormatTwo(simulation))));
+            trace.flush();
+        }
+        assertRows(plain, rows(out).subList(1, plain.size() + 1));
     }
 
     @Test
@@ -184,6 +343,19 @@ class TraceWriterTest {
         SlowStream out = new SlowStream();
         out.failAt = 100;
         try (TraceWriter trace = new TraceWriter(out, TraceFormat.ONE, 20)) {
+            out.makeRun(trace);
+            assertEquals(
+                    "full at 100", assertThrows(IOException.class, trace::flush).getMessage());
+        }
+        out.assertWriterEnds();
+    }
+
+    /** The last block is full at the last tick, so nothing is left to be written when the trace ends. */
+    @Test
+    void aStreamThatFailsInTheLastFullBlockFailsTheLastFlush() throws Exception {
+        SlowStream out = new SlowStream();
+        out.failAt = 100;
+        try (TraceWriter trace = new TraceWriter(out, TraceFormat.ONE, 101)) {
             out.makeRun(trace);
             assertEquals(
                     "full at 100", assertThrows(IOException.class, trace::flush).getMessage());
