@@ -5,6 +5,7 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.function.LongSupplier;
 
 /** A bar that grows in its line, with the time left; shown only if a person can see it on a terminal. */
 final class TerminalProgress {
@@ -15,18 +16,23 @@ final class TerminalProgress {
 
     private final PrintStream out;
     private final boolean visible;
-    private final long start = System.nanoTime();
-    private long shown = start - INTERVAL;
+    private final LongSupplier clock;
+    private final long start;
+    private long shown;
     private long first = -1;
 
-    private TerminalProgress(PrintStream out, boolean visible) {
+    /** Creates a bar with a clock, which returns nanoseconds from any moment on. */
+    TerminalProgress(PrintStream out, boolean visible, LongSupplier clock) {
         this.out = out;
         this.visible = visible;
+        this.clock = clock;
+        start = clock.getAsLong();
+        shown = start - INTERVAL;
     }
 
     /** Returns a bar for standard error, which shows nothing if that is not a terminal. */
     static TerminalProgress on(PrintStream err) {
-        return new TerminalProgress(err, err == System.err && isTerminal());
+        return new TerminalProgress(err, err == System.err && isTerminal(), System::nanoTime);
     }
 
     /** Looks at where standard error goes; where the system does not say, at whether there is a console. */
@@ -46,7 +52,7 @@ final class TerminalProgress {
     /** Shows how far the work has come, a few times a second. */
     void update(long done, long all) {
         first = first < 0 ? done - 1 : first;
-        long now = System.nanoTime();
+        long now = clock.getAsLong();
         if (visible && (now - shown >= INTERVAL || done == all)) {
             shown = now;
             int filled = (int) (BAR_WIDTH * done / Math.max(1, all));

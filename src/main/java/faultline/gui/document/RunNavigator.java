@@ -7,7 +7,7 @@ import faultline.engine.recording.HashTrace;
 import faultline.engine.session.Session;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
-import java.util.List;
+import java.util.Collections;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
@@ -121,15 +121,11 @@ public final class RunNavigator implements WorkspaceListener {
                 && past.setup()
                         .withController(NO_CONTROLLER)
                         .equals(whole.setup().withController(NO_CONTROLLER))
-                && isBeginning(past.entries(), whole.entries())) {
+                && Collections.indexOfSubList(whole.entries(), past.entries()) == 0) {
             OptionalLong tick = hashes(workspace.openDocument().orElseThrow()).firstDifference(hashes(before), 0);
             tick.ifPresent(first -> workspace.fire(
                     listener -> listener.decidedDifferently(past.setup().timeOf(first))));
         }
-    }
-
-    private static boolean isBeginning(List<Journal.Entry> beginning, List<Journal.Entry> all) {
-        return beginning.size() <= all.size() && beginning.equals(all.subList(0, beginning.size()));
     }
 
     private static HashTrace hashes(OpenDocument document) {

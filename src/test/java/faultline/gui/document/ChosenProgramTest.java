@@ -18,8 +18,11 @@ import faultline.engine.session.ReferenceRun;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
+import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
+import faultline.world.Command;
+import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -239,6 +242,28 @@ class ChosenProgramTest {
         runOnEdt(() -> run.navigator().seek(15));
         waitFor("the sixth session", () -> sessionCount == 6);
         assertEquals(1, callOnEdt(differences::size), "the changed program again");
+    }
+
+    /** The setup without the obstacle drops the move of it; then the setup is that of the run again. */
+    @Test
+    void aRunWithFewerCommandsThanBeforeIsNoOtherDecision() throws Exception {
+        Scenario original = callOnEdt(() -> workspace.scenario().orElseThrow());
+        WorldSpec world = original.setup().world();
+        choose("sh " + script("CIRCLE"));
+        waitFor("the second session", () -> sessionCount == 2);
+        runOnEdt(() -> {
+            run.send(List.of(new Command.MoveObstacle("tree", new Pose(9, 2.5, 0))), results -> {});
+            run.step();
+        });
+        Await.until("the move", () -> tick() == 1 && workspace.isChanged());
+        Files.writeString(folder.resolve("follower.sh"), FOLLOWER.replace("0.1", "0.3"));
+        runOnEdt(() -> {
+            run.change(now -> now.withSetup(now.setup().withWorld(world.withObstacles(List.of()))));
+            run.change(now -> original);
+        });
+        waitFor("the third session", () -> sessionCount == 3);
+        assertEquals(List.of(), callOnEdt(() -> List.copyOf(failures)));
+        assertEquals(List.of(), callOnEdt(() -> List.copyOf(differences)));
     }
 
     @Test
