@@ -3,6 +3,7 @@ package faultline.engine.session;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -13,11 +14,17 @@ import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
+import faultline.engine.ControllerMode;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunMeasures;
+import faultline.engine.metrics.RunResult;
 import faultline.engine.recording.Recording;
 import faultline.geometry.Pose;
 import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
@@ -174,6 +181,59 @@ class SessionReplayTest {
         }
         assertEquals(ORIGINAL.pose(1000), ORIGINAL.pose(5000), "it stays at the end");
         assertTrue(ORIGINAL.path().size() > 100);
+    }
+
+    /** The mean of the squares depends on every tick in which the robot follows a wall. */
+    @Test
+    void aRunHasTheMeasuresThatItHasWithoutAWindow() {
+        SimulationSetup setup = ROOM.withDuration(40);
+        RunResult expected = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());
+        Journal journal = new Journal(setup, List.of(), 4000);
+        RunMeasures reference = ReferenceRun.replay(journal, tick -> true).measures();
+        assertEquals(expected.coverage().orElseThrow(), reference.coverage());
+        assertEquals(expected.distanceRms().orElseThrow(), reference.distanceRms());
+        assertEquals(expected.followRms().orElseThrow(), reference.followRms());
+        try (Session session = Session.replay(journal, 4000, onward -> true)) {
+            assertEquals(reference, session.frame().measures());
+            assertEquals(expected.coverage(), session.frame().coverage());
+            assertEquals(expected.distanceRms(), session.frame().distanceRms());
+        }
+    }
+
+    /** The front sensor is 0.125 m before the middle; the near side of the pole is at 0.9 m. */
+    @Test
+    void theFirstFrameShowsReadingsAfterTheCommandsForTheNextTick() {
+        SimulationSetup setup = ROOM.withStart(new Pose(0.5, 2, 0));
+        Command move = new Command.MoveObstacle("pole", new Pose(1, 2, 0));
+        Journal journal = new Journal(setup, List.of(new Journal.Entry(1, move)), 5);
+        try (Session session = Session.replay(journal, 0, onward -> true)) {
+            assertEquals(
+                    0.9 - 0.625,
+                    session.frame().snapshot().sensors().get(0).truth().encoded(),
+                    1e-12);
+        }
+    }
+
+    @Test
+    void aSimulationWithAnotherSetupExecutesTheCommandsOfTimelineAndJournalForTheNextTick() throws Exception {
+        TimedCommand timed = new TimedCommand(4, new Command.SwitchSensor("left", false));
+        Journal.Entry later = new Journal.Entry(401, new Command.SwitchSensor("right", false));
+        Journal journal = new Journal(ROOM.withTimeline(List.of(timed)), List.of(later), 1000);
+        try (Session session = Session.resimulate(journal, 399, onward -> true)) {
+            assertSame(journal.setup(), session.setup());
+            assertEquals(List.of("left"), sensorsThatAreOff(session));
+        }
+        try (Session session = Session.resimulate(journal, 400, onward -> true)) {
+            assertEquals(List.of("left", "right"), sensorsThatAreOff(session));
+            assertEquals(journal, session.fullJournal().get());
+        }
+    }
+
+    private static List<String> sensorsThatAreOff(Session session) {
+        return session.frame().snapshot().robot().sensors().stream()
+                .filter(sensor -> !sensor.on())
+                .map(SensorSpec::id)
+                .toList();
     }
 
     @Test

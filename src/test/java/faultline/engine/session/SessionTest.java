@@ -80,10 +80,12 @@ class SessionTest {
         BlockingQueue<Throwable> reported = new LinkedBlockingQueue<>();
         Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> reported.add(failure));
         try {
+            assertFalse(session.hasEnded());
             session.send(List.of(), results -> {
                 throw new StackOverflowError("deep");
             });
             assertEquals("deep", reported.take().getMessage());
+            assertTrue(session.hasEnded());
         } finally {
             Thread.setDefaultUncaughtExceptionHandler(before);
         }
@@ -205,6 +207,16 @@ class SessionTest {
         await(() -> ticks.contains(last));
     }
 
+    /** A window that is not painted asks for no frames, and learns only by the report that there is one. */
+    @Test
+    void aStepOfAPausedRunIsReportedThoughNobodyHasAskedForAFrame() throws Exception {
+        BlockingQueue<Long> ticks = new LinkedBlockingQueue<>();
+        session.setPausedChangeListener(() -> ticks.add(1L));
+        session.step();
+        assertEquals(1L, ticks.poll(10, TimeUnit.SECONDS));
+        assertEquals(1, tick());
+    }
+
     @Test
     void whilePausedACommandShowsAtOnceAndTimeStands() {
         session.send(new Command.MoveObstacle("pole", new Pose(1.525, 1, 0)));
@@ -290,7 +302,11 @@ class SessionTest {
                 .filter(thread -> !others.contains(thread) && thread.getName().startsWith("faultline-"))
                 .toList();
         assertFalse(threads.isEmpty());
+        assertTrue(threads.stream().allMatch(Thread::isDaemon), "the program can end");
+        assertFalse(own.hasEnded());
         own.close();
+        own.awaitEnd(TimeUnit.MINUTES.toMillis(1));
+        assertTrue(own.hasEnded());
         for (Thread thread : threads) {
             thread.join();
         }

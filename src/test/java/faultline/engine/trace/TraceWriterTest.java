@@ -309,6 +309,7 @@ class TraceWriterTest {
             writers.remove(run);
             assertEquals(1, writers.size());
             for (Thread writer : writers) {
+                assertTrue(writer.isDaemon(), "the program can end");
                 writer.join(TimeUnit.MINUTES.toMillis(1));
                 assertFalse(writer.isAlive());
             }
