@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.geometry.Vector2;
+import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import org.junit.jupiter.api.Test;
@@ -58,6 +59,19 @@ class CameraTest {
         Camera fitted = Camera.fit(new Rectangle2D.Double(0, 0, 6, 4), 50, 800, 600);
         assertEquals(700 / 6.0, fitted.scale(), 1e-9);
         assertNear(new Vector2(50, 300 + 2 * 700 / 6.0), fitted.toScreen(Vector2.ZERO), 1e-9);
+    }
+
+    @Test
+    void fittingIntoAnAreaShowsTheBoundsInItsMiddleAtTheRightScale() {
+        Camera full = Camera.fit(new Rectangle2D.Double(-1, 2, 6, 4), new PixelRectangle(10, 20, 300, 200));
+        assertEquals(50, full.scale(), 1e-9);
+        assertEquals(new Rectangle(310, 220), full.bounds());
+        assertNear(new Vector2(10, 220), full.toScreen(new Vector2(-1, 2)), 1e-9);
+        assertNear(new Vector2(310, 20), full.toScreen(new Vector2(5, 6)), 1e-9);
+        Camera wide = Camera.fit(new Rectangle2D.Double(-1, 2, 6, 4), new PixelRectangle(10.5, 20.25, 300, 100));
+        assertEquals(25, wide.scale(), 1e-9);
+        assertEquals(new Rectangle(311, 121), wide.bounds());
+        assertNear(new Vector2(160.5, 70.25), wide.toScreen(new Vector2(2, 4)), 1e-9);
     }
 
     @Test

@@ -205,6 +205,22 @@ class PaletteTest {
     }
 
     @Test
+    void theColoursOfAPictureAreThoseOfItsSceneAndOfItsSensors() {
+        Palette p = Palette.LIGHT;
+        List<Color> colours = p.colours(2);
+        assertEquals(16 + 4, colours.size());
+        assertTrue(colours.containsAll(List.of(p.canvas(), p.grid(), p.robot(), p.path(), p.reference())));
+        assertEquals(
+                List.of(
+                        p.sensorColours(0).fill(),
+                        p.sensorColours(0).outline(),
+                        p.sensorColours(1).fill(),
+                        p.sensorColours(1).outline()),
+                colours.subList(16, 20));
+        assertEquals(16 + 2 * 64, p.colours().size());
+    }
+
+    @Test
     void contrastIsMeasuredAsDefined() {
         assertEquals(21, Contrast.of(Color.BLACK, Color.WHITE), 1e-9);
         assertEquals(4.48, Contrast.of(new Color(0x777777), Color.WHITE), 0.01);

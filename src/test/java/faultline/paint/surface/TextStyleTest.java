@@ -29,6 +29,7 @@ class TextStyleTest {
         assertEquals(1.1 * STYLE.estimateWidth("n"), STYLE.withBold().estimateWidth("n"), 1e-9);
         assertEquals(3.2, STYLE.estimateWidth("i"), 1e-9);
         assertEquals(9, STYLE.estimateWidth("M"), 1e-9);
+        assertEquals(9, STYLE.estimateWidth("m"), 1e-9);
         assertEquals(7.2, STYLE.estimateWidth("A"), 1e-9);
     }
 
