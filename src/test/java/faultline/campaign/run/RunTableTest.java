@@ -150,6 +150,18 @@ class RunTableTest {
     }
 
     @Test
+    void aRowOfTimesHasTheTicksPerSecond() throws IOException {
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 2)) {
+            table.add(new RunMaker.MadeRun(0, ROW, false, 1000, 2.5));
+            table.add(new RunMaker.MadeRun(1, "1,broken,,\n", true, 0, 0));
+            assertEquals(1, table.broken());
+        }
+        assertEquals(
+                TIMING_HEADER + "0,2.500000,1000,400\n1,0.000000,0,0\n",
+                Files.readString(folder.resolve("timing.csv")));
+    }
+
+    @Test
     void aRunOutOfOrderIsRefused() throws IOException {
         try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 1, 3)) {
             assertThrows(IllegalStateException.class, () -> table.add(new RunMaker.MadeRun(2, ROW, false, 100, 0.5)));
