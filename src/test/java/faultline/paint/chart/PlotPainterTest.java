@@ -5,17 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Vector2;
 import faultline.paint.surface.ChartStyle;
-import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
-import faultline.paint.surface.Surface;
+import faultline.paint.surface.RecordingSurface;
 import faultline.paint.surface.TextStyle;
 import java.awt.Color;
-import java.awt.Font;
-import java.awt.Shape;
-import java.awt.Stroke;
-import java.awt.font.FontRenderContext;
-import java.awt.geom.PathIterator;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -32,60 +26,11 @@ class PlotPainterTest {
     private static final Plot PLOT =
             new Plot(new PixelRectangle(100, 10, 200, 100), Axis.linear("", 0, 2), Axis.linear("", 0, 1));
 
-    /** A surface that lists what is drawn; coordinates are rounded to tenths. */
-    private static final class RecordingSurface implements Surface {
-        private final List<String> shapes = new ArrayList<>();
-        private final List<String> texts = new ArrayList<>();
-
-        @Override
-        public void fill(Shape shape, Color colour) {
-            shapes.add("fill " + text(shape));
-        }
-
-        @Override
-        public void draw(Shape shape, Color colour, Stroke stroke) {
-            shapes.add(text(shape));
-        }
-
-        @Override
-        public void drawText(String text, Vector2 at, TextStyle style) {
-            texts.add(text + " at " + text(at.x(), at.y()) + " " + style.anchor() + (style.horizontal() ? "" : " up"));
-        }
-
-        @Override
-        public void drawText(String text, double x, double y, Color colour, Font font) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public void drawHaloedText(String text, double x, double y, Color colour, Color halo, Font font) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public FontRenderContext fontRenderContext() {
-            return DrawContext.FONT_CONTEXT;
-        }
-
-        private static String text(double x, double y) {
-            return Math.round(x * 10) / 10.0 + "," + Math.round(y * 10) / 10.0;
-        }
-
-        private static String text(Shape shape) {
-            List<String> points = new ArrayList<>();
-            double[] c = new double[6];
-            for (PathIterator i = shape.getPathIterator(null); !i.isDone(); i.next()) {
-                points.add(i.currentSegment(c) == PathIterator.SEG_CLOSE ? "closed" : text(c[0], c[1]));
-            }
-            return String.join(" ", points);
-        }
-    }
-
     private final RecordingSurface drawn = new RecordingSurface();
     private final PlotPainter painter = new PlotPainter(drawn, PLOT);
 
     private List<String> texts(String start) {
-        return drawn.texts.stream().filter(text -> text.startsWith(start)).toList();
+        return drawn.texts().stream().filter(text -> text.startsWith(start)).toList();
     }
 
     @Test
@@ -104,7 +49,7 @@ class PlotPainterTest {
                         "100.0,50.0 300.0,50.0",
                         "100.0,30.0 300.0,30.0",
                         "100.0,10.0 300.0,10.0"),
-                drawn.shapes);
+                drawn.shapes());
     }
 
     @Test
@@ -112,16 +57,16 @@ class PlotPainterTest {
         painter.paintTicks(new TickStyle(TEXT, 4, 8, 17, "s"));
         assertEquals(List.of("0.5s at 150.0,127.0 MIDDLE"), texts("0.5"));
         assertEquals(List.of("0.2 at 92.0,94.0 END"), texts("0.2"));
-        assertEquals(5 + 6, drawn.texts.size());
-        assertTrue(drawn.shapes.contains("150.0,110.0 150.0,114.0"), drawn.shapes::toString);
-        assertTrue(drawn.shapes.contains("100.0,90.0 96.0,90.0"), drawn.shapes::toString);
-        assertEquals(5 + 6, drawn.shapes.size());
+        assertEquals(5 + 6, drawn.texts().size());
+        assertTrue(drawn.shapes().contains("150.0,110.0 150.0,114.0"), drawn.shapes()::toString);
+        assertTrue(drawn.shapes().contains("100.0,90.0 96.0,90.0"), drawn.shapes()::toString);
+        assertEquals(5 + 6, drawn.shapes().size());
     }
 
     @Test
     void ticksWithoutMarksHaveOnlyLabels() {
         painter.paintTicks(new TickStyle(TEXT, 0, 8, 17, ""));
-        assertEquals(List.of(), drawn.shapes);
+        assertEquals(List.of(), drawn.shapes());
     }
 
     @Test
@@ -131,18 +76,18 @@ class PlotPainterTest {
         // "0.5" is 15.6 pixels wide, for 10 between two ticks; a line is 10 pixels high, for 5 between two ticks.
         assertEquals(
                 List.of("0 at 0.0,42.0 MIDDLE", "1 at 20.0,42.0 MIDDLE", "2 at 40.0,42.0 MIDDLE"),
-                drawn.texts.subList(0, 3));
+                drawn.texts().subList(0, 3));
         assertEquals(
                 List.of("0 at -8.0,29.0 END", "0.4 at -8.0,19.0 END", "0.8 at -8.0,9.0 END"),
-                drawn.texts.subList(3, 6));
-        assertEquals(6, drawn.texts.size());
+                drawn.texts().subList(3, 6));
+        assertEquals(6, drawn.texts().size());
     }
 
     @Test
     void aLineIsDrawnOnlyInThePlot() {
         painter.paintLine(
                 List.of(new Vector2(0, 0.5), new Vector2(1, 0.5), new Vector2(1, 3)), LineStyle.solid(Color.RED, 1));
-        assertEquals(List.of("100.0,60.0 200.0,60.0 200.0,10.0"), drawn.shapes);
+        assertEquals(List.of("100.0,60.0 200.0,60.0 200.0,10.0"), drawn.shapes());
     }
 
     @Test
@@ -151,7 +96,7 @@ class PlotPainterTest {
                 List.of(new Vector2(0, 1), new Vector2(2, 0.9)),
                 List.of(new Vector2(0, 0.5), new Vector2(2, -1)),
                 Color.RED);
-        assertEquals(List.of("fill 100.0,10.0 300.0,20.0 300.0,110.0 100.0,60.0 closed"), drawn.shapes);
+        assertEquals(List.of("fill 100.0,10.0 300.0,20.0 300.0,110.0 100.0,60.0 closed"), drawn.shapes());
     }
 
     @Test
@@ -167,16 +112,16 @@ class PlotPainterTest {
                 List.of(
                         "197.0,57.0 203.0,57.0 203.0,63.0 197.0,63.0 closed",
                         "297.0,7.0 303.0,7.0 303.0,13.0 297.0,13.0 closed"),
-                drawn.shapes);
+                drawn.shapes());
     }
 
     @Test
     void fourMarkersDifferInTheirShapesAroundThePoint() {
         List<String> markers = new ArrayList<>();
         for (int index = 0; index < 8; index++) {
-            drawn.shapes.clear();
+            drawn.clear();
             MarkerPainter.paint(drawn, new Vector2(50, 50), index, STYLE);
-            markers.add(String.join(" and ", drawn.shapes));
+            markers.add(String.join(" and ", drawn.shapes()));
         }
         assertEquals(markers.subList(0, 4), markers.subList(4, 8));
         assertEquals(4, new HashSet<>(markers).size());
@@ -195,7 +140,7 @@ class PlotPainterTest {
                         "fill 200.0,110.0 300.0,110.0 300.0,60.0 200.0,60.0 closed",
                         "fill 100.0,60.0 200.0,60.0 200.0,10.0 100.0,10.0 closed",
                         "fill 200.0,60.0 300.0,60.0 300.0,10.0 200.0,10.0 closed"),
-                drawn.shapes);
+                drawn.shapes());
     }
 
     /** The plot is 62 pixels from the left, 16 from the right, 46 from below, and below title and legend. */
@@ -215,9 +160,9 @@ class PlotPainterTest {
         assertEquals(List.of("across at 223.0,290.0 MIDDLE"), texts("across"));
         assertEquals(List.of("up at 14.0,150.0 MIDDLE up"), texts("up"));
         assertEquals(List.of("note at 223.0,46.0 START"), texts("note"), "20 pixels for the legend");
-        assertTrue(drawn.shapes.contains("62.0,254.0 384.0,254.0 384.0,46.0 62.0,46.0 closed"));
-        assertTrue(drawn.shapes.contains("62.0,254.0 384.0,46.0"), "the line");
-        assertTrue(drawn.shapes.contains("62.0,32.0 88.0,32.0"), "its sample");
+        assertTrue(drawn.shapes().contains("62.0,254.0 384.0,254.0 384.0,46.0 62.0,46.0 closed"));
+        assertTrue(drawn.shapes().contains("62.0,254.0 384.0,46.0"), "the line");
+        assertTrue(drawn.shapes().contains("62.0,32.0 88.0,32.0"), "its sample");
         double points = 62 + 26 + 5 + TextStyle.plain(11, Color.BLACK).estimateWidth("line") + 14;
         assertEquals(List.of("line at 93.0,36.0 START"), texts("line"));
         assertEquals(List.of("points at " + Math.round((points + 31) * 10) / 10.0 + ",36.0 START"), texts("points"));
@@ -230,7 +175,7 @@ class PlotPainterTest {
         double left = 16 + TextStyle.plain(11, Color.BLACK).estimateWidth("long name");
         assertEquals(left, ChartPainter.leftMargin(List.of("b", "long name")));
         String zero = Math.round((left + 384) / 2 * 10) / 10.0 + ",";
-        assertTrue(drawn.shapes.contains(zero + "254.0 " + zero + "10.0"), drawn.shapes::toString);
+        assertTrue(drawn.shapes().contains(zero + "254.0 " + zero + "10.0"), drawn.shapes()::toString);
         assertEquals(1, texts("long name").size());
     }
 
