@@ -8,7 +8,6 @@ import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.XmlElement;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -127,14 +126,16 @@ final class FactorReader {
         ElementRules.checkChildren(node, List.of("mask"), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         String name = columnName(fields, "sensors_on");
-        List<String> sensors = fields.text("sensors").map(FactorReader::words).orElse(standardSensors());
+        List<String> sensors = fields.text("sensors")
+                .map(text -> idList(fields, "sensors", text))
+                .orElse(standardSensors());
         fields.reportUnknownAndMissing();
         List<List<String>> masks = new ArrayList<>();
         Set<Set<String>> sets = new HashSet<>();
         node.childrenNamed("mask").forEach(child -> masks.add(readMask(child, sensors, sets)));
         if (masks.isEmpty()) {
             if (sensors.size() > MAX_MASKED) {
-                fields.report("sensors", String.join(" ", sensors), "at most " + MAX_MASKED + " of them");
+                fields.report("sensors", ValueSyntax.formatIdList(sensors), "at most " + MAX_MASKED + " of them");
                 return Optional.empty();
             }
             masks.addAll(subsets(sensors));
@@ -151,12 +152,14 @@ final class FactorReader {
     private List<String> readMask(XmlElement node, List<String> sensors, Set<Set<String>> earlier) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
-        List<String> on =
-                words(fields.requiredText("on", "the sensors that are on").orElse(""));
+        List<String> on = idList(
+                fields,
+                "on",
+                fields.requiredText("on", "the sensors that are on").orElse(""));
         if (!sensors.containsAll(on)) {
-            fields.report("on", String.join(" ", on), "some of " + Allowed.names(sensors));
+            fields.report("on", ValueSyntax.formatIdList(on), "some of " + Allowed.names(sensors));
         } else if (!earlier.add(Set.copyOf(on))) {
-            fields.report("on", String.join(" ", on), "a set of sensors that no other <mask> has");
+            fields.report("on", ValueSyntax.formatIdList(on), "a set of sensors that no other <mask> has");
         }
         fields.reportUnknownAndMissing();
         return on;
@@ -173,7 +176,7 @@ final class FactorReader {
                         new AttributeValue.FixedValue(String.valueOf(on.contains(sensor))),
                         node.location()))
                 .toList();
-        String text = on.isEmpty() ? "none" : String.join(" ", on);
+        String text = on.isEmpty() ? "none" : ValueSyntax.formatIdList(on);
         return new Factor.Level(
                 List.of(new AttributeValue.FixedValue(text), new AttributeValue.FixedValue(String.valueOf(on.size()))),
                 edits);
@@ -197,9 +200,11 @@ final class FactorReader {
         return RobotSpec.DEFAULT.sensors().stream().map(SensorSpec::id).collect(Collectors.toList());
     }
 
-    private static List<String> words(String text) {
-        return text.isBlank()
-                ? List.of()
-                : Arrays.stream(text.strip().split("\\s+")).distinct().toList();
+    private static List<String> idList(AttributeReader fields, String name, String text) {
+        Optional<List<String>> ids = ValueSyntax.parseIdList(text);
+        if (ids.isEmpty()) {
+            fields.report(name, text, ValueSyntax.ID_LIST_RULE);
+        }
+        return ids.orElse(List.of());
     }
 }

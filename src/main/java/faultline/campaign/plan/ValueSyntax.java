@@ -136,6 +136,32 @@ public final class ValueSyntax {
                 : ids(text.strip()).map(ValueSyntax::fixed);
     }
 
+    /** The form of a list of ids, for error messages. */
+    static final String ID_LIST_RULE =
+            "ids with blanks between them, with whole ids in double quotes; at most " + MAX_VALUES + " of them";
+
+    /**
+     * {@return a set of ids as it is written in a plan and in results, with blanks between the ids} Only ids that
+     * contain blanks are in quotes.
+     *
+     * @param ids the ids, without double quotes
+     */
+    static String formatIdList(List<String> ids) {
+        return ids.stream()
+                .map(id -> id.chars().anyMatch(Character::isWhitespace) ? '"' + id + '"' : id)
+                .collect(Collectors.joining(" "));
+    }
+
+    /**
+     * {@return the different ids of a list of ids, which may be empty; no result if the list has too many of them, or
+     * quotes that are not around whole ids}
+     *
+     * @param text the text in the plan or in results
+     */
+    public static Optional<List<String>> parseIdList(String text) {
+        return ids(text.strip());
+    }
+
     /** Returns the different ids of a text; empty if it has too many, or quotes that are not around whole ids. */
     private static Optional<List<String>> ids(String text) {
         Matcher id = ID.matcher(text);

@@ -2,8 +2,8 @@ package faultline.campaign.report;
 
 import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.FactorKind;
+import faultline.campaign.plan.ValueSyntax;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -169,7 +169,9 @@ final class FaultSections {
     }
 
     private static Set<String> sensors(String set) {
-        return set.equals("none") ? Set.of() : new LinkedHashSet<>(Arrays.asList(set.split(" ")));
+        return set.equals("none")
+                ? Set.of()
+                : new LinkedHashSet<>(ValueSyntax.parseIdList(set).orElse(List.of()));
     }
 
     private static String minimumTable(Map<String, Survival> sets) {
@@ -203,7 +205,8 @@ final class FaultSections {
             int wanted = size;
             List<String> some = sets.keySet().stream()
                     .filter(set -> sensors(set).size() == wanted)
-                    .sorted(Comparator.comparing((String set) -> -sets.get(set).share())
+                    .sorted(Comparator.comparing((String set) -> sets.get(set).n() == 0)
+                            .thenComparing(set -> -sets.get(set).share())
                             .thenComparing(set -> set))
                     .toList();
             if (!some.isEmpty()) {

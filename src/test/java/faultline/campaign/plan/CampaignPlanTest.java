@@ -9,6 +9,7 @@ import faultline.campaign.RandomRoom;
 import faultline.campaign.RoomRules;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
+import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
@@ -187,6 +188,31 @@ class CampaignPlanTest {
         assertEquals(2, timeline.get(1).time() - timeline.get(0).time(), 1e-9);
         assertEquals(
                 timeline.get(0).time(), Double.parseDouble(plan.run(4).cells().get(3)));
+    }
+
+    @Test
+    void aMaskNamesSensorsWhoseIdsHaveBlanks() throws ScenarioException {
+        String room = SamplePlan.ROOM.replace(
+                "<robot x=\"0.6\" y=\"1.2\"/>",
+                """
+                <robot x="0.6" y="1.2">
+                  <sensor id="left" x="0" y="0.1" bearing="90"/>
+                  <sensor id="front nose" x="0.1" y="0" bearing="0"/>
+                </robot>
+                """);
+        CampaignPlan plan = SamplePlan.read(
+                SamplePlan.text(
+                        "",
+                        "<worlds><scenario file=\"a.xml\"/></worlds><masks sensors='left \"front nose\"'>"
+                                + "<mask on=''/><mask on='\"front nose\"'/><mask on='\"front nose\" left'/></masks>"),
+                room);
+        assertEquals(3, plan.runCount());
+        assertEquals(List.of("none", "0"), plan.run(0).cells());
+        assertEquals(List.of("\"front nose\"", "1"), plan.run(1).cells());
+        assertEquals(List.of("\"front nose\" left", "2"), plan.run(2).cells());
+        RobotSpec robot = plan.scenario(plan.run(1)).setup().robot();
+        assertTrue(robot.sensor("front nose").orElseThrow().on());
+        assertFalse(robot.sensor("left").orElseThrow().on());
     }
 
     @Test

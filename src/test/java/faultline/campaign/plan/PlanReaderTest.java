@@ -66,6 +66,7 @@ class PlanReaderTest {
             <set attribute="controller/@type" value="extern"/><variants><variant name="a"/></variants> | plan.xml:3:51: the controller is from outside, which no plan can name; expected one of the program or of --jar (in room)
             <set attribute="controller/setting[1]/@value" value="1"/> | plan.xml:3:58: attribute of <set> is "controller/setting[1]/@value", but <controller> has no setting[1] (in room)
             <set attribute="controller/setting[a]/@value" value="1"/> | plan.xml:3:58: <controller> must not contain <setting>; expected nothing (in room)
+            <masks sensors='front "left'/> | plan.xml:3:31: sensors of <masks> is "front "left"; expected ids with blanks between them, with whole ids in double quotes; at most 100000 of them
             <masks sensors="front left"><mask on="rear"/></masks> | plan.xml:3:46: on of <mask> is "rear"; expected some of front, left
             """)
     void everyMistakeIsReportedAtItsPlace(String element, String problem) {

@@ -80,4 +80,18 @@ class SensorSetsTest {
         addRuns("none", 0, 20);
         assertTrue(section().contains("No set is sufficient."), section());
     }
+
+    @Test
+    void anIdWithBlanksIsOneSensor() {
+        addRuns("\"front nose\" left", 20, 20);
+        assertTrue(
+                section().contains(row("2") + "<td>1</td><td>1</td><td>&quot;front nose&quot; left</td>"), section());
+    }
+
+    @Test
+    void aSetWithoutDecidedRunsIsNotTheBestOne() {
+        lines.add(List.of("0", "0", "a", "front", ""));
+        addRuns("left", 0, 20);
+        assertTrue(section().contains(row("1") + "<td>2</td><td>0</td><td>left</td>"), section());
+    }
 }
