@@ -317,7 +317,7 @@ final class BatchDialog extends RunsDialog {
 
     @Override
     void close() {
-        runIfResultsHandled(this::dispose);
+        runIfResultsHandled(this::disposeAndFocusOwner);
     }
 
     private void discardRun() {

@@ -42,6 +42,6 @@ final class ResultsDialog extends RunsDialog {
 
     @Override
     void close() {
-        dispose();
+        disposeAndFocusOwner();
     }
 }

@@ -79,6 +79,15 @@ abstract class RunsDialog extends JDialog {
     /** Closes the dialog as its button does. */
     abstract void close();
 
+    /**
+     * Disposes of the dialog and gives the focus to its owner. A window manager may give it to no window if a question
+     * above the dialog is closed at the same time.
+     */
+    final void disposeAndFocusOwner() {
+        dispose();
+        getOwner().requestFocus();
+    }
+
     final BatchActions actions() {
         return actions;
     }

@@ -199,6 +199,7 @@ class BatchEndRobotTest {
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         answerLoss(KeyEvent.VK_RIGHT, KeyEvent.VK_ENTER);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
+        driver.robot().waitFor("the window has the focus", driver.window()::isFocused);
         assertNothingIsLeft();
     }
 
