@@ -24,8 +24,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Marks the wheels of a side whose motors are faulty: pale and hatched, with the names of the faults beside the robot.
- * Paints nothing if no motor is faulty.
+ * Marks the wheels of a side whose motors are faulty: pale, and hatched or crossed out, with the names of the faults
+ * beside the robot. Paints nothing if no motor is faulty.
  */
 final class MotorFaultPainter {
 
@@ -39,6 +39,10 @@ final class MotorFaultPainter {
     private static final double STEP = 3;
     /** Between the halo of the robot and the label, pixels. */
     private static final double LABEL_GAP = 3;
+    /** How far a label moves away from the robot to find a free place, pixels, and the steps of that. */
+    private static final double MAX_SHIFT = 400;
+
+    private static final double SHIFT_STEP = 4;
 
     private MotorFaultPainter() {}
 
@@ -75,17 +79,22 @@ final class MotorFaultPainter {
         context.draw(outline, colour, OUTLINE_STROKE);
     }
 
-    /** Returns lines across a wheel that drives less, lines along one that starts late, and both if it is dead. */
+    /** Returns lines across a wheel that drives less, lines along one that starts late, and a cross if it is dead. */
     private static Path2D hatching(Rectangle2D wheel, Set<MotorFaultKind> kinds, double step) {
         Path2D lines = new Path2D.Double();
-        if (kinds.contains(MotorFaultKind.WEAK) || kinds.contains(MotorFaultKind.DEAD)) {
+        if (kinds.contains(MotorFaultKind.DEAD)) {
+            lines.append(new Line2D.Double(wheel.getMinX(), wheel.getMinY(), wheel.getMaxX(), wheel.getMaxY()), false);
+            lines.append(new Line2D.Double(wheel.getMinX(), wheel.getMaxY(), wheel.getMaxX(), wheel.getMinY()), false);
+            return lines;
+        }
+        if (kinds.contains(MotorFaultKind.WEAK)) {
             int gaps = (int) Math.max(2, Math.round(wheel.getWidth() / step));
             for (int i = 1; i < gaps; i++) {
                 double x = wheel.getX() + i * wheel.getWidth() / gaps;
                 lines.append(new Line2D.Double(x, wheel.getMinY(), x, wheel.getMaxY()), false);
             }
         }
-        if (kinds.contains(MotorFaultKind.DEAD_BAND) || kinds.contains(MotorFaultKind.DEAD)) {
+        if (kinds.contains(MotorFaultKind.DEAD_BAND)) {
             int gaps = (int) Math.max(2, Math.round(wheel.getHeight() / step));
             for (int i = 1; i < gaps; i++) {
                 double y = wheel.getY() + i * wheel.getHeight() / gaps;
@@ -95,14 +104,19 @@ final class MotorFaultPainter {
         return lines;
     }
 
-    /** Returns the labels of the sides that have faults, beside the halo of the robot and within the picture. */
-    static List<SideLabel> labels(DrawContext context, Snapshot world, SceneLabels labels) {
+    /**
+     * Returns the labels of the sides that have faults, within the picture: beside the halo of the robot, or so far
+     * from it that they cover no other labels, whose bounding boxes are given, pixels.
+     */
+    static List<SideLabel> labels(DrawContext context, Snapshot world, SceneLabels labels, List<Rectangle2D> others) {
         List<SideLabel> result = new ArrayList<>();
         for (MotorSide side : MotorSide.values()) {
             String faults = names(world, side, labels).collect(Collectors.joining(", "));
             if (!faults.isEmpty()) {
                 String text = labels.motors().apply(side) + ": " + faults;
-                result.add(new SideLabel(text, place(context, world, side, context.measureText(text))));
+                List<Rectangle2D> taken = new ArrayList<>(others);
+                result.forEach(label -> taken.add(label.box()));
+                result.add(new SideLabel(text, place(context, world, side, context.measureText(text), taken)));
             }
         }
         return result;
@@ -114,14 +128,27 @@ final class MotorFaultPainter {
                 .distinct();
     }
 
-    private static Rectangle2D place(DrawContext context, Snapshot world, MotorSide side, Rectangle2D size) {
-        double turn = side == MotorSide.LEFT ? Math.PI / 2 : -Math.PI / 2;
-        double angle = world.pose().heading() + turn;
+    private static Rectangle2D place(
+            DrawContext context, Snapshot world, MotorSide side, Rectangle2D size, List<Rectangle2D> taken) {
+        double nearest = RobotPainter.haloRadius(context, world.robot()) + LABEL_GAP;
+        for (double distance = nearest; distance < nearest + MAX_SHIFT; distance += SHIFT_STEP) {
+            Rectangle2D box = boxAt(context, world.pose(), side, size, distance);
+            if (taken.stream().noneMatch(box::intersects)) {
+                return box;
+            }
+        }
+        return boxAt(context, world.pose(), side, size, nearest);
+    }
+
+    /**
+     * Returns the box of a label whose edge is at a distance from the centre of the robot, pixels, or further inside.
+     */
+    private static Rectangle2D boxAt(
+            DrawContext context, Pose pose, MotorSide side, Rectangle2D size, double distance) {
+        double angle = pose.heading() + (side == MotorSide.LEFT ? Math.PI / 2 : -Math.PI / 2);
         Vector2 aside = new Vector2(Math.cos(angle), -Math.sin(angle));
         double clear = (Math.abs(aside.x()) * size.getWidth() + Math.abs(aside.y()) * size.getHeight()) / 2;
-        Vector2 centre = context.camera()
-                .toScreen(world.pose().position())
-                .plus(aside.times(RobotPainter.haloRadius(context, world.robot()) + LABEL_GAP + clear));
+        Vector2 centre = context.camera().toScreen(pose.position()).plus(aside.times(distance + clear));
         return new Rectangle2D.Double(
                 within(centre.x() - size.getWidth() / 2, context.camera().width() - size.getWidth()),
                 within(centre.y() - size.getHeight() / 2, context.camera().height() - size.getHeight()),
@@ -133,8 +160,9 @@ final class MotorFaultPainter {
         return Math.max(0, Math.min(value, max));
     }
 
-    static void paintLabels(DrawContext context, List<SideLabel> labels) {
-        for (SideLabel label : labels) {
+    /** Paints the labels of the sides that have faults, where they do not cover other labels. */
+    static void paintLabels(DrawContext context, Snapshot world, SceneLabels names, List<Rectangle2D> others) {
+        for (SideLabel label : labels(context, world, names, others)) {
             context.drawLabel(
                     label.text(),
                     label.box().getCenterX(),

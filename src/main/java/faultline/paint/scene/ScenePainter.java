@@ -88,13 +88,11 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         }
         obstacles.forEach(obstacle -> paintMovingObstacle(context, obstacle));
         RobotPainter.paintHalo(context, world.robot(), world.pose());
-        List<MotorFaultPainter.SideLabel> motorLabels =
-                MotorFaultPainter.labels(context.withFont(labels.font()), world, labels);
-        paintSensors(context, world.sensors(), motorLabels);
+        List<Rectangle2D> sensorLabels = paintSensors(context, world.sensors());
         RobotPainter.paint(context, world.robot(), world.pose());
         RobotPainter.paintHeading(context, world.robot(), world.pose());
         MotorFaultPainter.paintWheels(context, world);
-        MotorFaultPainter.paintLabels(context.withFont(labels.font()), motorLabels);
+        MotorFaultPainter.paintLabels(context.withFont(labels.font()), world, labels, sensorLabels);
         if (layers.contains(Layer.INTERSECTIONS)) {
             paintIntersections(context, world.sensors());
         }
@@ -125,17 +123,15 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         obstaclePainter().paint(context, obstacle);
     }
 
-    private void paintSensors(
-            DrawContext context, List<SensorSnapshot> sensors, List<MotorFaultPainter.SideLabel> motorLabels) {
+    /** Paints the sensors, and returns the bounding boxes of their labels, pixels. */
+    private List<Rectangle2D> paintSensors(DrawContext context, List<SensorSnapshot> sensors) {
         if (!layers.contains(Layer.CONES)) {
-            return;
+            return List.of();
         }
         for (int i = 0; i < sensors.size(); i++) {
             SensorPainter.paintCone(context, i, sensors.get(i));
         }
-        List<Rectangle2D> covered =
-                motorLabels.stream().map(MotorFaultPainter.SideLabel::box).toList();
-        SensorPainter.paintLabels(context.withFont(labels.font()), sensors, labels, covered);
+        return SensorPainter.paintLabels(context.withFont(labels.font()), sensors, labels);
     }
 
     private static void paintIntersections(DrawContext context, List<SensorSnapshot> sensors) {

@@ -79,10 +79,9 @@ final class SensorPainter {
 
     /**
      * Paints what other cones must not cover. Names of faults are painted before plain numbers, and a number that would
-     * overlap a label, or an area that other labels will cover, pixels, is omitted.
+     * overlap a label is omitted. Returns the bounding boxes of the labels, pixels.
      */
-    static void paintLabels(
-            DrawContext context, List<SensorSnapshot> sensors, SceneLabels labels, List<Rectangle2D> covered) {
+    static List<Rectangle2D> paintLabels(DrawContext context, List<SensorSnapshot> sensors, SceneLabels labels) {
         List<SensorLabel> all = new ArrayList<>();
         for (int i = 0; i < sensors.size(); i++) {
             ScreenSector cone = ScreenSector.of(context.camera(), sensors.get(i).sector());
@@ -92,7 +91,7 @@ final class SensorPainter {
             }
         }
         all.sort(Comparator.comparing(SensorLabel::isNumber));
-        List<Rectangle2D> used = new ArrayList<>(covered);
+        List<Rectangle2D> used = new ArrayList<>();
         for (SensorLabel label : all) {
             if (!label.isNumber() || used.stream().noneMatch(label.box()::intersects)) {
                 used.add(label.box());
@@ -100,6 +99,7 @@ final class SensorPainter {
                         label.text(), label.box().getCenterX(), label.box().getCenterY(), label.colour());
             }
         }
+        return used;
     }
 
     private static void paintTrueReading(DrawContext context, ScreenSector cone, SensorSnapshot sensor) {

@@ -15,6 +15,7 @@ import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
@@ -28,6 +29,7 @@ import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import faultline.world.WaypointPath;
 import java.awt.Color;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.EnumSet;
@@ -176,12 +178,60 @@ class ScenePainterTest {
             assertEquals(
                     List.of("right motors: " + kind.fileName()),
                     MotorFaultPainter.labels(
-                                    context, withMotorFaults(AT_2_1, right).snapshot(), SceneLabels.ENGLISH)
+                                    context, withMotorFaults(AT_2_1, right).snapshot(), SceneLabels.ENGLISH, List.of())
                             .stream()
                             .map(MotorFaultPainter.SideLabel::text)
                             .toList());
         }
         assertEquals(MotorFaultKind.values().length, pictures.size());
+    }
+
+    /** A side that drives less and starts late still drives. */
+    @Test
+    void severalFaultsOfASideDoNotLookLikeADeadOne() {
+        MotorFault weak = MotorFaultKind.WEAK.createFault(0.7);
+        MotorFault late = MotorFaultKind.DEAD_BAND.createFault(0.5);
+        MotorFault dead = new MotorFault.NoDrive();
+        BufferedImage both = FrameRenderer.render(
+                withMotorFaults(AT_2_1, new MotorFaults(List.of(weak, late), List.of())), LIGHT, 900, 600);
+        BufferedImage none = FrameRenderer.render(
+                withMotorFaults(AT_2_1, new MotorFaults(List.of(dead), List.of())), LIGHT, 900, 600);
+        Camera camera = FrameRenderer.fitCamera(SampleFrames.frameOf(AT_2_1).snapshot(), 900, 600);
+        Vector2 wheel = camera.toScreen(new Vector2(2.0675, 1.084));
+        int differing = 0;
+        for (int x = -5; x <= 5; x++) {
+            for (int y = -4; y <= 4; y++) {
+                int column = (int) wheel.x() + x;
+                int row = (int) wheel.y() + y;
+                differing += both.getRGB(column, row) == none.getRGB(column, row) ? 0 : 1;
+            }
+        }
+        assertTrue(differing > 10, differing + " pixels differ");
+    }
+
+    @Test
+    void theLabelsOfMotorsCoverNoOtherLabels() {
+        MotorFaults faults = new MotorFaults(
+                List.of(MotorFaultKind.WEAK.createFault(0.7)), List.of(MotorFaultKind.WEAK.createFault(0.7)));
+        Snapshot world = withMotorFaults(AT_2_1, faults).snapshot();
+        Camera camera = FrameRenderer.fitCamera(world, 900, 600);
+        BufferedImage image = new BufferedImage(900, 600, BufferedImage.TYPE_INT_RGB);
+        DrawContext context = new DrawContext(image.createGraphics(), camera, LIGHT);
+        List<Rectangle2D> beside = boxes(context, world, List.of());
+        Vector2 robot = camera.toScreen(AT_2_1.position());
+        assertTrue(beside.get(0).getMaxY() < robot.y() && beside.get(1).getMinY() > robot.y());
+        List<Rectangle2D> others = List.of(
+                beside.get(0), new Rectangle2D.Double(robot.x(), beside.get(1).getMinY(), 5, 30));
+        List<Rectangle2D> moved = boxes(context, world, others);
+        assertTrue(moved.stream().noneMatch(box -> others.stream().anyMatch(box::intersects)), moved.toString());
+        assertFalse(moved.get(0).intersects(moved.get(1)));
+        assertTrue(moved.get(0).getMaxY() <= beside.get(0).getMinY());
+    }
+
+    private static List<Rectangle2D> boxes(DrawContext context, Snapshot world, List<Rectangle2D> others) {
+        return MotorFaultPainter.labels(context, world, SceneLabels.ENGLISH, others).stream()
+                .map(MotorFaultPainter.SideLabel::box)
+                .toList();
     }
 
     @Test
