@@ -38,37 +38,41 @@ public final class UndoController {
             Refusal.Reason.UNKNOWN_FAULT,
             Refusal.Reason.UNKNOWN_MOTOR_FAULT);
 
-    private final BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel;
+    private final CommandSender sender;
     private final Runnable onStateChange;
     private final Gestures gestures;
-    private final PendingEdits pendingEdits = new PendingEdits();
     private final EditHistory history = new EditHistory();
     private final UndoRequests requests = new UndoRequests(history, this::apply);
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
     private long advancedTo;
-    private int generation;
 
     /**
      * Creates a controller without edits. The channel sends commands to the run, to be executed together, and passes
      * their results to a callback on the event dispatch thread.
      */
     public UndoController(BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel, Runnable onStateChange) {
-        this(channel, onStateChange, () -> System.nanoTime() / 1_000_000);
+        this(new CommandSender(channel), onStateChange);
     }
 
     UndoController(
             BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel,
             Runnable onStateChange,
             LongSupplier clock) {
-        this.channel = channel;
+        this(new CommandSender(channel, clock), onStateChange);
+    }
+
+    /** Creates a controller without edits, which records the results of what a sender sends. */
+    public UndoController(CommandSender sender, Runnable onStateChange) {
+        this.sender = sender;
         this.onStateChange = onStateChange;
-        this.gestures = new Gestures(clock);
+        this.gestures = sender.gestures();
+        sender.setEditListener(this::editSent);
     }
 
     /** Returns the commands that have no effect in a frame yet. */
     public PendingEdits pendingEdits() {
-        return pendingEdits;
+        return sender.pendingEdits();
     }
 
     /** Sets the listener that is called with the number of edits that must be redone manually after an earlier edit. */
@@ -96,39 +100,27 @@ public final class UndoController {
 
     /** Sends several commands, which form one edit. */
     public void send(List<Command> commands) {
-        assert EventQueue.isDispatchThread();
-        if (!commands.isEmpty()) {
-            int id = gestures.idOf(commands.stream()
-                    .map(command -> EditTarget.ofGesture(command, pendingEdits.controller()))
-                    .toList());
-            requests.editSent();
+        sender.send(commands);
+    }
+
+    /** Records that the commands of an edit are being sent; the returned callback receives their results. */
+    private Consumer<List<CommandResult>> editSent(int gestureId) {
+        requests.editSent();
+        onStateChange.run();
+        return results -> {
+            recordEdit(gestureId, results);
+            requests.answered();
             onStateChange.run();
-            submit(commands, results -> {
-                recordEdit(id, results);
-                requests.answered();
-                onStateChange.run();
-            });
-        }
+        };
     }
 
-    private void submit(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
-        int sentIn = generation;
-        Runnable onAnswered = pendingEdits.add(commands);
-        channel.accept(commands, results -> {
-            onAnswered.run();
-            if (sentIn == generation) {
-                onExecuted.accept(results);
-            }
-        });
-    }
-
-    private void recordEdit(int sentAs, List<CommandResult> results) {
+    private void recordEdit(int gestureId, List<CommandResult> results) {
         checkFork(results);
         List<CommandResult> effective = results.stream()
                 .filter(result -> result.refusal().isEmpty() && !result.isNoOp())
                 .toList();
         if (!effective.isEmpty()) {
-            CommandEdit edit = new CommandEdit(sentAs, effective);
+            CommandEdit edit = new CommandEdit(gestureId, effective);
             if (history.add(edit)) {
                 history.addExecution(results.get(0).tick(), edit);
             }
@@ -199,7 +191,7 @@ public final class UndoController {
     void submit(CommandEdit edit, boolean done) {
         List<Command> commands = done ? edit.redoCommands() : history.undoCommands(edit);
         if (!commands.isEmpty()) {
-            submit(commands, results -> commandsExecuted(edit, done, results));
+            sender.submit(commands, results -> commandsExecuted(edit, done, results));
         }
     }
 
@@ -239,11 +231,11 @@ public final class UndoController {
 
     /** Starts a gesture: all commands until it ends form one edit. */
     public void beginGesture() {
-        gestures.begin();
+        sender.beginGesture();
     }
 
     public void endGesture() {
-        gestures.end();
+        sender.endGesture();
     }
 
     /** Ends the last edit: later commands form another one. */
@@ -254,9 +246,7 @@ public final class UndoController {
 
     /** Forgets all edits, because another scenario has been opened. */
     void clear() {
-        generation++;
-        endEdit();
-        pendingEdits.clear();
+        sender.clear();
         requests.clear();
         history.clear();
         onStateChange.run();
