@@ -5,6 +5,7 @@ import faultline.engine.Simulation;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.panel.ControlPanel;
@@ -74,10 +75,10 @@ final class ControlPanelFigure implements Figure {
     }
 
     private static BufferedImage render(Snapshot world) {
-        UndoController editor = new UndoController((commands, results) -> {}, () -> {});
+        CommandSender sender = new CommandSender((commands, results) -> {});
         ControlPanel panel = new ControlPanel(
-                editor,
-                new ScenarioEditor(new RunController(new Workspace()), editor),
+                sender,
+                new ScenarioEditor(new RunController(new Workspace()), new UndoController(sender, () -> {})),
                 new ControlPanel.SensorEdits(() -> {}, id -> {}, (id, newId) -> Optional.empty()),
                 new ControlPanel.PanelActions(
                         UiAction.toggle("path", true, on -> {}),

@@ -5,10 +5,10 @@ import static faultline.gui.action.Keystrokes.unmodified;
 
 import faultline.geometry.Degrees;
 import faultline.gui.canvas.tool.CanvasTools;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ObstacleCopies;
 import faultline.gui.edit.ShapePreset;
 import faultline.gui.edit.SnapSettings;
-import faultline.gui.edit.UndoController;
 import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
@@ -48,7 +48,7 @@ public final class ObstacleActions {
     private static final double ANGLE_STEP = Degrees.toRadians(15);
 
     private final CanvasTools tools;
-    private final UndoController editor;
+    private final CommandSender sender;
     private final SensorActions sensorActions;
     private final Notes notes;
     private final DoubleFunction<OptionalDouble> askSpeed;
@@ -73,13 +73,13 @@ public final class ObstacleActions {
      */
     public ObstacleActions(
             CanvasTools tools,
-            UndoController editor,
+            CommandSender sender,
             SensorActions sensorActions,
             Notes notes,
             DoubleFunction<OptionalDouble> askSpeed,
             WindowPreferences preferences) {
         this.tools = tools;
-        this.editor = editor;
+        this.sender = sender;
         this.sensorActions = sensorActions;
         this.notes = notes;
         this.askSpeed = askSpeed;
@@ -182,7 +182,7 @@ public final class ObstacleActions {
         List<Obstacle> moving = selectedMoving();
         if (!moving.isEmpty()) {
             askSpeed.apply(moving.get(0).motion().speed())
-                    .ifPresent(speed -> editor.send(moving.stream()
+                    .ifPresent(speed -> sender.send(moving.stream()
                             .<Command>map(obstacle -> new Command.PlaceObstacle(
                                     obstacle.withMotion(obstacle.motion().withSpeed(speed))))
                             .toList()));
@@ -190,7 +190,7 @@ public final class ObstacleActions {
     }
 
     private void removeMotion() {
-        editor.send(selectedMoving().stream()
+        sender.send(selectedMoving().stream()
                 .<Command>map(obstacle -> new Command.PlaceObstacle(obstacle.withMotion(WaypointPath.NONE)))
                 .toList());
     }
@@ -215,7 +215,7 @@ public final class ObstacleActions {
     }
 
     private void deleteObstacles(List<Obstacle> obstacles) {
-        editor.send(obstacles.stream()
+        sender.send(obstacles.stream()
                 .<Command>map(obstacle -> new Command.RemoveObstacle(obstacle.id()))
                 .toList());
     }
@@ -278,6 +278,6 @@ public final class ObstacleActions {
         }
         List<Obstacle> copies = ObstacleCopies.copyOf(originals, tools.takenIds(), tools.offsetOfCopies(originals));
         tools.selectWhenPresent(copies.stream().map(Obstacle::id).toList());
-        editor.send(copies.stream().<Command>map(Command.PlaceObstacle::new).toList());
+        sender.send(copies.stream().<Command>map(Command.PlaceObstacle::new).toList());
     }
 }

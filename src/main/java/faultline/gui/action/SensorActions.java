@@ -4,9 +4,9 @@ import faultline.control.ControllerSpec;
 import faultline.control.WallSide;
 import faultline.gui.canvas.tool.CanvasTools;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.SensorPresets;
-import faultline.gui.edit.UndoController;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -22,16 +22,16 @@ public final class SensorActions {
     private static final int ALL_SENSORS = Integer.MAX_VALUE;
 
     private final Workspace workspace;
-    private final UndoController editor;
+    private final CommandSender sender;
     private final SensorEditor sensorEditor;
     private final CanvasTools tools;
     private final List<UiAction> switches;
     /** The sensors that the names of the switches show. */
     private List<String> namedIds = List.of();
 
-    public SensorActions(Workspace workspace, UndoController editor, SensorEditor sensorEditor, CanvasTools tools) {
+    public SensorActions(Workspace workspace, CommandSender sender, SensorEditor sensorEditor, CanvasTools tools) {
         this.workspace = workspace;
-        this.editor = editor;
+        this.sender = sender;
         this.sensorEditor = sensorEditor;
         this.tools = tools;
         switches = IntStream.range(0, SENSOR_KEYS).mapToObj(this::createSwitch).toList();
@@ -93,19 +93,19 @@ public final class SensorActions {
     }
 
     private void applyPreset(int count) {
-        editor.send(SensorPresets.commands(robot(), isWallOnLeft(), count));
+        sender.send(SensorPresets.commands(robot(), isWallOnLeft(), count));
     }
 
     private void toggle(int index) {
         robot().sensors().stream()
                 .skip(index)
                 .findFirst()
-                .ifPresent(sensor -> editor.send(new Command.SwitchSensor(sensor.id(), !sensor.on())));
+                .ifPresent(sensor -> sender.send(new Command.SwitchSensor(sensor.id(), !sensor.on())));
         update();
     }
 
     private RobotSpec robot() {
-        return editor.pendingEdits().robot();
+        return sender.pendingEdits().robot();
     }
 
     private boolean isWallOnLeft() {

@@ -11,7 +11,7 @@ import faultline.gui.canvas.tool.CanvasTools;
 import faultline.gui.canvas.tool.GesturePicker;
 import faultline.gui.canvas.tool.ToolContext;
 import faultline.gui.canvas.tool.Viewport;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.FocusRing;
@@ -56,19 +56,19 @@ public final class SimulationCanvas extends AccessibleComponent {
     /** Null if no listener waits for the next frame. */
     private transient Runnable paintListener;
 
-    /** Creates a canvas without a frame, which sends commands to an editor. */
-    public SimulationCanvas(UndoController editor) {
-        this(editor, System::nanoTime);
+    /** Creates a canvas without a frame, given what sends its commands. */
+    public SimulationCanvas(CommandSender sender) {
+        this(sender, System::nanoTime);
     }
 
     /** Creates a canvas with a clock, in nanoseconds, that limits the time to paint a frame. */
-    SimulationCanvas(UndoController editor, LongSupplier clock) {
+    SimulationCanvas(CommandSender sender, LongSupplier clock) {
         super(AccessibleRole.CANVAS);
         renderer = new CachedSceneRenderer(clock);
         CanvasListeners listeners = new CanvasListeners();
-        mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, editor, listeners), listeners);
-        tools = new CanvasTools(new ToolContext(model, viewport, editor, listeners), mouse, this);
-        new CanvasKeys(model, editor, mouse).install(this);
+        mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, sender, listeners), listeners);
+        tools = new CanvasTools(new ToolContext(model, viewport, sender, listeners), mouse, this);
+        new CanvasKeys(model, sender, mouse).install(this);
         mouse.install(this);
         model.selection().addListener(selected -> repaint());
         model.sensor().addListener(selected -> repaint());

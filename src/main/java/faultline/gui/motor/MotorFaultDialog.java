@@ -1,6 +1,6 @@
 package faultline.gui.motor;
 
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.panel.FaultFields;
 import faultline.gui.panel.FormDialog;
 import faultline.gui.text.Messages;
@@ -18,14 +18,14 @@ import javax.swing.JPanel;
 public final class MotorFaultDialog {
 
     private final Component parent;
-    private final UndoController editor;
+    private final CommandSender sender;
     /** The fault that was added last, which is offered next. */
     private MotorFault last = MotorFaultKind.WEAK.createFault(MotorFaultKind.WEAK.defaultValue());
 
-    /** Creates a dialog above a component; the editor receives the faults. */
-    public MotorFaultDialog(Component parent, UndoController editor) {
+    /** Creates a dialog above a component; the sender receives the faults. */
+    public MotorFaultDialog(Component parent, CommandSender sender) {
         this.parent = parent;
-        this.editor = editor;
+        this.sender = sender;
     }
 
     /** Asks for a fault of a side, waits for the answer, and adds the fault unless the user cancels. */
@@ -42,7 +42,7 @@ public final class MotorFaultDialog {
                 parent, title, content, fields.kindField(), () -> FormDialog.findRefusedNumber(form))) {
             fields.commitFault().ifPresent(fault -> {
                 last = fault;
-                editor.send(new Command.InjectMotorFault(side, fault));
+                sender.send(new Command.InjectMotorFault(side, fault));
             });
         }
     }

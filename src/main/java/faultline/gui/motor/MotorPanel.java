@@ -1,7 +1,7 @@
 package faultline.gui.motor;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.panel.FaultList;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.WrappingGridLayout;
@@ -29,12 +29,12 @@ public final class MotorPanel extends JPanel {
     private final List<JButton> buttons = new ArrayList<>();
 
     /**
-     * Creates a panel without faults, disabled until there is a run. The editor receives repairs, and {@code addFault}
+     * Creates a panel without faults, disabled until there is a run. The sender receives repairs, and {@code addFault}
      * the side for which it asks for a fault.
      */
-    public MotorPanel(UndoController editor, Consumer<MotorSide> addFault) {
+    public MotorPanel(CommandSender sender, Consumer<MotorSide> addFault) {
         super(new BorderLayout(0, LIST_GAP));
-        faults = new FaultList(editor);
+        faults = new FaultList(sender);
         JPanel row = new JPanel(new WrappingGridLayout());
         row.add(UiText.label("motors.add"), FormConstraints.cell(0, 0));
         for (MotorSide side : MotorSide.values()) {

@@ -5,8 +5,8 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
-import faultline.gui.edit.UndoController;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
@@ -68,7 +68,7 @@ public final class ControlPanel extends JPanel {
     private final RunPanel run = new RunPanel();
     private final JTabbedPane tabs = new JTabbedPane();
     private final JPanel robotTab;
-    private final transient UndoController editor;
+    private final transient CommandSender sender;
     private final transient PropertyChangeListener showFocused = this::showFocused;
     /** The controls that the first snapshot enables. */
     private transient List<Component> disabledControls = List.of();
@@ -85,16 +85,16 @@ public final class ControlPanel extends JPanel {
 
     /**
      * Creates a panel that shows the default robot, disabled, so that the fields do not move when a robot like it
-     * comes. The second editor receives changes that need a new simulation.
+     * comes. The scenario editor receives changes that need a new simulation.
      */
     public ControlPanel(
-            UndoController editor, ScenarioEditor scenarioEditor, SensorEdits sensorEdits, PanelActions actions) {
+            CommandSender sender, ScenarioEditor scenarioEditor, SensorEdits sensorEdits, PanelActions actions) {
         super(new BorderLayout());
-        this.editor = editor;
-        robot = new RobotPanel(editor, actions.path());
-        sensors = new SensorsPanel(editor);
-        sensorDetails = new SensorDetailsPanel(editor, sensorEdits);
-        controller = new ControllerPanel(editor, scenarioEditor, actions);
+        this.sender = sender;
+        robot = new RobotPanel(sender, actions.path());
+        sensors = new SensorsPanel(sender);
+        sensorDetails = new SensorDetailsPanel(sender, sensorEdits);
+        controller = new ControllerPanel(sender, scenarioEditor, actions);
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
         UiText.name(tabs, "panel");
@@ -322,8 +322,8 @@ public final class ControlPanel extends JPanel {
         assert EventQueue.isDispatchThread();
         disabledControls.forEach(control -> control.setEnabled(true));
         disabledControls = List.of();
-        editor.pendingEdits().setRobot(world.robot());
-        robot.setRobot(editor.pendingEdits().robot());
+        sender.pendingEdits().setRobot(world.robot());
+        robot.setRobot(sender.pendingEdits().robot());
         sensors.setSensors(world.sensors());
         sensorDetails.setSensors(world.sensors(), timeline, world.time());
     }

@@ -2,8 +2,8 @@ package faultline.gui.panel;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
-import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
@@ -23,7 +23,7 @@ import javax.swing.JPanel;
  */
 public final class ControllerPanel extends JPanel {
 
-    private final transient UndoController editor;
+    private final transient CommandSender sender;
     private final transient ControllerForm form = new ControllerForm(this::send);
     private final DriveFields driveFields;
     private final ValueLabel chosen =
@@ -31,9 +31,9 @@ public final class ControllerPanel extends JPanel {
     private final TitledSection choice;
     private boolean isChosen;
 
-    /** Creates a panel. The second editor receives changes of the robot's drive, which need a new simulation. */
-    ControllerPanel(UndoController editor, ScenarioEditor scenarioEditor, ControlPanel.PanelActions actions) {
-        this.editor = editor;
+    /** Creates a panel. The scenario editor receives changes of the robot's drive, which need a new simulation. */
+    ControllerPanel(CommandSender sender, ScenarioEditor scenarioEditor, ControlPanel.PanelActions actions) {
+        this.sender = sender;
         driveFields = new DriveFields(scenarioEditor);
         setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
         choice = new TitledSection(createChoice(actions));
@@ -72,7 +72,7 @@ public final class ControllerPanel extends JPanel {
     }
 
     private void send(ControllerSpec.BuiltIn changed) {
-        editor.send(new Command.ConfigureController(changed));
+        sender.send(new Command.ConfigureController(changed));
     }
 
     /** Shows a controller, the name that it gives itself, empty for none, and the drive of a setup's robot. */
@@ -80,9 +80,9 @@ public final class ControllerPanel extends JPanel {
         assert EventQueue.isDispatchThread();
         form.setName(name);
         choice.setVisible(isChosen || !(current instanceof ControllerSpec.BuiltIn));
-        editor.pendingEdits().setController(current);
+        sender.pendingEdits().setController(current);
         form.setController(
-                editor.pendingEdits().controller(), editor.pendingEdits().robot(), setup.dt());
+                sender.pendingEdits().controller(), sender.pendingEdits().robot(), setup.dt());
         driveFields.setRobot(setup.robot());
     }
 }

@@ -2,7 +2,7 @@ package faultline.gui.panel;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.TimelineEvents;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
 import faultline.gui.text.NumberText;
@@ -39,7 +39,7 @@ public final class FaultList extends JPanel {
     private static final GlyphIcon WARNING_ICON = new GlyphIcon(Glyph.WARNING, 16, colours -> colours.warning());
     private static final GlyphIcon REMOVE_ICON = new GlyphIcon(Glyph.REMOVE, 14, colours -> colours.text());
 
-    private final transient UndoController editor;
+    private final transient CommandSender sender;
     private transient List<ListedFault> shownFaults = List.of();
     private final transient List<RemainingTime> remainingTimes = new ArrayList<>();
     private transient List<TimedCommand> timeline = List.of();
@@ -128,10 +128,10 @@ public final class FaultList extends JPanel {
     /** The label of the time that remains until the end of a fault, seconds. */
     private record RemainingTime(ValueLabel label, double end) {}
 
-    /** Creates an empty list; the editor receives repairs. */
-    public FaultList(UndoController editor) {
+    /** Creates an empty list; the sender receives repairs. */
+    public FaultList(CommandSender sender) {
         super(new WrappingGridLayout());
-        this.editor = editor;
+        this.sender = sender;
         rebuild();
     }
 
@@ -224,7 +224,7 @@ public final class FaultList extends JPanel {
             button.setToolTipText(Messages.get("faults.repair", active.description()));
             button.getAccessibleContext().setAccessibleName(button.getToolTipText());
         });
-        mend.addActionListener(event -> editor.send(active.repair()));
+        mend.addActionListener(event -> sender.send(active.repair()));
         add(mend, FormConstraints.cell(3, row));
     }
 
@@ -248,7 +248,7 @@ public final class FaultList extends JPanel {
 
     private void addClearAll(int row) {
         JButton all = UiText.button("faults.repairAll");
-        all.addActionListener(event -> editor.send(shownFaults.stream()
+        all.addActionListener(event -> sender.send(shownFaults.stream()
                 .map(listed -> listed.active().repairAll())
                 .distinct()
                 .toList()));

@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.robot.RobotSpec;
@@ -19,7 +19,7 @@ public final class RobotPanel extends JPanel {
     private static final double MAX_SIZE = 10;
     private static final int COLUMN_GAP = 12;
 
-    private final transient UndoController editor;
+    private final transient CommandSender sender;
     private final NumberSpinner speed = new NumberSpinner(
             "0.00##",
             MIN_VALUE,
@@ -34,9 +34,9 @@ public final class RobotPanel extends JPanel {
     private double maxSpeed = RobotSpec.DEFAULT.motor().maxSpeed();
 
     /** Creates the robot's controls, given the action that shows or hides the path. */
-    public RobotPanel(UndoController editor, Action path) {
+    public RobotPanel(CommandSender sender, Action path) {
         super(new WrappingGridLayout());
-        this.editor = editor;
+        this.sender = sender;
         addField(0, 0, "robot.speed", speed, "m/s");
         addField(0, 1, "robot.length", length, "m");
         addField(2, 1, "robot.width", width, "m");
@@ -63,11 +63,11 @@ public final class RobotPanel extends JPanel {
     }
 
     private RobotSpec robot() {
-        return editor.pendingEdits().robot();
+        return sender.pendingEdits().robot();
     }
 
     private void sendPlatform(double newLength, double newWidth, double newSpeed) {
-        editor.send(new Command.SetPlatform(newLength, newWidth, newSpeed));
+        sender.send(new Command.SetPlatform(newLength, newWidth, newSpeed));
     }
 
     /** Shows the current settings of the robot. */

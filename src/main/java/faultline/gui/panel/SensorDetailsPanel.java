@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.UiText;
 import faultline.io.XmlText;
@@ -34,7 +34,7 @@ public final class SensorDetailsPanel extends JPanel {
     private static final int ID_COLUMNS = 8;
     private static final int FAULT_ROW = 3;
 
-    private final transient UndoController editor;
+    private final transient CommandSender sender;
     private final transient SensorMountFields mountFields;
     private final transient List<Consumer<String>> listeners = new ArrayList<>();
     private final SensorIdField idField;
@@ -86,12 +86,12 @@ public final class SensorDetailsPanel extends JPanel {
     }
 
     /** Creates a panel without sensors. */
-    SensorDetailsPanel(UndoController editor, ControlPanel.SensorEdits edits) {
+    SensorDetailsPanel(CommandSender sender, ControlPanel.SensorEdits edits) {
         super(new BorderLayout(0, SECTION_GAP));
-        this.editor = editor;
+        this.sender = sender;
         this.idField = new SensorIdField(edits.rename());
-        this.mountFields = new SensorMountFields(editor);
-        this.faultList = new FaultList(editor);
+        this.mountFields = new SensorMountFields(sender);
+        this.faultList = new FaultList(sender);
         configureControls();
         configureButtons(edits);
         add(createForm(), BorderLayout.NORTH);
@@ -150,7 +150,7 @@ public final class SensorDetailsPanel extends JPanel {
     /** Injects the fault, or nothing if the field does not contain a valid value. */
     private void inject() {
         fault.commitFault()
-                .ifPresent(valid -> selectedSensor().ifPresent(id -> editor.send(new Command.InjectFault(id, valid))));
+                .ifPresent(valid -> selectedSensor().ifPresent(id -> sender.send(new Command.InjectFault(id, valid))));
     }
 
     private Optional<String> selectedSensor() {

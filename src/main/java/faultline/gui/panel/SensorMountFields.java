@@ -2,8 +2,8 @@ package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.EditLimits;
-import faultline.gui.edit.UndoController;
 import faultline.gui.text.CachedDegrees;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
@@ -28,7 +28,7 @@ final class SensorMountFields {
     private static final double NOISE_STEP = 0.001;
     private static final int COLUMN_GAP = 12;
 
-    private final UndoController editor;
+    private final CommandSender sender;
     private final NumberSpinner bearing = new NumberSpinner(
             "0.##",
             -EditLimits.MAX_ANGLE,
@@ -55,8 +55,8 @@ final class SensorMountFields {
     /** The id of the sensor, null for none. */
     private String sensor;
 
-    SensorMountFields(UndoController editor) {
-        this.editor = editor;
+    SensorMountFields(CommandSender sender) {
+        this.sender = sender;
         fields().forEach(field -> field.withColumns(6).setEnabled(false));
     }
 
@@ -86,11 +86,11 @@ final class SensorMountFields {
     }
 
     private void configureSensor(UnaryOperator<SensorSpec> change) {
-        spec().ifPresent(spec -> editor.send(new Command.ConfigureSensor(change.apply(spec))));
+        spec().ifPresent(spec -> sender.send(new Command.ConfigureSensor(change.apply(spec))));
     }
 
     private Optional<SensorSpec> spec() {
-        return sensor == null ? Optional.empty() : editor.pendingEdits().robot().sensor(sensor);
+        return sensor == null ? Optional.empty() : sender.pendingEdits().robot().sensor(sensor);
     }
 
     /** Selects another sensor, null for none, after committing the number being typed for the previous one. */

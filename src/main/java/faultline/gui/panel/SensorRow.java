@@ -1,8 +1,8 @@
 package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.EditLimits;
-import faultline.gui.edit.UndoController;
 import faultline.gui.text.CachedDegrees;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
@@ -36,12 +36,12 @@ final class SensorRow {
     private final ReadingBar actualReading;
     private final ReadingBar reportedReading;
     private final String id;
-    private final UndoController editor;
+    private final CommandSender sender;
     private final CachedDegrees coneDegrees = new CachedDegrees();
 
-    SensorRow(int index, String id, UndoController editor, Consumer<String> chosen) {
+    SensorRow(int index, String id, CommandSender sender, Consumer<String> chosen) {
         this.id = id;
-        this.editor = editor;
+        this.sender = sender;
         badge = new SensorBadge(index);
         range = new NumberSpinner(
                 "0.00##",
@@ -64,7 +64,7 @@ final class SensorRow {
     }
 
     private Optional<SensorSpec> spec() {
-        return editor.pendingEdits().robot().sensor(id);
+        return sender.pendingEdits().robot().sensor(id);
     }
 
     /** Selects the row on a click on its badge, or when one of its controls gains the focus. */
@@ -107,7 +107,7 @@ final class SensorRow {
             box.setToolTipText(Messages.get("sensor.switch", id));
             box.getAccessibleContext().setAccessibleName(Messages.get("sensor.switch", id));
         });
-        enabledBox.addActionListener(event -> editor.send(new Command.SwitchSensor(id, enabledBox.isSelected())));
+        enabledBox.addActionListener(event -> sender.send(new Command.SwitchSensor(id, enabledBox.isSelected())));
     }
 
     /** Adds the controls to a row of a grid. */
@@ -122,7 +122,7 @@ final class SensorRow {
 
     /** Changes the sensor; does nothing if a field loses the focus because the robot has no such sensor any more. */
     private void configureSensor(UnaryOperator<SensorSpec> change) {
-        spec().ifPresent(spec -> editor.send(new Command.ConfigureSensor(change.apply(spec))));
+        spec().ifPresent(spec -> sender.send(new Command.ConfigureSensor(change.apply(spec))));
     }
 
     /** Shows the current state of the sensor. */

@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.Palette;
@@ -23,7 +23,7 @@ public final class SensorsPanel extends JPanel {
     private static final int SELECTION_MARGIN = 2;
     private static final int SELECTION_ALPHA = 40;
 
-    private final transient UndoController editor;
+    private final transient CommandSender sender;
     private final transient List<SensorRow> rows = new ArrayList<>();
     private final transient List<Consumer<String>> listeners = new ArrayList<>();
     private List<String> ids = List.of();
@@ -31,9 +31,9 @@ public final class SensorsPanel extends JPanel {
     private String selected;
 
     /** Creates a panel without sensors. */
-    SensorsPanel(UndoController editor) {
+    SensorsPanel(CommandSender sender) {
         super(new WrappingGridLayout());
-        this.editor = editor;
+        this.sender = sender;
     }
 
     /** Shows the current state of the sensors, in the robot's order. */
@@ -108,7 +108,7 @@ public final class SensorsPanel extends JPanel {
         add(MutedLabel.ofKey("sensors.true"), FormConstraints.cell(4, 0));
         add(MutedLabel.ofKey("sensors.reported"), FormConstraints.cell(5, 0));
         for (int i = 0; i < sensors.size(); i++) {
-            SensorRow row = new SensorRow(i, ids.get(i), editor, this::selectByUser);
+            SensorRow row = new SensorRow(i, ids.get(i), sender, this::selectByUser);
             row.addTo(this, i + 1);
             rows.add(row);
         }

@@ -3,8 +3,8 @@ package faultline.gui.properties;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.EditLimits;
-import faultline.gui.edit.UndoController;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.WrappingGridLayout;
@@ -30,7 +30,7 @@ final class ObstacleForm extends JPanel {
     private static final double USUAL_SPECULAR_ANGLE = 20;
     private static final double USUAL_SPEED = 0.2;
 
-    private final transient UndoController editor;
+    private final transient CommandSender sender;
     private final NumberSpinner x = coordinate(value -> new Pose(value, pose().y(), pose().heading()));
     private final NumberSpinner y = coordinate(value -> new Pose(pose().x(), value, pose().heading()));
     private final NumberSpinner heading = new NumberSpinner(
@@ -56,9 +56,9 @@ final class ObstacleForm extends JPanel {
     /** Null if none is shown. */
     private transient Obstacle obstacle;
 
-    ObstacleForm(UndoController editor) {
+    ObstacleForm(CommandSender sender) {
         super(new WrappingGridLayout());
-        this.editor = editor;
+        this.sender = sender;
         FormConstraints.addRow(this, 0, "obstacle.x", x.withColumns(8));
         FormConstraints.addRow(this, 1, "obstacle.y", y.withColumns(8));
         FormConstraints.addRow(this, 2, "obstacle.heading", heading.withColumns(8));
@@ -85,12 +85,12 @@ final class ObstacleForm extends JPanel {
     }
 
     private Pose pose() {
-        return editor.pendingEdits().expected(obstacle).pose();
+        return sender.pendingEdits().expected(obstacle).pose();
     }
 
     private void move(Pose pose) {
         if (obstacle != null && !pose.equals(pose())) {
-            editor.send(new Command.MoveObstacle(obstacle.id(), pose));
+            sender.send(new Command.MoveObstacle(obstacle.id(), pose));
         }
     }
 
@@ -100,10 +100,10 @@ final class ObstacleForm extends JPanel {
             return false;
         }
         try {
-            Obstacle expected = editor.pendingEdits().expected(obstacle);
+            Obstacle expected = sender.pendingEdits().expected(obstacle);
             Obstacle changed = change.apply(expected);
             if (!changed.equals(expected)) {
-                editor.send(new Command.PlaceObstacle(changed));
+                sender.send(new Command.PlaceObstacle(changed));
             }
             return true;
         } catch (IllegalArgumentException notAllowed) {

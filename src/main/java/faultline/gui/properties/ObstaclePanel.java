@@ -1,7 +1,7 @@
 package faultline.gui.properties;
 
 import faultline.gui.canvas.tool.CanvasTools;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.TitledSection;
 import faultline.gui.panel.WrappingGridLayout;
@@ -31,7 +31,7 @@ public final class ObstaclePanel extends JPanel {
     private static final int LIST_WIDTH = 380;
     private static final int BUTTON_COLUMNS = 3;
 
-    private final transient UndoController editor;
+    private final transient CommandSender sender;
     private final transient CanvasTools tools;
     private final ObstacleListModel ids = new ObstacleListModel();
     private final JList<String> list = new JList<>(ids);
@@ -41,10 +41,10 @@ public final class ObstaclePanel extends JPanel {
     private int skippedFrames = FRAMES_PER_UPDATE;
 
     /** Creates an empty panel, given what receives changes and what selects on the canvas. */
-    public ObstaclePanel(UndoController editor, CanvasTools tools) {
-        this.editor = editor;
+    public ObstaclePanel(CommandSender sender, CanvasTools tools) {
+        this.sender = sender;
         this.tools = tools;
-        form = new ObstacleForm(editor);
+        form = new ObstacleForm(sender);
         setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
         list.setVisibleRowCount(VISIBLE_ROWS);
         list.setPrototypeCellValue("mmmmmmmmmmmm");
@@ -69,7 +69,7 @@ public final class ObstaclePanel extends JPanel {
         for (ObstacleArrangement arrangement : ObstacleArrangement.values()) {
             JButton button = UiText.button("arrange." + arrangement.name());
             UiText.tip(button, "arrange." + arrangement.name() + ".tip");
-            button.addActionListener(event -> editor.send(arrangement.commands(tools.selected())));
+            button.addActionListener(event -> sender.send(arrangement.commands(tools.selected())));
             int index = arrangement.ordinal();
             buttons.add(button, FormConstraints.fillCell(index % BUTTON_COLUMNS, index / BUTTON_COLUMNS));
         }

@@ -8,8 +8,8 @@ import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.SensorActions;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
-import faultline.gui.edit.UndoController;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.instrument.PositionedSplitPane;
 import faultline.gui.motor.MotorFaultDialog;
@@ -89,7 +89,7 @@ final class MainPanel extends JPanel {
     /**
      * What carries out the user's edits of the run, of the scenario's settings, of its sensors and of its time line.
      */
-    record Editors(UndoController run, ScenarioEditor scenario, SensorActions sensors, TimelineEditor timeline) {}
+    record Editors(CommandSender sender, ScenarioEditor scenario, SensorActions sensors, TimelineEditor timeline) {}
 
     /**
      * Creates a panel without a scenario; {@code speed} holds positions of {@link SpeedScale}, and {@code jump}
@@ -104,16 +104,16 @@ final class MainPanel extends JPanel {
         super(new BorderLayout());
         this.canvas = canvas;
         controlPanel = new ControlPanel(
-                editors.run(),
+                editors.sender(),
                 editors.scenario(),
                 new ControlPanel.SensorEdits(
                         editors.sensors()::add, editors.sensors()::remove, editors.sensors()::rename),
                 new ControlPanel.PanelActions(
                         actions.get("path"), actions.get("chooseController"), actions.get("scenarioController")));
-        motorFaultDialog = new MotorFaultDialog(this, editors.run());
-        motors = new MotorPanel(editors.run(), this::addMotorFault);
+        motorFaultDialog = new MotorFaultDialog(this, editors.sender());
+        motors = new MotorPanel(editors.sender(), this::addMotorFault);
         controlPanel.addRobotSection("motors.title", motors);
-        obstacles = new ObstaclePanel(editors.run(), canvas.tools());
+        obstacles = new ObstaclePanel(editors.sender(), canvas.tools());
         controlPanel.addTab("panel.obstacles", obstacles);
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;

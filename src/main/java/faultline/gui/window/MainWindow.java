@@ -33,6 +33,7 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
@@ -72,8 +73,8 @@ public final class MainWindow extends JFrame {
             new ComparisonController(workspace, runController.navigator());
     private final transient Notes notes = new Notes(this::showNote, this::removeNote);
     private final transient ControllerActions controllerActions;
-    private final transient UndoController undoController =
-            new UndoController(runController::send, this::updateEditActions);
+    private final transient CommandSender commandSender = new CommandSender(runController::send);
+    private final transient UndoController undoController = new UndoController(commandSender, this::updateEditActions);
     private final transient ScenarioEditor scenarioEditor = new ScenarioEditor(runController, undoController);
     private final transient EditActions editActions = new EditActions(undoController);
     private final transient ActionRegistry actionRegistry = new ActionRegistry();
@@ -81,11 +82,11 @@ public final class MainWindow extends JFrame {
     private final transient FileController fileController =
             new FileController(this, workspace, this::commitPendingEdit);
     private final transient BatchActions batchActions;
-    private final SimulationCanvas canvas = new SimulationCanvas(undoController);
+    private final SimulationCanvas canvas = new SimulationCanvas(commandSender);
     private final transient ExportController exportController =
             new ExportController(this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote, notes);
     private final transient SensorActions sensorActions = new SensorActions(
-            workspace, undoController, new SensorEditor(workspace, scenarioEditor, this::showNote), canvas.tools());
+            workspace, commandSender, new SensorEditor(workspace, scenarioEditor, this::showNote), canvas.tools());
     private final transient RunActions runActions;
     private final transient ObstacleActions obstacleActions;
     private final transient WindowPreferences preferences;
@@ -144,7 +145,7 @@ public final class MainWindow extends JFrame {
     private ObstacleActions createObstacleActions() {
         return new ObstacleActions(
                 canvas.tools(),
-                undoController,
+                commandSender,
                 sensorActions,
                 notes,
                 now -> NumberDialog.MOTION_SPEED.ask(this, now),
@@ -196,7 +197,7 @@ public final class MainWindow extends JFrame {
 
     private MainPanel.Editors createEditors() {
         TimelineEditor timeline = new TimelineEditor(workspace, runController, undoController);
-        return new MainPanel.Editors(undoController, scenarioEditor, sensorActions, timeline);
+        return new MainPanel.Editors(commandSender, scenarioEditor, sensorActions, timeline);
     }
 
     private void addActions() {
@@ -260,7 +261,7 @@ public final class MainWindow extends JFrame {
         Menus.installContextMenu(
                 canvas,
                 actionRegistry,
-                new RobotMenu(undoController, sensorActions, this::addFault, mainPanel::addMotorFault));
+                new RobotMenu(commandSender, sensorActions, this::addFault, mainPanel::addMotorFault));
         canvas.tools().setReservedIds(workspace::obstacleIds);
         canvas.tools().listeners().addStartListener(pose -> workspace
                 .scenario()

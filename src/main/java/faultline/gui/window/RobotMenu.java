@@ -1,7 +1,7 @@
 package faultline.gui.window;
 
 import faultline.gui.action.SensorActions;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.theme.UiText;
 import faultline.robot.MotorFaults;
 import faultline.robot.MotorSide;
@@ -17,7 +17,7 @@ import javax.swing.JPopupMenu;
  */
 final class RobotMenu {
 
-    private final UndoController editor;
+    private final CommandSender sender;
     private final SensorActions actions;
     private final Consumer<String> newFault;
     private final Consumer<MotorSide> newMotorFault;
@@ -27,11 +27,8 @@ final class RobotMenu {
      * {@code newMotorFault} the side of motors.
      */
     RobotMenu(
-            UndoController editor,
-            SensorActions actions,
-            Consumer<String> newFault,
-            Consumer<MotorSide> newMotorFault) {
-        this.editor = editor;
+            CommandSender sender, SensorActions actions, Consumer<String> newFault, Consumer<MotorSide> newMotorFault) {
+        this.sender = sender;
         this.actions = actions;
         this.newFault = newFault;
         this.newMotorFault = newMotorFault;
@@ -41,7 +38,7 @@ final class RobotMenu {
     void addMotors(JPopupMenu popup, MotorFaults faults) {
         for (MotorSide side : MotorSide.values()) {
             add(popup, "fault." + side.fileName(), "", () -> newMotorFault.accept(side));
-            add(popup, "repair." + side.fileName(), "", () -> editor.send(new Command.ClearMotorFaults(side)))
+            add(popup, "repair." + side.fileName(), "", () -> sender.send(new Command.ClearMotorFaults(side)))
                     .setEnabled(!faults.of(side).isEmpty());
         }
         popup.addSeparator();
@@ -51,9 +48,9 @@ final class RobotMenu {
     void addSensor(JPopupMenu popup, SensorSnapshot sensor) {
         String id = sensor.spec().id();
         boolean on = sensor.spec().on();
-        add(popup, on ? "off" : "on", id, () -> editor.send(new Command.SwitchSensor(id, !on)));
+        add(popup, on ? "off" : "on", id, () -> sender.send(new Command.SwitchSensor(id, !on)));
         add(popup, "fault", id, () -> newFault.accept(id));
-        add(popup, "repair", id, () -> editor.send(new Command.ClearFaults(id)))
+        add(popup, "repair", id, () -> sender.send(new Command.ClearFaults(id)))
                 .setEnabled(!sensor.faults().isEmpty());
         popup.addSeparator();
         add(popup, "duplicate", id, () -> actions.duplicate(id));

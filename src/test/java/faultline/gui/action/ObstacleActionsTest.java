@@ -9,6 +9,7 @@ import faultline.engine.SampleFrames;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
@@ -97,13 +98,14 @@ class ObstacleActionsTest {
         Theme.LIGHT.install();
         Workspace workspace = new Workspace();
         RunController run = new RunController(workspace);
-        UndoController edits = new UndoController(run::send, () -> {});
-        canvas = new SimulationCanvas(edits);
-        SensorEditor sensors = new SensorEditor(workspace, new ScenarioEditor(run, edits), notes::add);
+        CommandSender sender = new CommandSender(run::send);
+        UndoController undo = new UndoController(sender, () -> {});
+        canvas = new SimulationCanvas(sender);
+        SensorEditor sensors = new SensorEditor(workspace, new ScenarioEditor(run, undo), notes::add);
         ObstacleActions obstacles = new ObstacleActions(
                 canvas.tools(),
-                edits,
-                new SensorActions(workspace, edits, sensors, canvas.tools()),
+                sender,
+                new SensorActions(workspace, sender, sensors, canvas.tools()),
                 new Notes(notes::add, notes::remove),
                 now -> OptionalDouble.empty(),
                 WindowPreferences.nonPersistent());

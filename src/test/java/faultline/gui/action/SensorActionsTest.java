@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
@@ -23,7 +24,7 @@ class SensorActionsTest {
 
     private final ActionRegistry actions = new ActionRegistry();
     private final List<Command> sent = new ArrayList<>();
-    private UndoController edits;
+    private CommandSender sender;
     private SensorActions sensors;
 
     @Test
@@ -32,11 +33,11 @@ class SensorActionsTest {
             addActions();
             SensorSpec nose = RobotSpec.DEFAULT.sensors().get(0).withId("nose");
             SensorSpec tail = RobotSpec.DEFAULT.sensors().get(4).withId("tail").withOn(false);
-            edits.pendingEdits().setRobot(RobotSpec.DEFAULT.withSensors(List.of(nose, tail)));
+            sender.pendingEdits().setRobot(RobotSpec.DEFAULT.withSensors(List.of(nose, tail)));
             sensors.update();
             assertEquals(List.of("Sensor 1: nose", "Sensor 2: tail"), enabled());
             assertEquals(List.of("Sensor 1: nose"), on());
-            edits.pendingEdits().setRobot(RobotSpec.DEFAULT);
+            sender.pendingEdits().setRobot(RobotSpec.DEFAULT);
             sensors.update();
             assertEquals(8, enabled().size());
             assertEquals("Sensor 8: front-right", enabled().get(7));
@@ -70,11 +71,12 @@ class SensorActionsTest {
     private void addActions() {
         Theme.LIGHT.install();
         Workspace workspace = new Workspace();
-        edits = new UndoController((commands, onExecuted) -> sent.addAll(commands), () -> {});
-        SimulationCanvas canvas = new SimulationCanvas(edits);
-        ScenarioEditor scenarios = new ScenarioEditor(new RunController(workspace), edits);
-        sensors =
-                new SensorActions(workspace, edits, new SensorEditor(workspace, scenarios, note -> {}), canvas.tools());
+        sender = new CommandSender((commands, onExecuted) -> sent.addAll(commands));
+        SimulationCanvas canvas = new SimulationCanvas(sender);
+        UndoController undo = new UndoController(sender, () -> {});
+        ScenarioEditor scenarios = new ScenarioEditor(new RunController(workspace), undo);
+        sensors = new SensorActions(
+                workspace, sender, new SensorEditor(workspace, scenarios, note -> {}), canvas.tools());
         sensors.addTo(actions);
     }
 }

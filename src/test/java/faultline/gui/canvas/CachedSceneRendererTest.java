@@ -10,7 +10,7 @@ import faultline.engine.RobotPath;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.Pixels;
 import faultline.paint.surface.Palette;
@@ -51,8 +51,8 @@ class CachedSceneRendererTest {
     private final List<Obstacle> obstacles = new ArrayList<>();
     private final AtomicLong clock = new AtomicLong();
     private long tick;
-    private final SimulationCanvas canvas = callOnEdt(() -> new SimulationCanvas(
-            new UndoController((commands, onExecuted) -> {}, () -> {}), () -> clock.addAndGet(tick)));
+    private final SimulationCanvas canvas = callOnEdt(
+            () -> new SimulationCanvas(new CommandSender((commands, onExecuted) -> {}), () -> clock.addAndGet(tick)));
     private Palette palette = Palette.LIGHT;
     private boolean labels;
     private double deviceScale;

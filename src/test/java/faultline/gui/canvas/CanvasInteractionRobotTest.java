@@ -11,7 +11,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.EdtChecker;
 import faultline.gui.GuiRobot;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
@@ -59,7 +59,7 @@ class CanvasInteractionRobotTest {
     @BeforeEach
     void open() {
         window = callOnEdt(() -> {
-            canvas = new SimulationCanvas(new UndoController(this::execute, () -> {}));
+            canvas = new SimulationCanvas(new CommandSender(this::execute));
             JFrame frame = new JFrame("Canvas");
             frame.add(canvas);
             frame.setSize(760, 560);

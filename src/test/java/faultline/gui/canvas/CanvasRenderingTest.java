@@ -10,7 +10,7 @@ import faultline.engine.RobotPath;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.theme.TextSize;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.scene.Layer;
@@ -38,8 +38,7 @@ class CanvasRenderingTest {
             new Obstacle("box", new ObstacleShape.RectangleShape(1, 0.5), new Pose(4, 3, 0.2));
 
     private final SimulationCanvas canvas = callOnEdt(() -> {
-        SimulationCanvas made =
-                new SimulationCanvas(new UndoController((commands, onExecuted) -> {}, () -> {}), () -> 0);
+        SimulationCanvas made = new SimulationCanvas(new CommandSender((commands, onExecuted) -> {}), () -> 0);
         made.setSize(WIDTH, HEIGHT);
         return made;
     });

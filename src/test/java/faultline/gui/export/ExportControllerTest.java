@@ -25,7 +25,7 @@ import faultline.gui.document.TaskKind;
 import faultline.gui.document.TaskProgress;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.instrument.StripChart;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -100,7 +100,7 @@ class ExportControllerTest {
             workspace = new Workspace();
             workspace.addListener(new FailingListener());
             run = new RunController(workspace);
-            canvas = new SimulationCanvas(new UndoController(run::send, () -> {}));
+            canvas = new SimulationCanvas(new CommandSender(run::send));
             canvas.setSize(300, 200);
             controller = new ExportController(
                     canvas,

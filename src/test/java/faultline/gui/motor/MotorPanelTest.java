@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
@@ -42,8 +42,8 @@ class MotorPanelTest {
     void create() {
         panel = callOnEdt(() -> {
             Theme.LIGHT.install();
-            UndoController editor = new UndoController((commands, onExecuted) -> sent.addAll(commands), () -> {});
-            return new MotorPanel(editor, asked::add);
+            CommandSender sender = new CommandSender((commands, onExecuted) -> sent.addAll(commands));
+            return new MotorPanel(sender, asked::add);
         });
     }
 
@@ -123,7 +123,7 @@ class MotorPanelTest {
         try {
             runOnEdt(() -> {
                 Messages.setLanguage(Language.POLISH);
-                panel = new MotorPanel(new UndoController((commands, onExecuted) -> {}, () -> {}), asked::add);
+                panel = new MotorPanel(new CommandSender((commands, onExecuted) -> {}), asked::add);
             });
             show(List.of(new TimedCommand(8, new Command.ClearMotorFaults(MotorSide.LEFT))));
             assertEquals(List.of("Dodaj uszkodzenie", "lewe silniki:", "słabe 0.50", "jeszcze 8.0 s"), labels());

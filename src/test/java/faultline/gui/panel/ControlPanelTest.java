@@ -15,7 +15,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.FieldExtremes;
 import faultline.gui.action.UiAction;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.text.ReadingText;
@@ -180,7 +180,7 @@ class ControlPanelTest {
     }
 
     private ControlPanel createPanel() {
-        return new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorEdits, actions);
+        return new ControlPanel(new CommandSender(this::execute), null, sensorEdits, actions);
     }
 
     /** Records commands, and how to refuse them. */
@@ -259,7 +259,7 @@ class ControlPanelTest {
     @Test
     void aRobotWithoutSensorsKeepsNoneOfTheScenarioBefore() {
         SensorDetailsPanel details =
-                callOnEdt(() -> new SensorDetailsPanel(new UndoController(this::execute, () -> {}), sensorEdits));
+                callOnEdt(() -> new SensorDetailsPanel(new CommandSender(this::execute), sensorEdits));
         runOnEdt(() -> {
             details.setSensors(world.sensors(), List.of(), 0);
             details.startScenario();
@@ -293,8 +293,7 @@ class ControlPanelTest {
     @Test
     void withoutAScenarioNoFieldShowsItsLowerLimit() {
         runOnEdt(() -> {
-            ControlPanel empty =
-                    new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorEdits, actions);
+            ControlPanel empty = new ControlPanel(new CommandSender(this::execute), null, sensorEdits, actions);
             assertEquals(
                     "0",
                     ComponentFinder.findAll(empty, JTextField.class)
@@ -309,8 +308,7 @@ class ControlPanelTest {
     @Test
     void theFieldsOfTheDefaultRobotStandDisabledWhereTheyWillBe() {
         runOnEdt(() -> {
-            ControlPanel early =
-                    new ControlPanel(new UndoController(this::execute, () -> {}), null, sensorEdits, actions);
+            ControlPanel early = new ControlPanel(new CommandSender(this::execute), null, sensorEdits, actions);
             early.setSize(early.defaultWidth(), 640);
             layOut(early);
             List<NumberSpinner> fields = NumberSpinner.findIn(early).toList();

@@ -25,6 +25,7 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
@@ -58,6 +59,7 @@ class ControllerPanelTest {
     private Workspace workspace;
     private RunController run;
     private DocumentStore documents;
+    private CommandSender sender;
     private UndoController undo;
     private ControllerPanel panel;
     private final List<String> choices = new ArrayList<>();
@@ -69,11 +71,12 @@ class ControllerPanelTest {
             workspace = new Workspace();
             run = new RunController(workspace);
             documents = new DocumentStore(workspace);
-            undo = new UndoController(run::send, () -> {});
+            sender = new CommandSender(run::send);
+            undo = new UndoController(sender, () -> {});
             undo.follow(workspace, run);
             workspace.addListener(new TaskFailures());
             panel = new ControllerPanel(
-                    undo,
+                    sender,
                     new ScenarioEditor(run, undo),
                     new ControlPanel.PanelActions(
                             null,
@@ -92,7 +95,7 @@ class ControllerPanelTest {
     /** Waits for a frame whose controller meets a condition, and shows every frame on the way. */
     private void await(String what, Predicate<ControllerSpec> condition) {
         SessionFrames.awaitFrame(workspace, what, frame -> {
-            undo.pendingEdits().setRobot(frame.snapshot().robot());
+            sender.pendingEdits().setRobot(frame.snapshot().robot());
             panel.setSettings(
                     frame.controller(),
                     frame.controllerName(),

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
@@ -44,8 +44,7 @@ class FaultListTest {
     }
 
     private FaultList createList() {
-        return callOnEdt(
-                () -> new FaultList(new UndoController((commands, onExecuted) -> sent.add(commands), () -> {})));
+        return callOnEdt(() -> new FaultList(new CommandSender((commands, onExecuted) -> sent.add(commands))));
     }
 
     private static void repairAll(FaultList list) {

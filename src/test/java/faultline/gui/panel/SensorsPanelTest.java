@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.engine.SampleFrames;
 import faultline.gui.EdtChecker;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.theme.Theme;
 import faultline.world.Command;
 import faultline.world.Snapshot;
@@ -24,13 +24,13 @@ class SensorsPanelTest {
         List<Command> commands = new ArrayList<>();
         runOnEdt(() -> {
             Theme.LIGHT.install();
-            UndoController editor = new UndoController((sent, onExecuted) -> commands.addAll(sent), () -> {});
-            SensorsPanel panel = new SensorsPanel(editor);
-            editor.pendingEdits().setRobot(world.robot());
+            CommandSender sender = new CommandSender((sent, onExecuted) -> commands.addAll(sent));
+            SensorsPanel panel = new SensorsPanel(sender);
+            sender.pendingEdits().setRobot(world.robot());
             panel.setSensors(world.sensors());
             NumberSpinner range = NumberSpinner.findIn(panel).findFirst().orElseThrow();
             range.textField().setText("0.77");
-            editor.pendingEdits().setRobot(world.robot().withSensors(List.of()));
+            sender.pendingEdits().setRobot(world.robot().withSensors(List.of()));
             panel.setSensors(List.of());
             range.commitPendingEdit();
             assertEquals(List.of(), commands);

@@ -15,7 +15,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.FieldExtremes;
 import faultline.gui.canvas.SimulationCanvas;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.theme.Theme;
 import faultline.io.DecimalText;
 import faultline.world.Command;
@@ -66,9 +66,9 @@ class ObstaclePanelTest {
     void show() {
         runOnEdt(() -> {
             Theme.LIGHT.install();
-            UndoController editor = new UndoController((sent, onExecuted) -> commands.addAll(sent), () -> {});
-            canvas = new SimulationCanvas(editor);
-            panel = new ObstaclePanel(editor, canvas.tools());
+            CommandSender sender = new CommandSender((sent, onExecuted) -> commands.addAll(sent));
+            canvas = new SimulationCanvas(sender);
+            panel = new ObstaclePanel(sender, canvas.tools());
             update();
         });
     }

@@ -19,6 +19,7 @@ import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.panel.NumberSpinner;
@@ -193,7 +194,7 @@ class PropertiesTest {
     void propertiesAreEditedUndoneAndRedone() {
         Workspace workspace = callOnEdt(Workspace::new);
         RunController run = callOnEdt(() -> new RunController(workspace));
-        UndoController undo = callOnEdt(() -> new UndoController(run::send, () -> {}));
+        UndoController undo = callOnEdt(() -> new UndoController(new CommandSender(run::send), () -> {}));
         runOnEdt(() -> new DocumentStore(workspace).create(ScenarioTemplate.CORRIDOR.create()));
         Await.until("the new scenario", () -> workspace.scenario().isPresent());
         assertTrue(callOnEdt(workspace::isChanged), "a new scenario has not been saved");

@@ -12,6 +12,7 @@ import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Theme;
 import faultline.sensor.Fault;
@@ -52,7 +53,8 @@ class LanePainterTest {
         });
         SessionFrames.awaitScenario(workspace);
         runOnEdt(() -> {
-            view = new LaneView(new TimelineEditor(workspace, run, new UndoController(run::send, () -> {})));
+            view = new LaneView(
+                    new TimelineEditor(workspace, run, new UndoController(new CommandSender(run::send), () -> {})));
             run.change(old -> old.withSetup(old.setup()
                     .withTimeline(List.of(
                             new TimedCommand(10, new Command.InjectFault("left", new Fault.Dropout(0.3))),

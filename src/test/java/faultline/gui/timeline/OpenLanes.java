@@ -8,6 +8,7 @@ import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.UndoController;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,7 +26,7 @@ record OpenLanes(Workspace workspace, RunController run, UndoController undo, Ti
         });
         SessionFrames.awaitScenario(workspace);
         return callOnEdt(() -> {
-            UndoController undo = new UndoController(run::send, () -> {});
+            UndoController undo = new UndoController(new CommandSender(run::send), () -> {});
             TimelineEditor editor = new TimelineEditor(workspace, run, undo);
             return new OpenLanes(workspace, run, undo, editor, new LaneView(editor));
         });

@@ -12,6 +12,7 @@ import faultline.engine.recording.Recorder;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
@@ -24,7 +25,7 @@ class TimelinePanelTest {
     private static TimelinePanel createPanel() {
         Theme.LIGHT.install();
         RunController run = new RunController(new Workspace());
-        UndoController undo = new UndoController(run::send, () -> {});
+        UndoController undo = new UndoController(new CommandSender(run::send), () -> {});
         TimelinePanel panel =
                 new TimelinePanel(tick -> {}, frame -> {}, new TimelineEditor(new Workspace(), run, undo));
         panel.addNotify();

@@ -10,7 +10,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.canvas.SimulationCanvas;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
@@ -49,7 +49,7 @@ class CanvasOverlaysTest {
     private void build(TextSize size) {
         size.install();
         Theme.LIGHT.install();
-        canvas = new SimulationCanvas(new UndoController((commands, outcome) -> {}, () -> {}));
+        canvas = new SimulationCanvas(new CommandSender((commands, outcome) -> {}));
         banner = new JPanel();
         banner.setPreferredSize(new Dimension(0, 60));
         banner.setVisible(false);

@@ -33,6 +33,7 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
@@ -137,12 +138,13 @@ class MainPanelTest {
             Workspace workspace = new Workspace();
             workspace.addListener(new NoOpWorkspaceListener());
             RunController run = new RunController(workspace);
-            UndoController edits = new UndoController(run::send, () -> {});
-            canvas = new SimulationCanvas(edits);
+            CommandSender sender = new CommandSender(run::send);
+            UndoController undo = new UndoController(sender, () -> {});
+            canvas = new SimulationCanvas(sender);
             FileController files = new FileController(canvas, workspace, () -> false);
             files.addTo(actions, () -> {});
-            new EditActions(edits).addTo(actions);
-            addSensorActions(workspace, run, edits);
+            new EditActions(undo).addTo(actions);
+            addSensorActions(workspace, new ScenarioEditor(run, undo), sender);
             new ExportController(
                             canvas,
                             workspace,
@@ -161,7 +163,7 @@ class MainPanelTest {
                     .forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
             OTHER_ACTIONS.forEach(key -> actions.add(UiAction.of(key, () -> {})));
             new PreferenceActions(WindowPreferences.nonPersistent(), actions, () -> {});
-            mainPanel = createMainPanel(run, edits, speed, workspace);
+            mainPanel = createMainPanel(workspace, run, sender, undo, speed);
             new ComparisonActions(new ComparisonController(workspace, run.navigator()), mainPanel::setReferenceRun)
                     .addTo(actions, Optional::empty);
             menus = Menus.createMenuBar(actions);
@@ -169,18 +171,18 @@ class MainPanelTest {
         });
     }
 
-    private void addSensorActions(Workspace workspace, RunController run, UndoController edits) {
-        SensorEditor editor = new SensorEditor(workspace, new ScenarioEditor(run, edits), note -> {});
-        sensors = new SensorActions(workspace, edits, editor, canvas.tools());
+    private void addSensorActions(Workspace workspace, ScenarioEditor scenario, CommandSender sender) {
+        SensorEditor editor = new SensorEditor(workspace, scenario, note -> {});
+        sensors = new SensorActions(workspace, sender, editor, canvas.tools());
         sensors.addTo(actions);
-        obstacleActions(edits).addTo(actions);
-        robotMenu = new RobotMenu(edits, sensors, id -> {}, side -> {});
+        obstacleActions(sender).addTo(actions);
+        robotMenu = new RobotMenu(sender, sensors, id -> {}, side -> {});
     }
 
-    private ObstacleActions obstacleActions(UndoController edits) {
+    private ObstacleActions obstacleActions(CommandSender sender) {
         return new ObstacleActions(
                 canvas.tools(),
-                edits,
+                sender,
                 sensors,
                 new Notes(sentence -> {}, sentence -> {}),
                 now -> OptionalDouble.empty(),
@@ -188,11 +190,15 @@ class MainPanelTest {
     }
 
     private MainPanel createMainPanel(
-            RunController run, UndoController edits, DefaultBoundedRangeModel speed, Workspace workspace) {
-        ScenarioEditor scenario = new ScenarioEditor(run, edits);
-        TimelineEditor timeline = new TimelineEditor(workspace, run, edits);
+            Workspace workspace,
+            RunController run,
+            CommandSender sender,
+            UndoController undo,
+            DefaultBoundedRangeModel speed) {
+        ScenarioEditor scenario = new ScenarioEditor(run, undo);
+        TimelineEditor timeline = new TimelineEditor(workspace, run, undo);
         return new MainPanel(
-                canvas, new MainPanel.Editors(edits, scenario, sensors, timeline), actions, speed, tick -> {});
+                canvas, new MainPanel.Editors(sender, scenario, sensors, timeline), actions, speed, tick -> {});
     }
 
     private static Stream<Arguments> windowSizes() {

@@ -4,8 +4,8 @@ import faultline.geometry.Angles;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.Rounding;
-import faultline.gui.edit.UndoController;
 import faultline.gui.theme.KeyBindings;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.world.Command;
@@ -32,12 +32,12 @@ public final class CanvasKeys {
     private static final double TURN_ANGLE = Degrees.toRadians(5);
 
     private final CanvasModel model;
-    private final UndoController editor;
+    private final CommandSender sender;
     private final CanvasMouse mouse;
 
-    public CanvasKeys(CanvasModel model, UndoController editor, CanvasMouse mouse) {
+    public CanvasKeys(CanvasModel model, CommandSender sender, CanvasMouse mouse) {
         this.model = model;
-        this.editor = editor;
+        this.sender = sender;
         this.mouse = mouse;
     }
 
@@ -75,7 +75,7 @@ public final class CanvasKeys {
 
     private void turn(double turn) {
         List<Obstacle> expected =
-                model.selected().stream().map(editor.pendingEdits()::expected).toList();
+                model.selected().stream().map(sender.pendingEdits()::expected).toList();
         if (expected.isEmpty()) {
             turnSensor(turn);
         } else {
@@ -87,15 +87,15 @@ public final class CanvasKeys {
     private void turnSensor(double turn) {
         model.sensor()
                 .get()
-                .flatMap(id -> editor.pendingEdits().robot().sensor(id))
+                .flatMap(id -> sender.pendingEdits().robot().sensor(id))
                 .map(sensor -> sensor.withBearing(Rounding.roundAngle(Angles.normalize(sensor.bearing() + turn))))
-                .ifPresent(turned -> editor.send(new Command.ConfigureSensor(turned)));
+                .ifPresent(turned -> sender.send(new Command.ConfigureSensor(turned)));
     }
 
     private void moveSelected(Function<Obstacle, Pose> change) {
-        editor.send(model.selected().stream()
+        sender.send(model.selected().stream()
                 .<Command>map(obstacle -> new Command.MoveObstacle(
-                        obstacle.id(), moved(editor.pendingEdits().expected(obstacle), change)))
+                        obstacle.id(), moved(sender.pendingEdits().expected(obstacle), change)))
                 .toList());
     }
 

@@ -92,7 +92,7 @@ public final class CanvasTools {
                     waypoints.add(obstacle.pose().position());
                     double speed = obstacle.isMoving() ? obstacle.motion().speed() : DEFAULT_SPEED;
                     WaypointPath motion = new WaypointPath(speed, true, waypoints);
-                    context.editor().send(new Command.PlaceObstacle(obstacle.withMotion(motion)));
+                    context.sender().send(new Command.PlaceObstacle(obstacle.withMotion(motion)));
                 });
         return true;
     }

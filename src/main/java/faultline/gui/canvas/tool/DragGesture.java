@@ -1,8 +1,8 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.SnapSettings;
-import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
 import faultline.paint.scene.ObstacleOutlines;
@@ -23,18 +23,18 @@ public final class DragGesture implements Gesture {
     private final Vector2 pressed;
     private final CanvasModel model;
     private final Viewport viewport;
-    private final UndoController editor;
+    private final CommandSender sender;
     private DragPreview preview;
     private Vector2 last;
 
-    DragGesture(DragOperation operation, Vector2 pressed, CanvasModel model, Viewport viewport, UndoController editor) {
+    DragGesture(DragOperation operation, Vector2 pressed, CanvasModel model, Viewport viewport, CommandSender sender) {
         this.operation = operation;
         this.pressed = pressed;
         this.model = model;
         this.viewport = viewport;
-        this.editor = editor;
+        this.sender = sender;
         this.last = pressed;
-        editor.beginGesture();
+        sender.beginGesture();
     }
 
     @Override
@@ -49,7 +49,7 @@ public final class DragGesture implements Gesture {
         boolean isNew = preview == null || !preview.commands().equals(wanted.commands());
         preview = wanted;
         if (isNew && (model.hasStarted() || blocked().isEmpty())) {
-            editor.send(wanted.commands());
+            sender.send(wanted.commands());
         }
     }
 
@@ -65,20 +65,20 @@ public final class DragGesture implements Gesture {
 
     @Override
     public void release() {
-        editor.endGesture();
+        sender.endGesture();
     }
 
     @Override
     public void discard() {
-        editor.endGesture();
+        sender.endGesture();
     }
 
     @Override
     public void cancel() {
         if (preview != null) {
-            editor.send(operation.restoreCommands());
+            sender.send(operation.restoreCommands());
         }
-        editor.endGesture();
+        sender.endGesture();
     }
 
     @Override

@@ -1,8 +1,8 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ShapeHandles;
-import faultline.gui.edit.UndoController;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
@@ -28,13 +28,13 @@ public final class GesturePicker {
 
     private final CanvasModel model;
     private final Viewport viewport;
-    private final UndoController editor;
+    private final CommandSender sender;
     private final CanvasListeners listeners;
 
-    public GesturePicker(CanvasModel model, Viewport viewport, UndoController editor, CanvasListeners listeners) {
+    public GesturePicker(CanvasModel model, Viewport viewport, CommandSender sender, CanvasListeners listeners) {
         this.model = model;
         this.viewport = viewport;
-        this.editor = editor;
+        this.sender = sender;
         this.listeners = listeners;
     }
 
@@ -159,7 +159,7 @@ public final class GesturePicker {
     }
 
     private Gesture dragGesture(DragOperation drag, Vector2 at) {
-        return new DragGesture(drag, at, model, viewport, editor);
+        return new DragGesture(drag, at, model, viewport, sender);
     }
 
     /** Returns the world if its robot is at a position and has not started yet. */

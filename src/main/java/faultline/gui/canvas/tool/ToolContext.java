@@ -1,14 +1,14 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.text.Messages;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.util.List;
 
 /** The objects that tools work on. */
-public record ToolContext(CanvasModel model, Viewport viewport, UndoController editor, CanvasListeners listeners) {
+public record ToolContext(CanvasModel model, Viewport viewport, CommandSender sender, CanvasListeners listeners) {
 
     /** Places and selects an obstacle if there is room for it; returns whether there is. */
     public boolean placeObstacle(Obstacle obstacle) {
@@ -21,7 +21,7 @@ public record ToolContext(CanvasModel model, Viewport viewport, UndoController e
             return false;
         }
         model.selectWhenPresent(List.of(obstacle.id()));
-        editor.send(new Command.PlaceObstacle(obstacle));
+        sender.send(new Command.PlaceObstacle(obstacle));
         return true;
     }
 

@@ -13,8 +13,8 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ShapePreset;
-import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.KeyBindings;
 import faultline.paint.surface.Camera;
@@ -48,9 +48,9 @@ class CanvasKeysTest {
 
     private final List<Command> sent = new ArrayList<>();
     private final List<Runnable> refusals = new ArrayList<>();
-    private final UndoController editor = callOnEdt(() -> new UndoController(this::execute, () -> {}));
+    private final CommandSender sender = callOnEdt(() -> new CommandSender(this::execute));
     private final SimulationCanvas canvas = callOnEdt(() -> {
-        SimulationCanvas made = new SimulationCanvas(editor);
+        SimulationCanvas made = new SimulationCanvas(sender);
         made.setSize(600, 440);
         made.setFrame(WITH_BOX);
         made.tools().select(List.of("box"));
@@ -193,7 +193,7 @@ class CanvasKeysTest {
                 WITH_BOX.snapshot().obstacles().get(0));
         runOnEdt(() -> {
             canvas.setFrame(frame);
-            editor.pendingEdits().setRobot(frame.snapshot().robot());
+            sender.pendingEdits().setRobot(frame.snapshot().robot());
         });
         keys("ESCAPE", "Q");
         assertEquals(List.of(), callOnEdt(() -> List.copyOf(sent)), "nothing is selected");
@@ -216,7 +216,7 @@ class CanvasKeysTest {
     void afterARefusalTheNextNudgeStartsWhereTheObstacleReallyIs() {
         key("RIGHT");
         runOnEdt(refusals.get(0)::run);
-        runOnEdt(() -> editor.pendingEdits().setRobot(WITH_BOX.snapshot().robot()));
+        runOnEdt(() -> sender.pendingEdits().setRobot(WITH_BOX.snapshot().robot()));
         runOnEdt(() -> canvas.setFrame(WITH_BOX));
         key("RIGHT");
         assertEquals(List.of(moveTo(4.01), moveTo(4.01)), callOnEdt(() -> List.copyOf(sent)));

@@ -14,7 +14,7 @@ import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.canvas.SimulationCanvas;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.paint.scene.Layer;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
@@ -39,7 +39,7 @@ class CanvasMouseTest {
     private final List<Point> menus = new ArrayList<>();
     private final SimulationCanvas canvas = callOnEdt(() -> {
         SimulationCanvas made =
-                new SimulationCanvas(new UndoController((commands, onExecuted) -> sent.addAll(commands), () -> {}));
+                new SimulationCanvas(new CommandSender((commands, onExecuted) -> sent.addAll(commands)));
         made.setSize(600, 440);
         made.setFrame(SampleFrames.frameOf(
                 new Pose(1, 1, 0), new Obstacle("box", new ObstacleShape.RectangleShape(0.8, 0.5), new Pose(4, 2, 0))));

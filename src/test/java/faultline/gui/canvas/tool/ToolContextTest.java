@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
-import faultline.gui.edit.UndoController;
+import faultline.gui.edit.CommandSender;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
@@ -23,10 +23,7 @@ class ToolContextTest {
     private final List<Command> sent = new ArrayList<>();
     private final List<Predicate<Snapshot>> refusals = new ArrayList<>();
     private final ToolContext context = new ToolContext(
-            model,
-            new Viewport(),
-            new UndoController((commands, onExecuted) -> sent.addAll(commands), () -> {}),
-            listeners);
+            model, new Viewport(), new CommandSender((commands, onExecuted) -> sent.addAll(commands)), listeners);
 
     private static Obstacle box(double x) {
         return new Obstacle("box", new ObstacleShape.RectangleShape(0.8, 0.5), new Pose(x, 2, 0));
