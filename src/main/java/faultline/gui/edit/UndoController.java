@@ -16,16 +16,15 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
-import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * Sends the user's commands to the run and records the results as edits that can be undone and redone. Undo and redo
- * are themselves commands, so a journal replays them too. A refused command is not an edit. Event dispatch thread only.
+ * Records the results of the commands that a {@link CommandSender} sends as edits that can be undone and redone. Undo
+ * and redo are themselves commands, so a journal replays them too. A refused command is not an edit. Event dispatch
+ * thread only.
  */
 public final class UndoController {
 
@@ -47,32 +46,12 @@ public final class UndoController {
     private LongConsumer undoListener = tick -> {};
     private long advancedTo;
 
-    /**
-     * Creates a controller without edits. The channel sends commands to the run, to be executed together, and passes
-     * their results to a callback on the event dispatch thread.
-     */
-    public UndoController(BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel, Runnable onStateChange) {
-        this(new CommandSender(channel), onStateChange);
-    }
-
-    UndoController(
-            BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel,
-            Runnable onStateChange,
-            LongSupplier clock) {
-        this(new CommandSender(channel, clock), onStateChange);
-    }
-
     /** Creates a controller without edits, which records the results of what a sender sends. */
     public UndoController(CommandSender sender, Runnable onStateChange) {
         this.sender = sender;
         this.onStateChange = onStateChange;
         this.gestures = sender.gestures();
         sender.setEditListener(this::editSent);
-    }
-
-    /** Returns the commands that have no effect in a frame yet. */
-    public PendingEdits pendingEdits() {
-        return sender.pendingEdits();
     }
 
     /** Sets the listener that is called with the number of edits that must be redone manually after an earlier edit. */
@@ -91,16 +70,6 @@ public final class UndoController {
         history.setNames(run::named);
         requests.setRepositioning(run::isRepositioning);
         workspace.addListener(new RunFollower(run));
-    }
-
-    /** Sends one command. */
-    public void send(Command command) {
-        send(List.of(command));
-    }
-
-    /** Sends several commands, which form one edit. */
-    public void send(List<Command> commands) {
-        sender.send(commands);
     }
 
     /** Records that the commands of an edit are being sent; the returned callback receives their results. */
@@ -227,15 +196,6 @@ public final class UndoController {
         if (history.advanceTo(tick) || planned) {
             onStateChange.run();
         }
-    }
-
-    /** Starts a gesture: all commands until it ends form one edit. */
-    public void beginGesture() {
-        sender.beginGesture();
-    }
-
-    public void endGesture() {
-        sender.endGesture();
     }
 
     /** Ends the last edit: later commands form another one. */

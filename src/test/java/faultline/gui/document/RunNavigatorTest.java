@@ -17,6 +17,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -52,6 +53,7 @@ class RunNavigatorTest {
     private Workspace workspace;
     private RunController run;
     private DocumentStore documentStore;
+    private CommandSender sender;
     private UndoController edits;
     private Pose original;
 
@@ -61,7 +63,8 @@ class RunNavigatorTest {
             workspace = new Workspace();
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
-            edits = new UndoController(run::send, () -> {});
+            sender = new CommandSender(run::send);
+            edits = new UndoController(sender, () -> {});
             edits.follow(workspace, run);
             workspace.addListener(new TaskFailures());
             edits.setForkListener(forks::add);
@@ -200,7 +203,7 @@ class RunNavigatorTest {
     @Test
     void anEditInThePastThatIsRefusedKeepsTheLaterOnes() {
         seek(5);
-        runOnEdt(() -> edits.send(new Command.MoveObstacle("no-such-obstacle", FIRST)));
+        runOnEdt(() -> sender.send(new Command.MoveObstacle("no-such-obstacle", FIRST)));
         stepTo(30);
         assertEquals(SECOND, pole());
         assertEquals(List.of(), forks);
@@ -241,7 +244,7 @@ class RunNavigatorTest {
     void commandsSentDuringASeekAreExecutedAfterIt() {
         runOnEdt(() -> {
             run.navigator().seek(15);
-            edits.send(new Command.SwitchSensor("left", false));
+            sender.send(new Command.SwitchSensor("left", false));
             run.step();
         });
         SessionFrames.awaitTick(workspace, 16);
@@ -337,9 +340,9 @@ class RunNavigatorTest {
     private void edit(Command command) {
         SessionFrame before = SessionFrames.frame(workspace);
         runOnEdt(() -> {
-            edits.beginGesture();
-            edits.send(command);
-            edits.endGesture();
+            sender.beginGesture();
+            sender.send(command);
+            sender.endGesture();
         });
         SessionFrames.awaitFrame(workspace, command + " to be executed", frame -> frame != before);
         assertTrue(callOnEdt(() -> edits.undoName().isPresent()));

@@ -15,6 +15,7 @@ import faultline.engine.session.SessionView;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.StoppedClock;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
@@ -45,6 +46,7 @@ class SetupChangeTest {
     private Workspace workspace;
     private RunController run;
     private DocumentStore documentStore;
+    private CommandSender sender;
     private UndoController edits;
     private SimulationSetup original;
 
@@ -54,7 +56,8 @@ class SetupChangeTest {
             workspace = new Workspace();
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
-            edits = StoppedClock.undoController(run::send);
+            sender = StoppedClock.sender(run::send);
+            edits = new UndoController(sender, () -> {});
             edits.follow(workspace, run);
             workspace.addListener(new TaskFailures());
             workspace.addListener(new WorkspaceListener() {
@@ -133,8 +136,8 @@ class SetupChangeTest {
 
     @Test
     void aManuallyInjectedFaultCanBeMovedAndStaysMoved() throws ScenarioException {
-        runOnEdt(
-                () -> edits.send(List.of(FAULT, SWITCH, new Command.MoveObstacle("copier", new Pose(3.3, 0.35, 0.5)))));
+        runOnEdt(() ->
+                sender.send(List.of(FAULT, SWITCH, new Command.MoveObstacle("copier", new Pose(3.3, 0.35, 0.5)))));
         Await.until("the edit", () -> edits.undoName().isPresent());
         stepTo(70);
         List<TimedCommand> timeline = timeline();
@@ -160,12 +163,12 @@ class SetupChangeTest {
     @Test
     void editsAtThePresentTickStayWhenTheTimelineChanges() {
         Pose aside = new Pose(3.3, 0.35, 0.5);
-        runOnEdt(() -> edits.send(new Command.MoveObstacle("copier", aside)));
+        runOnEdt(() -> sender.send(new Command.MoveObstacle("copier", aside)));
         Await.until("the edit", () -> edits.undoName().isPresent());
         setTimeline(List.of(new TimedCommand(0.7, FAULT)));
         assertEquals(TICKS, tick());
         assertEquals(aside, callOnEdt(() -> pose("copier")), "it shows before the next tick");
-        runOnEdt(() -> edits.send(new Command.MoveObstacle("cabinet", new Pose(5, 5.7, 0))));
+        runOnEdt(() -> sender.send(new Command.MoveObstacle("cabinet", new Pose(5, 5.7, 0))));
         Await.until("the second edit", () -> pose("cabinet").y() == 5.7);
         assertEquals(aside, callOnEdt(() -> pose("copier")), "another edit does not drop it");
         runOnEdt(edits::undo);
@@ -175,7 +178,7 @@ class SetupChangeTest {
 
     @Test
     void aSwitchAtThePresentTickStaysWhenTheTimelineChanges() {
-        runOnEdt(() -> edits.send(SWITCH));
+        runOnEdt(() -> sender.send(SWITCH));
         Await.until("the edit", () -> edits.undoName().isPresent());
         assertFalse(isFrontOn());
         List<TimedCommand> withFault = new ArrayList<>(timeline());

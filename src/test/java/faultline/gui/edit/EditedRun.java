@@ -21,6 +21,7 @@ final class EditedRun {
 
     private Workspace workspace;
     private RunController controller;
+    private CommandSender sender;
     private UndoController edits;
     private Optional<String> shownUndo = Optional.empty();
 
@@ -28,7 +29,8 @@ final class EditedRun {
         runOnEdt(() -> {
             workspace = new Workspace();
             controller = new RunController(workspace);
-            edits = StoppedClock.undoController(controller::send, () -> shownUndo = edits.undoName());
+            sender = StoppedClock.sender(controller::send);
+            edits = new UndoController(sender, () -> shownUndo = edits.undoName());
             edits.follow(workspace, controller);
             workspace.addListener(new TaskFailures());
             new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
@@ -46,6 +48,10 @@ final class EditedRun {
 
     RunController controller() {
         return controller;
+    }
+
+    CommandSender sender() {
+        return sender;
     }
 
     UndoController edits() {
@@ -85,7 +91,7 @@ final class EditedRun {
     void send(Command... commands) {
         runOnEdt(() -> {
             edits.endEdit();
-            edits.send(List.of(commands));
+            sender.send(List.of(commands));
         });
         rest();
     }

@@ -134,7 +134,7 @@ class MovedStartTest {
     @Test
     void anEditThatIsNotAnsweredYetIsKept() {
         runOnEdt(() -> {
-            run.edits().send(FAULT);
+            run.sender().send(FAULT);
             moveStart();
         });
         run.rest();
@@ -152,7 +152,7 @@ class MovedStartTest {
         run.advance(5);
         runOnEdt(() -> {
             run.edits().undo();
-            run.edits().send(FAULT);
+            run.sender().send(FAULT);
             moveStart();
         });
         run.rest();

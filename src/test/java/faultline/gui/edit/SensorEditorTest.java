@@ -55,6 +55,7 @@ class SensorEditorTest {
     private Workspace workspace;
     private RunController run;
     private DocumentStore documentStore;
+    private CommandSender sender;
     private UndoController edits;
     private SensorEditor sensors;
     private SimulationSetup original;
@@ -65,7 +66,8 @@ class SensorEditorTest {
             workspace = new Workspace();
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
-            edits = StoppedClock.undoController(run::send);
+            sender = StoppedClock.sender(run::send);
+            edits = new UndoController(sender, () -> {});
             sensors = new SensorEditor(workspace, new ScenarioEditor(run, edits), notes::add);
             edits.follow(workspace, run);
             workspace.addListener(new TaskFailures());
@@ -121,7 +123,7 @@ class SensorEditorTest {
     }
 
     private void send(Command command) {
-        runOnEdt(() -> edits.send(command));
+        runOnEdt(() -> sender.send(command));
         Await.until("the edit", () -> !workspace.awaitsCommands());
     }
 
@@ -216,7 +218,7 @@ class SensorEditorTest {
     void aCommandThatIsExecutedAfterItsSensorWasRemovedIsIgnored() {
         SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
         runOnEdt(() -> {
-            edits.send(List.of(FAULT, new Command.ConfigureSensor(farther)));
+            sender.send(List.of(FAULT, new Command.ConfigureSensor(farther)));
             sensors.remove("left");
         });
         waitForRun();
@@ -368,9 +370,9 @@ class SensorEditorTest {
     void aCommandThatIsOnItsWayWhenItsSensorIsRenamedIsNotLost() {
         SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
         runOnEdt(() -> {
-            edits.send(new Command.ConfigureSensor(farther));
+            sender.send(new Command.ConfigureSensor(farther));
             sensors.rename("left", "port");
-            edits.send(FAULT);
+            sender.send(FAULT);
         });
         waitForRun();
         Await.until("both commands", () -> edits.undoName().equals(Optional.of("Fault in port")));

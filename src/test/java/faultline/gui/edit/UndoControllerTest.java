@@ -43,7 +43,8 @@ class UndoControllerTest {
     private final World world =
             new World(new WorldSpec(6, 4, true, 1, List.of(DESK)), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 1);
     private long now;
-    private final UndoController controller = callOnEdt(() -> new UndoController(this::execute, () -> {}, () -> now));
+    private final CommandSender sender = callOnEdt(() -> new CommandSender(this::execute, () -> now));
+    private final UndoController controller = callOnEdt(() -> new UndoController(sender, () -> {}));
 
     private boolean dead;
 
@@ -63,7 +64,7 @@ class UndoControllerTest {
     /** The run has ended by an error, such as a lack of memory. */
     @Test
     void anEditThatADeadRunDoesNotUndoStaysDone() {
-        runOnEdt(() -> controller.send(moveTo(3)));
+        runOnEdt(() -> sender.send(moveTo(3)));
         dead = true;
         runOnEdt(controller::undo);
         assertEquals(Optional.of("Move desk"), undoName());
@@ -76,7 +77,7 @@ class UndoControllerTest {
         List<String> names = new ArrayList<>();
         for (Command edit : tenEdits()) {
             now += 5000;
-            runOnEdt(() -> controller.send(edit));
+            runOnEdt(() -> sender.send(edit));
             states.add(world.snapshot());
             names.add(undoName().orElseThrow());
         }
@@ -127,10 +128,10 @@ class UndoControllerTest {
     @Test
     void anEditAfterAnotherWasRedoneIsNotPartOfIt() {
         runOnEdt(() -> {
-            controller.send(moveTo(4.2));
+            sender.send(moveTo(4.2));
             controller.undo();
             controller.redo();
-            controller.send(moveTo(4.4));
+            sender.send(moveTo(4.4));
             controller.undo();
         });
         assertEquals(4.2, x());
@@ -139,30 +140,31 @@ class UndoControllerTest {
     @Test
     void aGestureIsNotPartOfTheEditBefore() {
         runOnEdt(() -> {
-            controller.send(moveTo(4.2));
-            controller.beginGesture();
-            controller.send(moveTo(4.4));
-            controller.endGesture();
+            sender.send(moveTo(4.2));
+            sender.beginGesture();
+            sender.send(moveTo(4.4));
+            sender.endGesture();
             controller.undo();
         });
         assertEquals(4.2, x());
     }
 
-    /** Returns a controller whose commands are executed when their entry in a list is run. */
-    private UndoController lateController(List<Runnable> answers) {
-        return callOnEdt(() -> new UndoController(
-                (commands, onExecuted) -> answers.add(() -> execute(commands, onExecuted)), () -> {}, () -> now));
+    /** Returns a sender whose commands are executed when their entry in a list is run. */
+    private CommandSender lateSender(List<Runnable> answers) {
+        return callOnEdt(() -> new CommandSender(
+                (commands, onExecuted) -> answers.add(() -> execute(commands, onExecuted)), () -> now));
     }
 
     @Test
     void undoAndRedoWaitForTheEditsBeforeThem() {
         List<Runnable> answers = new ArrayList<>();
-        UndoController late = lateController(answers);
+        CommandSender lateSender = lateSender(answers);
+        UndoController late = callOnEdt(() -> new UndoController(lateSender, () -> {}));
         runOnEdt(() -> {
-            late.send(moveTo(4.2));
+            lateSender.send(moveTo(4.2));
             answers.remove(0).run();
             now += 5000;
-            late.send(moveTo(4.4));
+            lateSender.send(moveTo(4.4));
             late.undo();
             late.undo();
             late.redo();
@@ -186,9 +188,10 @@ class UndoControllerTest {
     @Test
     void anEditCanBeUndoneBeforeItIsAnswered() {
         List<Runnable> answers = new ArrayList<>();
-        UndoController late = lateController(answers);
+        CommandSender lateSender = lateSender(answers);
+        UndoController late = callOnEdt(() -> new UndoController(lateSender, () -> {}));
         assertFalse(callOnEdt(late::canUndo));
-        runOnEdt(() -> late.send(moveTo(4.2)));
+        runOnEdt(() -> lateSender.send(moveTo(4.2)));
         assertTrue(callOnEdt(late::canUndo));
         assertEquals(Optional.empty(), callOnEdt(late::undoName), "it may be refused");
         assertFalse(callOnEdt(late::canRedo));
@@ -202,11 +205,12 @@ class UndoControllerTest {
     @Test
     void anEditThatIsRefusedIsNotUndone() {
         List<Runnable> answers = new ArrayList<>();
-        UndoController late = lateController(answers);
+        CommandSender lateSender = lateSender(answers);
+        UndoController late = callOnEdt(() -> new UndoController(lateSender, () -> {}));
         runOnEdt(() -> {
-            late.send(moveTo(4.2));
+            lateSender.send(moveTo(4.2));
             answers.remove(0).run();
-            late.send(new Command.RemoveObstacle("none"));
+            lateSender.send(new Command.RemoveObstacle("none"));
             late.undo();
         });
         assertEquals(List.of(4.2, 4.0), places(answers));
@@ -216,14 +220,15 @@ class UndoControllerTest {
     @Test
     void aNewEditCancelsAnUndoThatWaits() {
         List<Runnable> answers = new ArrayList<>();
-        UndoController late = lateController(answers);
+        CommandSender lateSender = lateSender(answers);
+        UndoController late = callOnEdt(() -> new UndoController(lateSender, () -> {}));
         SensorSpec range = FRONT.withRange(0.5);
         runOnEdt(() -> {
-            late.pendingEdits().setRobot(RobotSpec.DEFAULT);
-            late.send(new Command.ConfigureSensor(range));
+            lateSender.pendingEdits().setRobot(RobotSpec.DEFAULT);
+            lateSender.send(new Command.ConfigureSensor(range));
             late.undo();
-            SensorSpec expected = late.pendingEdits().robot().sensors().get(0);
-            late.send(new Command.ConfigureSensor(expected.withNoise(0.01)));
+            SensorSpec expected = lateSender.pendingEdits().robot().sensors().get(0);
+            lateSender.send(new Command.ConfigureSensor(expected.withNoise(0.01)));
         });
         assertEquals(2, places(answers).size());
         assertEquals(range.withNoise(0.01), world.snapshot().robot().sensors().get(0));
@@ -237,12 +242,13 @@ class UndoControllerTest {
     @Test
     void anUndoThatWaitsIsForgottenWithItsScenario() {
         List<Runnable> answers = new ArrayList<>();
-        UndoController late = lateController(answers);
+        CommandSender lateSender = lateSender(answers);
+        UndoController late = callOnEdt(() -> new UndoController(lateSender, () -> {}));
         runOnEdt(() -> {
-            late.send(moveTo(4.2));
+            lateSender.send(moveTo(4.2));
             late.undo();
             late.clear();
-            late.send(moveTo(4.4));
+            lateSender.send(moveTo(4.4));
             answers.remove(1).run();
             answers.remove(0).run();
         });
@@ -253,15 +259,17 @@ class UndoControllerTest {
     @Test
     void nothingOfAnotherScenarioIsUndoneOrStillExpected() {
         List<Runnable> answers = new ArrayList<>();
-        UndoController late = lateController(answers);
+        CommandSender lateSender = lateSender(answers);
+        UndoController late = callOnEdt(() -> new UndoController(lateSender, () -> {}));
         runOnEdt(() -> {
-            late.send(moveTo(4.2));
+            lateSender.send(moveTo(4.2));
             answers.remove(0).run();
-            late.send(new Command.SetPlatform(0.3, 0.2, 0.3));
+            lateSender.send(new Command.SetPlatform(0.3, 0.2, 0.3));
             late.clear();
         });
         assertEquals(Optional.empty(), callOnEdt(late::undoName));
-        assertEquals(RobotSpec.DEFAULT, callOnEdt(() -> late.pendingEdits().robot()));
+        assertEquals(
+                RobotSpec.DEFAULT, callOnEdt(() -> lateSender.pendingEdits().robot()));
         runOnEdt(() -> answers.get(0).run());
         assertEquals(Optional.empty(), callOnEdt(late::undoName), "the answer to a command to the run before");
     }
@@ -269,11 +277,11 @@ class UndoControllerTest {
     @Test
     void oneGestureIsOneEdit() {
         runOnEdt(() -> {
-            controller.beginGesture();
-            controller.send(moveTo(4.2));
-            controller.send(moveTo(4.4));
-            controller.endGesture();
-            controller.send(moveTo(4.6));
+            sender.beginGesture();
+            sender.send(moveTo(4.2));
+            sender.send(moveTo(4.4));
+            sender.endGesture();
+            sender.send(moveTo(4.6));
             controller.undo();
         });
         assertEquals(4.4, x());
@@ -290,13 +298,13 @@ class UndoControllerTest {
 
     @Test
     void nudgesInQuickSuccessionAreOneEditAndAPauseEndsIt() {
-        runOnEdt(() -> controller.send(moveTo(4.1)));
+        runOnEdt(() -> sender.send(moveTo(4.1)));
         now += 900;
-        runOnEdt(() -> controller.send(moveTo(4.15)));
+        runOnEdt(() -> sender.send(moveTo(4.15)));
         now += 900;
-        runOnEdt(() -> controller.send(moveTo(4.2)));
+        runOnEdt(() -> sender.send(moveTo(4.2)));
         now += 1100;
-        runOnEdt(() -> controller.send(moveTo(4.3)));
+        runOnEdt(() -> sender.send(moveTo(4.3)));
         runOnEdt(controller::undo);
         assertEquals(4.2, x());
         runOnEdt(controller::undo);
@@ -304,7 +312,7 @@ class UndoControllerTest {
     }
 
     private void assertEditCount(int count, Command... commands) {
-        runOnEdt(() -> List.of(commands).forEach(controller::send));
+        runOnEdt(() -> List.of(commands).forEach(sender::send));
         for (int i = 0; i < count; i++) {
             assertTrue(undoName().isPresent(), "edit " + i);
             runOnEdt(controller::undo);
@@ -350,9 +358,9 @@ class UndoControllerTest {
     @Test
     void savingEndsTheLastEdit() {
         runOnEdt(() -> {
-            controller.send(moveTo(4.1));
+            sender.send(moveTo(4.1));
             controller.endEdit();
-            controller.send(moveTo(4.2));
+            sender.send(moveTo(4.2));
             controller.undo();
         });
         assertEquals(4.1, x());
@@ -360,8 +368,8 @@ class UndoControllerTest {
 
     @Test
     void switchingASensorOffAndOnIsTwoEdits() {
-        runOnEdt(() -> controller.send(new Command.SwitchSensor("front", false)));
-        runOnEdt(() -> controller.send(new Command.SwitchSensor("front", true)));
+        runOnEdt(() -> sender.send(new Command.SwitchSensor("front", false)));
+        runOnEdt(() -> sender.send(new Command.SwitchSensor("front", true)));
         runOnEdt(controller::undo);
         assertEquals(false, world.robot().sensors().get(0).on());
     }
@@ -369,25 +377,25 @@ class UndoControllerTest {
     @Test
     void aDragThatIsCancelledIsNoEdit() {
         runOnEdt(() -> {
-            controller.beginGesture();
-            controller.send(moveTo(4.2));
-            controller.send(moveTo(4));
-            controller.endGesture();
+            sender.beginGesture();
+            sender.send(moveTo(4.2));
+            sender.send(moveTo(4));
+            sender.endGesture();
         });
         assertEquals(Optional.empty(), undoName());
     }
 
     @Test
     void aRefusedCommandAndOneThatChangesNothingAreNoEdits() {
-        runOnEdt(() -> controller.send(new Command.PlaceObstacle(
+        runOnEdt(() -> sender.send(new Command.PlaceObstacle(
                 new Obstacle("lamp", new ObstacleShape.CircleShape(0.1), new Pose(2, 2, 0)))));
-        runOnEdt(() -> controller.send(new Command.SwitchSensor("front", true)));
+        runOnEdt(() -> sender.send(new Command.SwitchSensor("front", true)));
         assertEquals(Optional.empty(), undoName());
     }
 
     @Test
     void anUndoOrRedoThatTheWorldRefusesLeavesTheHistoryUnchanged() {
-        runOnEdt(() -> controller.send(new Command.RemoveObstacle("desk")));
+        runOnEdt(() -> sender.send(new Command.RemoveObstacle("desk")));
         longRobot(true);
         runOnEdt(controller::undo);
         assertEquals(List.of(), world.snapshot().obstacles());
@@ -397,7 +405,7 @@ class UndoControllerTest {
         runOnEdt(controller::undo);
         assertEquals(List.of(DESK), world.snapshot().obstacles());
         Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(3.5, 2, 0));
-        runOnEdt(() -> controller.send(new Command.PlaceObstacle(pole)));
+        runOnEdt(() -> sender.send(new Command.PlaceObstacle(pole)));
         runOnEdt(controller::undo);
         world.execute(new Command.RemoveObstacle("desk"));
         longRobot(true);
@@ -418,7 +426,7 @@ class UndoControllerTest {
 
     @Test
     void severalCommandsSentTogetherAreOneEdit() {
-        runOnEdt(() -> controller.send(List.of(new Command.PlaceObstacle(LAMP), new Command.RemoveObstacle("desk"))));
+        runOnEdt(() -> sender.send(List.of(new Command.PlaceObstacle(LAMP), new Command.RemoveObstacle("desk"))));
         assertEquals(Optional.of("2 changes"), undoName());
         runOnEdt(controller::undo);
         assertEquals(List.of(DESK), world.snapshot().obstacles());
@@ -428,8 +436,8 @@ class UndoControllerTest {
     void repairingTheMotorsOfBothSidesIsOneEditThatUndoRestores() {
         Command left = new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.NoDrive());
         Command right = new Command.InjectMotorFault(MotorSide.RIGHT, new MotorFault.Weak(0.5));
-        runOnEdt(() -> controller.send(List.of(left, right)));
-        runOnEdt(() -> controller.send(
+        runOnEdt(() -> sender.send(List.of(left, right)));
+        runOnEdt(() -> sender.send(
                 List.of(new Command.ClearMotorFaults(MotorSide.LEFT), new Command.ClearMotorFaults(MotorSide.RIGHT))));
         assertEquals(Optional.of("Repair all motors"), undoName());
         runOnEdt(controller::undo);
@@ -440,10 +448,10 @@ class UndoControllerTest {
 
     @Test
     void clearingTheFaultsOfSeveralSensorsIsOneEditThatUndoRestores() {
-        runOnEdt(() -> controller.send(List.of(
+        runOnEdt(() -> sender.send(List.of(
                 new Command.InjectFault("left", new Fault.Dead()),
                 new Command.InjectFault("front", new Fault.Dead()))));
-        runOnEdt(() -> controller.send(List.of(new Command.ClearFaults("left"), new Command.ClearFaults("front"))));
+        runOnEdt(() -> sender.send(List.of(new Command.ClearFaults("left"), new Command.ClearFaults("front"))));
         assertEquals(Optional.of("Repair 2 sensors"), undoName());
         runOnEdt(controller::undo);
         assertEquals(
@@ -458,7 +466,7 @@ class UndoControllerTest {
     /** Returns the name of the edit that commands make. */
     private String nameOfEdit(Command... commands) {
         now += 5000;
-        runOnEdt(() -> controller.send(List.of(commands)));
+        runOnEdt(() -> sender.send(List.of(commands)));
         return undoName().orElseThrow();
     }
 
@@ -517,7 +525,7 @@ class UndoControllerTest {
 
     @Test
     void anotherScenarioBeginsWithoutEdits() {
-        runOnEdt(() -> controller.send(moveTo(4.1)));
+        runOnEdt(() -> sender.send(moveTo(4.1)));
         runOnEdt(controller::clear);
         assertEquals(Optional.empty(), undoName());
     }

@@ -38,15 +38,14 @@ class UndoReplayTest {
     void aRunWithUndoneEditsReplaysToTheBit() throws Exception {
         Scenario office = Scenario.loadShipped("office.xml");
         try (Session session = Session.start(office.setup())) {
-            UndoController controller = GuiRobot.callOnEdt(() -> new UndoController(
-                    (commands, onExecuted) ->
-                            session.send(commands, results -> EventQueue.invokeLater(() -> onExecuted.accept(results))),
-                    () -> {}));
+            CommandSender sender = new CommandSender((commands, onExecuted) ->
+                    session.send(commands, results -> EventQueue.invokeLater(() -> onExecuted.accept(results))));
+            UndoController controller = GuiRobot.callOnEdt(() -> new UndoController(sender, () -> {}));
             session.setSpeed(20);
             session.resume();
             await(() -> session.frame().snapshot().tick() > 100);
-            runOnEdt(() -> controller.send(new Command.SwitchSensor("left", false)));
-            runOnEdt(() -> controller.send(new Command.PlaceObstacle(BOX)));
+            runOnEdt(() -> sender.send(new Command.SwitchSensor("left", false)));
+            runOnEdt(() -> sender.send(new Command.PlaceObstacle(BOX)));
             await(() -> GuiRobot.callOnEdt(controller::undoName)
                     .filter("Add new-box"::equals)
                     .isPresent());

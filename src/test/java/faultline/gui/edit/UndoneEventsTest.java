@@ -101,7 +101,7 @@ class UndoneEventsTest {
         Path file = folder.resolve("saved.xml");
         AtomicBoolean saved = new AtomicBoolean();
         runOnEdt(() -> {
-            run.edits().send(FAULT);
+            run.sender().send(FAULT);
             run.edits().undo();
             new DocumentStore(run.workspace()).save(file, () -> saved.set(true));
         });

@@ -41,7 +41,7 @@ class WaitingUndoTest {
     @Test
     void anEditOfARestartedRun() {
         assertIsUndone(() -> {
-            run.edits().send(FAULT);
+            run.sender().send(FAULT);
             run.edits().undo();
             run.controller().restart();
         });
@@ -50,7 +50,7 @@ class WaitingUndoTest {
     @Test
     void anEditOfAMovedRun() {
         assertIsUndone(() -> {
-            run.edits().send(FAULT);
+            run.sender().send(FAULT);
             run.edits().undo();
             run.controller().navigator().seek(50);
         });

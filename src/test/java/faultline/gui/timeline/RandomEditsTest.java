@@ -23,6 +23,7 @@ import faultline.gui.document.SensorReference;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
@@ -62,6 +63,7 @@ class RandomEditsTest {
 
     private Workspace workspace;
     private RunController run;
+    private CommandSender sender;
     private UndoController undo;
     private TimelineEditor timeline;
     private SensorEditor sensors;
@@ -74,7 +76,8 @@ class RandomEditsTest {
         runOnEdt(() -> {
             workspace = new Workspace();
             run = new RunController(workspace);
-            undo = new UndoController(run::send, () -> {});
+            sender = new CommandSender(run::send);
+            undo = new UndoController(sender, () -> {});
             timeline = new TimelineEditor(workspace, run, undo);
             properties = new ScenarioEditor(run, undo);
             sensors = new SensorEditor(workspace, properties, note -> {});
@@ -184,7 +187,7 @@ class RandomEditsTest {
                         : sensor.faults().isEmpty()
                                 ? new Command.InjectFault(id, new Fault.Stuck(random.nextInt(5) / 10.0))
                                 : new Command.ClearFaults(id);
-                undo.send(event);
+                sender.send(event);
                 return tick + ": " + event;
             }
         }
@@ -205,7 +208,7 @@ class RandomEditsTest {
             case 8 -> run.restart();
             default -> {
                 if (SensorReference.in(command).isEmpty() || command instanceof Command.ConfigureSensor) {
-                    undo.send(command);
+                    sender.send(command);
                 }
                 return frame.snapshot().tick() + ": " + command;
             }
@@ -229,7 +232,7 @@ class RandomEditsTest {
         }
         SessionFrame frame = SessionFrames.frame(workspace);
         runOnEdt(() -> {
-            undo.pendingEdits().setRobot(frame.snapshot().robot());
+            sender.pendingEdits().setRobot(frame.snapshot().robot());
             undo.runAdvanced(frame.snapshot().tick());
         });
     }
@@ -255,7 +258,7 @@ class RandomEditsTest {
             default -> {
                 Command command = random.nextInt(4) == 0 ? robotCommand(random) : command(frame, random);
                 undo.endEdit();
-                undo.send(command);
+                sender.send(command);
                 return command.toString();
             }
         }

@@ -12,6 +12,7 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.UndoController;
 import faultline.sensor.Fault;
 import faultline.world.Command;
@@ -31,6 +32,7 @@ class TimelineEditorTest {
 
     private Workspace workspace;
     private RunController run;
+    private CommandSender sender;
     private UndoController undo;
     private TimelineEditor timeline;
 
@@ -39,7 +41,8 @@ class TimelineEditorTest {
         runOnEdt(() -> {
             workspace = new Workspace();
             run = new RunController(workspace);
-            undo = new UndoController(run::send, () -> {});
+            sender = new CommandSender(run::send);
+            undo = new UndoController(sender, () -> {});
             timeline = new TimelineEditor(workspace, run, undo);
             undo.follow(workspace, run);
             workspace.addListener(new TaskFailures());
@@ -76,7 +79,7 @@ class TimelineEditorTest {
     @Test
     void anEventOfTheRunIsAnItemAmongOthersWhenTheRunHasBeenMovedBeforeIt() {
         advanceTo(20);
-        edit(() -> undo.send(FAULT));
+        edit(() -> sender.send(FAULT));
         TimedCommand fault = commands().get(0);
         advanceTo(30);
         edit(() -> run.navigator().seek(15));
