@@ -29,6 +29,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
@@ -200,6 +201,26 @@ class UndoControllerTest {
         assertEquals(List.of(4.2, 4.0), places(answers));
         assertFalse(callOnEdt(late::canUndo));
         assertTrue(callOnEdt(late::canRedo));
+    }
+
+    @Test
+    void aChangeIsReportedBeforeAnEditIsSentAndAfterItIsRecorded() {
+        List<String> events = new ArrayList<>();
+        List<Runnable> answers = new ArrayList<>();
+        runOnEdt(() -> {
+            CommandSender reported = new CommandSender((commands, onExecuted) -> {
+                events.add("sent");
+                answers.add(() -> execute(commands, onExecuted));
+            });
+            AtomicReference<UndoController> undo = new AtomicReference<>();
+            undo.set(new UndoController(
+                    reported,
+                    () -> events.add(
+                            undo.get().canUndo() + " " + undo.get().undoName().orElse("unknown"))));
+            reported.send(moveTo(4.2));
+            answers.remove(0).run();
+        });
+        assertEquals(List.of("true unknown", "sent", "true Move desk"), events);
     }
 
     @Test
