@@ -4,6 +4,8 @@ import faultline.paint.surface.DrawContext;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
@@ -58,6 +60,20 @@ public final class FlatSliderUI extends BasicSliderUI {
                     event.translatePoint(0, (int) thumbRect.getCenterY() - event.getY());
                 }
                 super.mousePressed(event);
+            }
+        };
+    }
+
+    /** Also ends a drag when a dialog gets the focus, because it gets the release of the button, too. */
+    @Override
+    protected FocusListener createFocusListener(JSlider ofSlider) {
+        return new FocusHandler() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                super.focusLost(event);
+                if (event.isTemporary() && event.getOppositeComponent() != null) {
+                    slider.setValueIsAdjusting(false);
+                }
             }
         };
     }

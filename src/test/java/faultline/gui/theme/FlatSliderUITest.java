@@ -3,14 +3,21 @@ package faultline.gui.theme;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.event.FocusEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.stream.IntStream;
+import javax.swing.JLabel;
 import javax.swing.JSlider;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -42,6 +49,29 @@ class FlatSliderUITest {
         assertEquals(0, countOnTrack(slider, ring));
         focused = true;
         assertTrue(countOnTrack(slider, ring) >= 8, "pixels in the colour of the ring");
+    }
+
+    /** A dialog that opens during a drag gets the release of the button. */
+    @Test
+    void aDragEndsWhenAnotherWindowGetsTheFocus() {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            JSlider slider = new JSlider(0, 100, 50);
+            slider.setSize(WIDTH, HEIGHT);
+            slider.dispatchEvent(new MouseEvent(
+                    slider, MouseEvent.MOUSE_PRESSED, 0, InputEvent.BUTTON1_DOWN_MASK, 20, 9, 1, false, 1));
+            assertTrue(slider.getValueIsAdjusting());
+            int value = slider.getValue();
+            loseFocus(slider, new FocusEvent(slider, FocusEvent.FOCUS_LOST, true));
+            assertTrue(slider.getValueIsAdjusting(), "another program has the focus, and the button is still down");
+            loseFocus(slider, new FocusEvent(slider, FocusEvent.FOCUS_LOST, true, new JLabel()));
+            assertFalse(slider.getValueIsAdjusting());
+            assertEquals(value, slider.getValue());
+        });
+    }
+
+    private static void loseFocus(JSlider slider, FocusEvent event) {
+        List.of(slider.getFocusListeners()).forEach(listener -> listener.focusLost(event));
     }
 
     /** Returns the number of pixels of the thumb, in the middle of the slider, that nearly have a colour. */

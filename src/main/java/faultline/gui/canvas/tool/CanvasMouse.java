@@ -43,6 +43,8 @@ public final class CanvasMouse extends MouseAdapter {
     private Vector2 pressPoint = Vector2.ZERO;
     /** The button that has started the gesture. */
     private int button;
+    /** The last point at which the left button was down for the tool, in the world; null if it is up. */
+    private Vector2 toolPoint;
 
     private SnapSettings snap = SnapSettings.NONE;
     /** Whether keys have moved or set the point of the tool since the mouse was moved. */
@@ -52,6 +54,7 @@ public final class CanvasMouse extends MouseAdapter {
         this.viewport = viewport;
         this.gesturePicker = gesturePicker;
         this.listeners = listeners;
+        tool.addListener(changed -> toolPoint = null);
     }
 
     /** Adds the listeners to the canvas. */
@@ -63,7 +66,7 @@ public final class CanvasMouse extends MouseAdapter {
             @Override
             public void focusLost(FocusEvent event) {
                 if (event.isTemporary() && event.getOppositeComponent() != null) {
-                    completeGesture();
+                    completeDrag();
                     canvas.repaint();
                 }
             }
@@ -145,7 +148,7 @@ public final class CanvasMouse extends MouseAdapter {
     public void mousePressed(MouseEvent event) {
         event.getComponent().requestFocusInWindow();
         if (event.getButton() == button) {
-            completeGesture();
+            completeDrag();
         }
         if (gesture != null) {
             return;
@@ -169,6 +172,7 @@ public final class CanvasMouse extends MouseAdapter {
     /** Uses the tool; the right button completes it. */
     private void useTool(MouseEvent event, boolean left) {
         Vector2 at = snappedPoint(event);
+        toolPoint = left ? at : toolPoint;
         tool.get().ifPresent(left ? t -> t.press(at, event.getClickCount() > 1) : Tool::finish);
         clearFinishedTool();
         event.getComponent().repaint();
@@ -184,7 +188,8 @@ public final class CanvasMouse extends MouseAdapter {
         if (gesture != null) {
             gesture.moveTo(screenPoint(event), snap(event));
         } else if (SwingUtilities.isLeftMouseButton(event)) {
-            tool.get().ifPresent(t -> t.move(snappedPoint(event), true));
+            toolPoint = snappedPoint(event);
+            tool.get().ifPresent(t -> t.move(toolPoint, true));
         }
         cursorPoint.set(Optional.of(toWorld(screenPoint(event))));
         event.getComponent().repaint();
@@ -197,11 +202,10 @@ public final class CanvasMouse extends MouseAdapter {
         }
         boolean clicked = screenPoint(event).distanceTo(pressPoint) < Gesture.CLICK_TOLERANCE;
         boolean menu = gesture != null && clicked && SwingUtilities.isRightMouseButton(event);
-        if (gesture == null && SwingUtilities.isLeftMouseButton(event)) {
-            tool.get().ifPresent(t -> t.release(snappedPoint(event)));
-            clearFinishedTool();
+        if (toolPoint != null && SwingUtilities.isLeftMouseButton(event)) {
+            toolPoint = snappedPoint(event);
         }
-        completeGesture();
+        completeDrag();
         if (menu) {
             listeners.fireMenuRequested(event.getPoint());
         }
@@ -209,19 +213,25 @@ public final class CanvasMouse extends MouseAdapter {
     }
 
     /**
-     * Completes a gesture. The canvas does not get the release of a button while a dialog is open, so the focus of the
-     * dialog completes a gesture, too, and so does a movement without a button.
+     * Completes a gesture or a drag of the tool. The canvas does not get the release of a button while a dialog is
+     * open, so the focus of the dialog completes a drag, too, and so does a movement without a button.
      */
-    private void completeGesture() {
+    private void completeDrag() {
         if (gesture != null) {
             gesture.release();
             gesture = null;
+        }
+        if (toolPoint != null) {
+            Vector2 at = toolPoint;
+            toolPoint = null;
+            tool.get().ifPresent(t -> t.release(at));
+            clearFinishedTool();
         }
     }
 
     @Override
     public void mouseMoved(MouseEvent event) {
-        completeGesture();
+        completeDrag();
         keyed = false;
         Vector2 at = screenPoint(event);
         cursorPoint.set(Optional.of(toWorld(at)));

@@ -15,6 +15,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.ShapePreset;
 import faultline.paint.scene.Layer;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
@@ -99,6 +100,34 @@ class CanvasMouseTest {
         runOnEdt(() -> press("ESCAPE"));
         assertEquals(List.of(), sent, "the obstacle stays where it was dragged");
         assertEquals(List.of(), callOnEdt(canvas.tools()::selected));
+    }
+
+    @Test
+    void aShapeIsPlacedAsItWasDrawnWhenTheMouseMovesWithoutAButton() {
+        Vector2 corner = screen(new Vector2(2, 3));
+        runOnEdt(() -> canvas.tools().placeShape(ShapePreset.RECTANGLE));
+        mouse(MouseEvent.MOUSE_PRESSED, corner, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(3, 3.5)), MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_MOVED, screen(new Vector2(5, 1)), MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_PRESSED, screen(new Vector2(5, 1)), MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_RELEASED, screen(new Vector2(5, 1)), MouseEvent.BUTTON1);
+        Obstacle placed = ((Command.PlaceObstacle) sent.get(0)).obstacle();
+        assertEquals(1, sent.size());
+        assertEquals(1, ((ObstacleShape.RectangleShape) placed.shape()).width(), 0.02);
+        assertEquals(2.5, placed.pose().x(), 0.02);
+    }
+
+    @Test
+    void aToolThatIsCancelledWhileTheButtonIsDownPlacesNothing() {
+        runOnEdt(() -> canvas.tools().placeShape(ShapePreset.RECTANGLE));
+        mouse(MouseEvent.MOUSE_PRESSED, screen(new Vector2(2, 3)), MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(3, 3.5)), MouseEvent.NOBUTTON);
+        runOnEdt(() -> {
+            press("ESCAPE");
+            canvas.tools().placeShape(ShapePreset.CIRCLE);
+        });
+        mouse(MouseEvent.MOUSE_MOVED, screen(new Vector2(5, 1)), MouseEvent.NOBUTTON);
+        assertEquals(List.of(), sent);
     }
 
     @Test
