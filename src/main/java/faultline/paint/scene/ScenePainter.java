@@ -92,10 +92,10 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         RobotPainter.paint(context, world.robot(), world.pose());
         RobotPainter.paintHeading(context, world.robot(), world.pose());
         MotorFaultPainter.paintWheels(context, world);
-        MotorFaultPainter.paintLabels(context.withFont(labels.font()), world, labels, sensorLabels);
         if (layers.contains(Layer.INTERSECTIONS)) {
             paintIntersections(context, world.sensors());
         }
+        MotorFaultPainter.paintLabels(context.withFont(labels.font()), world, labels, sensorLabels);
         CollisionPainter.paint(context, world);
     }
 
