@@ -18,7 +18,9 @@ import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
+import java.awt.Component;
 import java.awt.GridBagConstraints;
+import java.awt.KeyboardFocusManager;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -42,6 +44,9 @@ public final class FaultList extends JPanel {
     private final transient CommandSender sender;
     private transient List<ListedFault> shownFaults = List.of();
     private final transient List<RemainingTime> remainingTimes = new ArrayList<>();
+    /** The buttons that repair the faults, in their order. */
+    private final List<JButton> repairButtons = new ArrayList<>();
+
     private transient List<TimedCommand> timeline = List.of();
     /** The present time, seconds. */
     private double now;
@@ -168,8 +173,7 @@ public final class FaultList extends JPanel {
             List<ListedFault> listed = listed(active);
             firstEnd = listed.stream().mapToDouble(ListedFault::end).min().orElse(Double.POSITIVE_INFINITY);
             if (!listed.equals(shownFaults)) {
-                shownFaults = listed;
-                rebuild();
+                replaceFaults(listed);
             }
         }
         remainingTimes.forEach(time -> time.label().setValue(remainingText(time.end())));
@@ -191,9 +195,41 @@ public final class FaultList extends JPanel {
         return listed;
     }
 
+    /** Shows other faults; a button that has the focus passes it to that of the same fault or of the next one. */
+    private void replaceFaults(List<ListedFault> listed) {
+        Component focusOwner =
+                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        boolean focused = focusOwner != null && isAncestorOf(focusOwner);
+        int row = repairButtons.indexOf(focusOwner);
+        RepairableFault fault = row < 0 ? null : shownFaults.get(row).active();
+        shownFaults = listed;
+        rebuild();
+        if (focused) {
+            focus(fault, row);
+        }
+    }
+
+    /** Gives the focus to the button of a fault that was in a row, or of the one that took its place. */
+    private void focus(RepairableFault fault, int row) {
+        if (shownFaults.isEmpty()) {
+            transferFocusBackward();
+        } else if (row < 0) {
+            // The button that repairs all faults, or the only one.
+            getComponent(getComponentCount() - 1).requestFocusInWindow();
+        } else {
+            List<RepairableFault> active =
+                    shownFaults.stream().map(ListedFault::active).toList();
+            int same = row < active.size() && active.get(row).equals(fault) ? row : active.indexOf(fault);
+            repairButtons
+                    .get(same >= 0 ? same : Math.min(row, active.size() - 1))
+                    .requestFocusInWindow();
+        }
+    }
+
     private void rebuild() {
         removeAll();
         remainingTimes.clear();
+        repairButtons.clear();
         if (shownFaults.isEmpty()) {
             add(MutedLabel.ofKey("faults.none"), FormConstraints.fillCell(0, 0));
         } else {
@@ -225,6 +261,7 @@ public final class FaultList extends JPanel {
             button.getAccessibleContext().setAccessibleName(button.getToolTipText());
         });
         mend.addActionListener(event -> sender.send(active.repair()));
+        repairButtons.add(mend);
         add(mend, FormConstraints.cell(3, row));
     }
 

@@ -22,7 +22,9 @@ import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -43,6 +45,7 @@ import org.junit.jupiter.api.io.TempDir;
 class MotorFaultsRobotTest {
 
     private static final MotorFaults LEFT_WEAK = new MotorFaults(List.of(new MotorFault.Weak(0.7)), List.of());
+    private static final String REPAIR = "Repair left motors: weak 0.70";
     private static final MotorFaults RIGHT_DEAD = new MotorFaults(List.of(), List.of(new MotorFault.NoDrive()));
 
     @TempDir
@@ -111,7 +114,7 @@ class MotorFaultsRobotTest {
         waitForFaults(MotorFaults.NONE);
         driver.choose("redo");
         waitForFaults(LEFT_WEAK);
-        clickInPanel("Repair left motors: weak 0.70");
+        clickInPanel(REPAIR);
         waitForFaults(MotorFaults.NONE);
         assertTrue(driver.isRunning());
     }
@@ -151,5 +154,49 @@ class MotorFaultsRobotTest {
         waitForFaults(MotorFaults.NONE);
         driver.robot().waitFor("the repair can be undone", () -> "Undo Repair left motors"
                 .equals(driver.window().actions().get("undo").name()));
+    }
+
+    @Test
+    void theFocusStaysInTheListAsLongAsItHasFaults() {
+        for (int count = 1; count <= 2; count++) {
+            addWeakFault(count);
+        }
+        JButton first = ComponentFinder.find(driver.window(), JButton.class, REPAIR);
+        runOnEdt(first::requestFocusInWindow);
+        driver.robot().waitFor("the list has the focus", first::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        waitForFaults(LEFT_WEAK);
+        driver.robot().waitFor("the other row has the focus", () -> repairButtons()
+                .anyMatch(button -> button != first && button.isFocusOwner()));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        waitForFaults(MotorFaults.NONE);
+        driver.robot()
+                .waitFor(
+                        "the button before has the focus",
+                        ComponentFinder.find(driver.window(), JButton.class, "Add a fault of the right motors")
+                                ::isFocusOwner);
+    }
+
+    /** The repair is on the timeline of the scenario at the time of the next tick, but the run has executed it. */
+    @Test
+    void theRepairOfOneOfTwoFaultsDoesNotEndTheOtherOne() {
+        for (int count = 1; count <= 2; count++) {
+            addWeakFault(count);
+        }
+        clickInPanel(REPAIR);
+        waitForFaults(LEFT_WEAK);
+        driver.robot().waitFor("one fault is listed", () -> repairButtons().count() == 1);
+        assertFalse(WindowDriver.text(driver.window()).contains("s left"));
+    }
+
+    private void addWeakFault(int count) {
+        clickInPanel("Add a fault of the left motors");
+        driver.clickButton("Fault of the left motors", "OK");
+        waitForFaults(new MotorFaults(Collections.nCopies(count, new MotorFault.Weak(0.7)), List.of()));
+    }
+
+    private Stream<JButton> repairButtons() {
+        return ComponentFinder.findAll(driver.window(), JButton.class)
+                .filter(button -> REPAIR.equals(ComponentFinder.accessibleName(button)));
     }
 }
