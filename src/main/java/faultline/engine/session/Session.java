@@ -107,7 +107,7 @@ public final class Session implements SessionView, AutoCloseable {
         return started;
     }
 
-    /** {@return the setup of the run} */
+    @Override
     public SimulationSetup setup() {
         return run.setup();
     }

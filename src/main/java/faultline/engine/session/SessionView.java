@@ -1,7 +1,12 @@
 package faultline.engine.session;
 
+import faultline.engine.SimulationSetup;
+
 /** A read-only view of an interactive run. Safe on any thread. */
 public interface SessionView {
+
+    /** {@return the setup of the run} Its timeline contains the commands that the run will execute by itself. */
+    SimulationSetup setup();
 
     /** {@return the latest frame and requests the next one; frames are made only on request} Wait-free. */
     SessionFrame frame();

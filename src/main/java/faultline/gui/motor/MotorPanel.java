@@ -59,7 +59,7 @@ public final class MotorPanel extends JPanel {
         });
     }
 
-    /** Shows the faults of a world, given the timeline that may end them; the same list as before if it is equal. */
+    /** Shows the faults of a world, given the timeline of its run; the same list as before if it is equal. */
     public void setSnapshot(Snapshot world, List<TimedCommand> timeline) {
         assert EventQueue.isDispatchThread();
         buttons.forEach(button -> button.setEnabled(true));

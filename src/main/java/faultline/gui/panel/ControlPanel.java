@@ -317,7 +317,7 @@ public final class ControlPanel extends JPanel {
         setSnapshot(world, List.of());
     }
 
-    /** Shows the state of a world, given the timeline of its scenario; the same list as before if it is equal. */
+    /** Shows the state of a world, given the timeline of its run; the same list as before if it is equal. */
     public void setSnapshot(Snapshot world, List<TimedCommand> timeline) {
         assert EventQueue.isDispatchThread();
         disabledControls.forEach(control -> control.setEnabled(true));

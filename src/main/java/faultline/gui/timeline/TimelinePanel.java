@@ -1,7 +1,6 @@
 package faultline.gui.timeline;
 
 import faultline.engine.Frame;
-import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
@@ -100,11 +99,6 @@ public final class TimelinePanel extends JPanel {
     /** Returns the items of the scenario's timeline; the same list as before if nothing has changed. */
     public List<TimelineItem> items() {
         return editor.model().items();
-    }
-
-    /** Returns the commands of the scenario's timeline; the same list as before if nothing has changed. */
-    public List<TimedCommand> commands() {
-        return editor.model().commands();
     }
 
     public LaneView lanes() {

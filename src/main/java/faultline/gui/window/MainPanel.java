@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
 import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
@@ -176,12 +177,12 @@ final class MainPanel extends JPanel {
         instruments.renameSensors(presentId);
     }
 
-    /** Shows a frame; the canvas is repainted only if the frame is new. */
-    void setFrame(SessionFrame frame, SessionStatus now) {
+    /** Shows a frame of a run with a timeline; the canvas is repainted only if the frame is new. */
+    void setFrame(SessionFrame frame, SessionStatus now, List<TimedCommand> runTimeline) {
         assert EventQueue.isDispatchThread();
         // The canvas may select a sensor that is new in this frame, so the control panel must have it before.
-        controlPanel.setSnapshot(frame.snapshot(), timeline.commands());
-        motors.setSnapshot(frame.snapshot(), timeline.commands());
+        controlPanel.setSnapshot(frame.snapshot(), runTimeline);
+        motors.setSnapshot(frame.snapshot(), runTimeline);
         if (!timeline.bar().isAdjusting() && shownFrame != frame) {
             shownFrame = frame;
             canvas.setFrame(frame.frame());

@@ -108,7 +108,7 @@ final class RunPoller implements WorkspaceListener {
             sensors = present;
             mainPanel.renameSensors(id -> workspace.presentId(id, present));
         }
-        mainPanel.setFrame(frame, status);
+        mainPanel.setFrame(frame, status, session.setup().timeline());
         replayNotifier.update(frame.frame());
         workspace.scenario().ifPresent(open -> {
             mainPanel.setRun(frame, status, open, navigator.furthestTick());

@@ -119,8 +119,9 @@ class MovedStartTest {
             moveStart();
             run.workspace().cancelTask();
         });
-        assertMoved();
+        // The change is made when the commands before it have been answered, and then reported.
         Await.until("the report", () -> deferred.get() == 1);
+        assertMoved();
         assertTrue(run.tick() >= 100, "the run is the one before");
         run.restart();
         assertEquals(0, run.tick());

@@ -167,7 +167,7 @@ class MainPanelTest {
             new ComparisonActions(new ComparisonController(workspace, run.navigator()), mainPanel::setReferenceRun)
                     .addTo(actions, Optional::empty);
             menus = Menus.createMenuBar(actions);
-            mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED);
+            mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, List.of());
         });
     }
 
@@ -361,7 +361,7 @@ class MainPanelTest {
             assertEquals("rear", chosenSensor());
             assertFalse(canvas.tools().selected().isEmpty());
             mainPanel.startScenario();
-            mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED);
+            mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, List.of());
             assertEquals("", note.getText());
             assertFalse(mainPanel.statusBar().isNoteShown());
             assertEquals("front", chosenSensor());
@@ -394,7 +394,7 @@ class MainPanelTest {
         Map<Component, Rectangle> before = callOnEdt(this::places);
         SessionFrame frame = new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY);
         runOnEdt(() -> {
-            mainPanel.setFrame(frame, FAST);
+            mainPanel.setFrame(frame, FAST, List.of());
             setSizeAndLayOut(1360, 840);
         });
         assertEquals(before, callOnEdt(this::places));
