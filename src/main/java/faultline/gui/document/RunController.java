@@ -215,14 +215,6 @@ public final class RunController implements WorkspaceListener {
                 .orElse(List.of());
     }
 
-    /** Returns the result of a command with the id that its sensor has in the edited scenario. */
-    public CommandResult named(CommandResult result) {
-        return workspace
-                .openDocument()
-                .map(open -> open.document().named(result))
-                .orElse(result);
-    }
-
     /** Returns the commands of a timeline from one tick to another, both included, in the order of their execution. */
     private static List<Command> planned(SimulationSetup setup, long from, long to) {
         return setup.timeline().stream()

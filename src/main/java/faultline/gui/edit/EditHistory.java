@@ -10,8 +10,6 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
-import java.util.function.UnaryOperator;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -35,7 +33,6 @@ final class EditHistory {
     private int passed;
 
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
-    private UnaryOperator<CommandResult> named = UnaryOperator.identity();
 
     /**
      * An edit that was done or undone at the start of a tick, and the results of the commands that redid or undid it;
@@ -69,18 +66,13 @@ final class EditHistory {
         plannedSince = newPlannedSince;
     }
 
-    /** Sets what gives the result of a command the id that its sensor has now. */
-    void setNames(UnaryOperator<CommandResult> newNamed) {
-        named = newNamed;
-    }
-
     /**
      * Adds an edit that is done. One of the same gesture as the last edit is merged into it; one without effect is
      * dropped. Returns whether the edit has become a separate entry.
      */
     boolean add(Edit edit) {
         List<CommandEdit> ahead = editsAhead();
-        edits.subList(cursor, edits.size()).clear();
+        dropUndone();
         if (!isMerged(edit)) {
             edits.add(edit);
         }
@@ -90,10 +82,63 @@ final class EditHistory {
         edits.subList(0, Math.max(0, edits.size() - MAX_EDITS)).clear();
         cursor = edits.size();
         if (edit instanceof SetupEdit setup) {
-            ahead.forEach(later -> setup.renames().forEach(rename -> rename(later, rename)));
+            // The edits ahead are not in the list now.
+            renameDropped(setup.renames());
         }
         edits.addAll(ahead);
         return edits.contains(edit);
+    }
+
+    /** Drops the edits that are undone. Their commands get the ids that the sensors have now. */
+    private void dropUndone() {
+        List<Edit> undone = edits.subList(cursor, edits.size());
+        for (Edit edit : undone) {
+            if (edit instanceof CommandEdit command) {
+                renamesToNow(command).forEach(rename -> rename(command, rename));
+            }
+        }
+        undone.clear();
+    }
+
+    /** Returns the changes of ids that lead from those that an edit has to the present ones. */
+    private List<SensorRename> renamesToNow(Edit edit) {
+        int index = edits.indexOf(edit);
+        if (index < 0) {
+            return List.of();
+        }
+        return index < cursor ? renames(edits.subList(index, cursor)) : inverse(renames(edits.subList(cursor, index)));
+    }
+
+    private static List<SensorRename> renames(List<Edit> some) {
+        return some.stream()
+                .flatMap(edit -> edit instanceof SetupEdit setup ? setup.renames().stream() : Stream.of())
+                .toList();
+    }
+
+    private static List<SensorRename> inverse(List<SensorRename> renames) {
+        List<SensorRename> result = new ArrayList<>(renames);
+        Collections.reverse(result);
+        result.replaceAll(SensorRename::inverse);
+        return result;
+    }
+
+    /** Returns the result of a command of an edit with the id that its sensor has now. */
+    private CommandResult named(Edit edit, CommandResult result) {
+        CommandResult named = result;
+        for (SensorRename rename : renamesToNow(edit)) {
+            named = rename.rename(named);
+        }
+        return named;
+    }
+
+    /** Gives the commands of edits that have been dropped, but executed in this run, other ids. */
+    private void renameDropped(List<SensorRename> renames) {
+        changes.stream()
+                .map(Change::edit)
+                .distinct()
+                .filter(edit -> !edits.contains(edit))
+                .toList()
+                .forEach(edit -> renames.forEach(rename -> rename(edit, rename)));
     }
 
     private boolean isMerged(Edit edit) {
@@ -173,6 +218,10 @@ final class EditHistory {
             if (edit instanceof CommandEdit command) {
                 command.setAhead(ahead);
                 rename(command, index);
+            } else if (edit instanceof SetupEdit setup) {
+                List<SensorRename> made = done ? setup.renames() : inverse(setup.renames());
+                renamePassed(index, edits.indexOf(edit), made);
+                renameDropped(made);
             }
         }
     }
@@ -180,14 +229,22 @@ final class EditHistory {
     /** Gives the commands of an edit that is at the cursor the ids of its place, given the index that it had before. */
     private void rename(CommandEdit edit, int before) {
         int now = edits.indexOf(edit);
-        List<SensorRename> passed = edits.subList(Math.min(now + 1, before), Math.max(now, before + 1)).stream()
-                .flatMap(other -> other instanceof SetupEdit setup ? setup.renames().stream() : Stream.of())
-                .collect(Collectors.toCollection(ArrayList::new));
-        if (now < before) {
-            Collections.reverse(passed);
-            passed.replaceAll(SensorRename::inverse);
+        List<SensorRename> passed =
+                renames(List.copyOf(edits.subList(Math.min(now + 1, before), Math.max(now, before + 1))));
+        (now < before ? inverse(passed) : passed).forEach(rename -> rename(edit, rename));
+    }
+
+    /** Gives the edits that changes of ids have passed in the list the ids of their places. */
+    private void renamePassed(int before, int now, List<SensorRename> made) {
+        for (int i = Math.min(before, now + 1); i < Math.max(before + 1, now); i++) {
+            for (SensorRename rename : made) {
+                if (edits.get(i) instanceof CommandEdit command) {
+                    rename(command, rename);
+                } else if (edits.get(i) instanceof EventEdit events) {
+                    edits.set(i, events.renamed(rename));
+                }
+            }
         }
-        passed.forEach(rename -> rename(edit, rename));
     }
 
     private void rename(CommandEdit edit, SensorRename rename) {
@@ -272,7 +329,7 @@ final class EditHistory {
     /** Replaces the edits of events that are done, given what was executed for them in this run. */
     private void replaceEvents(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
         List<Edit> done = edits.subList(0, cursor);
-        ExecutedEvents executed = new ExecutedEvents(done, named);
+        ExecutedEvents executed = new ExecutedEvents(done, this::named);
         changes.stream().filter(IS_EVENT).forEach(change -> executed.add(change.edit(), change.executed()));
         // An edit that had no effect when it was redone has none on the timeline either.
         done.replaceAll(
@@ -287,7 +344,7 @@ final class EditHistory {
      */
     EventEdit withUndoneEdits(EventEdit edit) {
         // Edits after it that are done have no effect, since it is the next one to be undone.
-        ExecutedEvents executed = new ExecutedEvents(edits.subList(0, edits.indexOf(edit) + 1), named);
+        ExecutedEvents executed = new ExecutedEvents(edits.subList(0, edits.indexOf(edit) + 1), this::named);
         List<Change> kept = new ArrayList<>();
         for (Change change : changes.subList(0, passed)) {
             List<CommandResult> all = IS_EVENT.test(change) ? change.executed() : List.of();

@@ -2,6 +2,7 @@ package faultline.gui.edit;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.RunController;
+import faultline.gui.document.SensorRename;
 import faultline.gui.document.TimelineEvents;
 import faultline.scenario.Scenario;
 import faultline.world.CommandResult;
@@ -30,6 +31,17 @@ record EventEdit(CommandEdit edit, List<TimedCommand> events, RunController run)
     @Override
     public boolean isEffective() {
         return run.isChangedBy(this::removedFrom);
+    }
+
+    /** Returns this edit with another id of a sensor. */
+    EventEdit renamed(SensorRename rename) {
+        edit.rename(rename);
+        return new EventEdit(
+                edit,
+                events.stream()
+                        .map(event -> new TimedCommand(event.time(), rename.rename(event.command())))
+                        .toList(),
+                run);
     }
 
     /** Returns this edit with more events. */

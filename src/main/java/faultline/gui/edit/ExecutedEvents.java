@@ -13,7 +13,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.UnaryOperator;
+import java.util.function.BiFunction;
 
 /**
  * What was executed in a run for the edits of events that are done. An event of another edit, which has been undone,
@@ -24,7 +24,7 @@ import java.util.function.UnaryOperator;
  */
 final class ExecutedEvents {
 
-    private final UnaryOperator<CommandResult> named;
+    private final BiFunction<Edit, CommandResult, CommandResult> named;
     private final Map<Edit, List<OwnedEvent>> events = new IdentityHashMap<>();
     /** All events with the ids that their sensors have now, in the order of execution. */
     private final List<CommandResult> all = new ArrayList<>();
@@ -47,23 +47,20 @@ final class ExecutedEvents {
         }
     }
 
-    /** Takes the edits that are done, and what gives an event the id that its sensor has now. */
-    ExecutedEvents(Collection<Edit> done, UnaryOperator<CommandResult> named) {
+    /** Takes the edits that are done, and what gives an event of an edit the id that its sensor has now. */
+    ExecutedEvents(Collection<Edit> done, BiFunction<Edit, CommandResult, CommandResult> named) {
         this.named = named;
         for (Edit edit : done) {
             if (edit instanceof EventEdit earlier) {
                 events.put(edit, new ArrayList<>());
                 earlier.edit()
                         .results()
-                        .forEach(result -> owners.put(subject(result), new Owner(edit, result.command())));
+                        .forEach(result ->
+                                owners.put(subjectOf(named.apply(edit, result)), new Owner(edit, result.command())));
             } else if (edit instanceof CommandEdit commands && commands.hasOnlyEvents()) {
                 events.put(edit, new ArrayList<>());
             }
         }
-    }
-
-    private Object subject(CommandResult result) {
-        return subjectOf(named.apply(result));
     }
 
     private static Object subjectOf(CommandResult namedResult) {
@@ -83,7 +80,7 @@ final class ExecutedEvents {
     }
 
     private void add(CommandEdit edit, CommandResult result) {
-        CommandResult namedResult = named.apply(result);
+        CommandResult namedResult = named.apply(edit, result);
         all.add(namedResult);
         Object subject = subjectOf(namedResult);
         if (events.containsKey(edit)) {

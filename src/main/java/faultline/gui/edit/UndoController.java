@@ -67,7 +67,6 @@ public final class UndoController {
     /** Follows the run of a workspace, however it is moved and restarted. */
     public void follow(Workspace workspace, RunController run) {
         history.setPlan(run::plannedSince);
-        history.setNames(run::named);
         requests.setRepositioning(run::isRepositioning);
         workspace.addListener(new RunFollower(run));
     }

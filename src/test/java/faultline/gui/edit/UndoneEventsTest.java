@@ -544,6 +544,45 @@ class UndoneEventsTest {
         assertEquals(List.of(), faults());
     }
 
+    private void rename(String before, String after) {
+        SensorEditor sensors = callOnEdt(
+                () -> new SensorEditor(run.workspace(), new ScenarioEditor(run.controller(), run.edits()), note -> {}));
+        runOnEdt(() -> sensors.rename(before, after));
+        run.rest();
+    }
+
+    /** The id under which the repair was made is that of another sensor before and after. */
+    @Test
+    void aRepairUnderAFormerIdOfAnotherSensorThatIsUndoneEndsWithItsFault() {
+        run.send(FAULT);
+        rename("front", "b");
+        run.restart();
+        rename("left", "front");
+        run.send(new Command.ClearFaults("front"));
+        run.advance(7);
+        for (int i = 0; i < 4; i++) {
+            run.undo();
+        }
+        assertEquals(original, run.scenario());
+        run.advanceTo(20);
+        assertEquals(List.of(), faults());
+    }
+
+    /** The fault has the id that the sensor had before its renaming was undone. */
+    @Test
+    void aFaultThatTheTimelineHasEndedIsNotUndoneAfterARenaming() {
+        runOnEdt(() -> run.controller()
+                .change(now -> now.withSetup(
+                        now.setup().withTimeline(List.of(new TimedCommand(0.3, new Command.ClearFaults("front")))))));
+        run.rest();
+        rename("front", "b");
+        run.send(new Command.InjectFault("b", new Fault.Stuck(0.13)));
+        run.advanceTo(40);
+        run.undo();
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+        assertEquals(List.of(), faults());
+    }
+
     /** A fault and its repair at one time change nothing, so they are not those that the timeline has for that time. */
     @Test
     void aFaultThatIsRepairedAtOnceIsNotThePlannedOneOfItsTime() {
