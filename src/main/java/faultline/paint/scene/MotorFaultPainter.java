@@ -106,10 +106,13 @@ final class MotorFaultPainter {
 
     /**
      * Returns the labels of the sides that have faults, within the picture: beside the halo of the robot, or so far
-     * from it that they cover no other labels, whose bounding boxes are given, pixels.
+     * from it that they cover no other labels, whose bounding boxes are given, pixels. None if the robot is outside.
      */
     static List<SideLabel> labels(DrawContext context, Snapshot world, SceneLabels labels, List<Rectangle2D> others) {
         List<SideLabel> result = new ArrayList<>();
+        if (!isInPicture(context, world)) {
+            return result;
+        }
         for (MotorSide side : MotorSide.values()) {
             String faults = names(world, side, labels).collect(Collectors.joining(", "));
             if (!faults.isEmpty()) {
@@ -120,6 +123,14 @@ final class MotorFaultPainter {
             }
         }
         return result;
+    }
+
+    private static boolean isInPicture(DrawContext context, Snapshot world) {
+        Vector2 centre = context.camera().toScreen(world.pose().position());
+        double radius = RobotPainter.haloRadius(context, world.robot());
+        return new Rectangle2D.Double(
+                        0, 0, context.camera().width(), context.camera().height())
+                .intersects(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius);
     }
 
     private static Stream<String> names(Snapshot world, MotorSide side, SceneLabels labels) {

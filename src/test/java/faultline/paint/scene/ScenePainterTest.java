@@ -228,6 +228,21 @@ class ScenePainterTest {
         assertTrue(moved.get(0).getMaxY() <= beside.get(0).getMinY());
     }
 
+    @Test
+    void theMotorsOfARobotOutsideThePictureHaveNoLabel() {
+        MotorFaults faults = new MotorFaults(List.of(new MotorFault.NoDrive()), List.of());
+        Snapshot world = withMotorFaults(AT_2_1, faults).snapshot();
+        Camera camera = FrameRenderer.fitCamera(world, 900, 600);
+        BufferedImage image = new BufferedImage(900, 600, BufferedImage.TYPE_INT_RGB);
+        double halo = RobotPainter.haloRadius(new DrawContext(image.createGraphics(), camera, LIGHT), world.robot());
+        double left = camera.toScreen(AT_2_1.position()).x();
+        for (double inside : new double[] {2, -2}) {
+            Camera panned = camera.panned(inside - halo - left, 0);
+            DrawContext context = new DrawContext(image.createGraphics(), panned, LIGHT);
+            assertEquals(inside > 0 ? 1 : 0, boxes(context, world, List.of()).size());
+        }
+    }
+
     private static List<Rectangle2D> boxes(DrawContext context, Snapshot world, List<Rectangle2D> others) {
         return MotorFaultPainter.labels(context, world, SceneLabels.ENGLISH, others).stream()
                 .map(MotorFaultPainter.SideLabel::box)

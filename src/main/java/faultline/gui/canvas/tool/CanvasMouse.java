@@ -147,7 +147,8 @@ public final class CanvasMouse extends MouseAdapter {
     @Override
     public void mousePressed(MouseEvent event) {
         event.getComponent().requestFocusInWindow();
-        if (event.getButton() == button) {
+        boolean left = SwingUtilities.isLeftMouseButton(event);
+        if (event.getButton() == button || left && toolPoint != null) {
             completeDrag();
         }
         if (gesture != null) {
@@ -159,7 +160,6 @@ public final class CanvasMouse extends MouseAdapter {
         }
         pressPoint = screenPoint(event);
         button = event.getButton();
-        boolean left = SwingUtilities.isLeftMouseButton(event);
         if (SwingUtilities.isMiddleMouseButton(event)) {
             gesture = new PanGesture(viewport, pressPoint, () -> {});
         } else if (tool.get().isPresent()) {
@@ -202,10 +202,12 @@ public final class CanvasMouse extends MouseAdapter {
         }
         boolean clicked = screenPoint(event).distanceTo(pressPoint) < Gesture.CLICK_TOLERANCE;
         boolean menu = gesture != null && clicked && SwingUtilities.isRightMouseButton(event);
-        if (toolPoint != null && SwingUtilities.isLeftMouseButton(event)) {
+        if (gesture != null) {
+            completeGesture();
+        } else if (toolPoint != null && SwingUtilities.isLeftMouseButton(event)) {
             toolPoint = snappedPoint(event);
+            releaseTool();
         }
-        completeDrag();
         if (menu) {
             listeners.fireMenuRequested(event.getPoint());
         }
@@ -217,10 +219,18 @@ public final class CanvasMouse extends MouseAdapter {
      * open, so the focus of the dialog completes a drag, too, and so does a movement without a button.
      */
     private void completeDrag() {
+        completeGesture();
+        releaseTool();
+    }
+
+    private void completeGesture() {
         if (gesture != null) {
             gesture.release();
             gesture = null;
         }
+    }
+
+    private void releaseTool() {
         if (toolPoint != null) {
             Vector2 at = toolPoint;
             toolPoint = null;

@@ -118,6 +118,19 @@ class CanvasMouseTest {
     }
 
     @Test
+    void panningWithTheMiddleButtonLeavesTheDrawnShapeAlone() {
+        runOnEdt(() -> canvas.tools().placeShape(ShapePreset.RECTANGLE));
+        mouse(MouseEvent.MOUSE_PRESSED, screen(new Vector2(2, 3)), MouseEvent.BUTTON1);
+        Vector2 corner = screen(new Vector2(3, 3.5));
+        mouse(MouseEvent.MOUSE_DRAGGED, corner, MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_PRESSED, corner, MouseEvent.BUTTON2);
+        mouse(MouseEvent.MOUSE_RELEASED, corner, MouseEvent.BUTTON2);
+        assertEquals(List.of(), sent);
+        mouse(MouseEvent.MOUSE_RELEASED, corner, MouseEvent.BUTTON1);
+        assertEquals(1, sent.size());
+    }
+
+    @Test
     void aToolThatIsCancelledWhileTheButtonIsDownPlacesNothing() {
         runOnEdt(() -> canvas.tools().placeShape(ShapePreset.RECTANGLE));
         mouse(MouseEvent.MOUSE_PRESSED, screen(new Vector2(2, 3)), MouseEvent.BUTTON1);
