@@ -132,6 +132,7 @@ final class BatchDialog extends RunsDialog {
             run = new BatchRun(plan, form.jobs());
             controller = form.controllerChoice();
             saved = true;
+            endText = null;
             make(run);
         });
     }
@@ -147,7 +148,6 @@ final class BatchDialog extends RunsDialog {
     private void make(BatchRun made) {
         ControllerChoice driving = controller;
         stopped = false;
-        endText = null;
         setRunning(true);
         progress().showStatus(() -> Messages.get("batch.checking"));
         progress().begin();
@@ -188,9 +188,12 @@ final class BatchDialog extends RunsDialog {
             delete(failed);
             return;
         }
+        update();
+        BatchRun.Completion completion = failed.completion();
+        stopped = failed.planOrNull() != null && completion.made() < completion.runs();
         stopProgress();
         afterEnd = null;
-        progress().showStatus(() -> " ");
+        progress().showStatus(endText == null ? () -> " " : endText);
         showFailure(failure);
     }
 
@@ -259,7 +262,7 @@ final class BatchDialog extends RunsDialog {
                 work,
                 () -> {
                     endWriting(written);
-                    showSaved(endText, String.valueOf(target.getFileName()));
+                    showSaved(running ? null : endText, String.valueOf(target.getFileName()));
                     onWritten.run();
                 },
                 failure -> {

@@ -204,6 +204,42 @@ class BatchEndRobotTest {
     }
 
     @Test
+    void aBatchThatCannotBeContinuedNowCanBeContinuedLater() throws Exception {
+        JDialog dialog = startBatch("9000", "3");
+        JButton resume = button(dialog, "Continue");
+        waitForRuns(dialog, 3);
+        driver.click(button(dialog, "Stop"));
+        driver.robot().waitFor("the batch can be continued", resume::isEnabled);
+        int made = callOnEdt(() -> runsOf(dialog).getModel().getRowCount());
+        Path manifest = batchFolders().get(0).resolve("results/campaign.json");
+        String before = Files.readString(manifest);
+        Files.writeString(manifest, before.replace("plan_sha256\": \"", "plan_sha256\": \"0"));
+        driver.click(resume);
+        driver.robot().waitFor("the problem shows", () -> problems().anyMatch(problem -> problem.isFocused()));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the problem is gone", () -> problems().findAny().isEmpty());
+        assertTrue(callOnEdt(resume::isEnabled));
+        assertTrue(WindowDriver.text(dialog).contains("Stopped after " + made + " of"));
+        Files.writeString(manifest, before);
+        driver.click(resume);
+        waitForRuns(dialog, made + 3);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        answerLoss(KeyEvent.VK_RIGHT, KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
+    }
+
+    private static Stream<JDialog> problems() {
+        return Stream.of(Window.getWindows())
+                .filter(JDialog.class::isInstance)
+                .map(JDialog.class::cast)
+                .filter(Window::isShowing)
+                .filter(dialog -> ComponentFinder.findAll(dialog, JOptionPane.class)
+                        .anyMatch(pane -> String.valueOf(pane.getMessage())
+                                .replaceAll("\\s+", " ")
+                                .contains("has another plan")));
+    }
+
+    @Test
     void closingTheDialogStopsARunThatWouldTakeHours() throws Exception {
         JDialog dialog = startBatch("1", "900000");
         driver.robot().waitFor("the runs are being made", BatchEndRobotTest::isBatchThreadAlive);
