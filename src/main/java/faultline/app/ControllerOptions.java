@@ -55,10 +55,15 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
 
     /** Returns the choice of an option {@code --controller}. Its jars are already available to the thread. */
     static ControllerChoice choice(String text) throws UsageException {
+        return choice("--controller", text, List.of());
+    }
+
+    /** Returns the choice of an option, for which some jars are searched. */
+    static ControllerChoice choice(String option, String text, List<Path> jars) throws UsageException {
         if (text.isEmpty()) {
-            throw UsageException.ofValue("--controller", text, "the name of a controller or a command");
+            throw UsageException.ofValue(option, text, "the name of a controller or a command");
         }
-        return ControllerChoice.of(text);
+        return new ControllerChoice(text, jars);
     }
 
     /** Returns the files that a run with some controllers reads, which no output may replace. */

@@ -63,6 +63,11 @@ final class WindowCommand {
         Optional<String> controller = arguments.value("--controller");
         Optional<String> ghost = arguments.value(GHOST_OPTION);
         List<Path> jars = ControllerOptions.parse(arguments, true).jars();
+        ControllerChoice chosen = controller.isEmpty()
+                ? ControllerChoice.SCENARIO
+                : ControllerOptions.choice("--controller", controller.get(), jars);
+        ControllerChoice ghostChosen =
+                ghost.isEmpty() ? null : ControllerOptions.choice(GHOST_OPTION, ghost.get(), jars);
         // The file may name a controller of the jar. The threads of the window begin after this.
         jars.forEach(ControllerJars::add);
         if (controller.isEmpty() && ghost.isEmpty()) {
@@ -70,11 +75,7 @@ final class WindowCommand {
         }
         Scenario scenario = Scenario.load(file);
         requireDisplay(controller.isPresent() ? "--controller" : GHOST_OPTION);
-        GuiLauncher.open(
-                file,
-                () -> scenario,
-                controller.map(text -> new ControllerChoice(text, jars)).orElse(ControllerChoice.SCENARIO),
-                ghost.map(text -> new ControllerChoice(text, jars)).orElse(null));
+        GuiLauncher.open(file, () -> scenario, chosen, ghostChosen);
         return ExitCode.SUCCESS;
     }
 

@@ -289,6 +289,8 @@ class CommandLineTest {
             run a.xml --controller none --patience 0 | --patience is "0"; expected none or a number of seconds above 0, up to 10000000
             run a.xml --controller none --patience 10000000.1 | --patience is "10000000.1"; expected none or a number of seconds above 0, up to 10000000
             run a.xml --truth --controller none | --truth needs --controller COMMAND
+            a.xml --controller=             | --controller is ""; expected the name of a controller or a command
+            a.xml --ghost-controller=       | --ghost-controller is ""; expected the name of a controller or a command
             run a.xml --controller=         | --controller is ""; expected the name of a controller or a command
             compare a.xml --controller none --controller= --out b | --controller is ""; expected the name of a controller or a command
             run a.xml --pace 1e-320         | --pace is "1e-320"; expected a multiple of real time from 0.001 to 1000000
