@@ -27,7 +27,7 @@ class DocsTest {
     private static final Pattern CODE = Pattern.compile("`([^`\n]+)`");
     private static final Pattern CLASS_NAME =
             Pattern.compile("(?:[a-z]+\\.)*([A-Z]\\w+[a-z]\\w*)((?:\\.\\w+)*)(?:\\(.*\\))?");
-    private static final long MAX_PICTURE_BYTES = 1_200_000;
+    private static final long MAX_PICTURE_BYTES = 1_250_000;
     private static final Pattern FENCED = Pattern.compile("(?ms)^```.*?^```");
 
     /** The most classes that each of the paths through the code may have, in the order of the page. */

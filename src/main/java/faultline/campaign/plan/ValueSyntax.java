@@ -42,6 +42,7 @@ public final class ValueSyntax {
     /** An id that needs no quotes. */
     private static final Pattern PLAIN_ID = Pattern.compile("(?!any$)[^\\s.]+");
 
+    private static final Pattern BLANK = Pattern.compile("\\s");
     private static final Pattern INTERVAL = Pattern.compile("(\\S+?)\\.\\.([^\\s/]+)(?:/(\\d{1,6}))?");
     private static final Pattern CHOICE = Pattern.compile("any of\\s+(.+)");
     private static final String NUMBER = "-?\\d+(?:\\.\\d+)?";
@@ -148,7 +149,7 @@ public final class ValueSyntax {
      */
     static String formatIdList(List<String> ids) {
         return ids.stream()
-                .map(id -> id.chars().anyMatch(Character::isWhitespace) ? '"' + id + '"' : id)
+                .map(id -> BLANK.matcher(id).find() ? '"' + id + '"' : id)
                 .collect(Collectors.joining(" "));
     }
 
