@@ -268,10 +268,10 @@ final class MainPanel extends JPanel {
         return controlPanel.isVisible() && panelSplit.isMoved() ? controlPanel.getWidth() : panelWidth;
     }
 
-    /** Sets the width of the control panel in pixels; the panel gets at most half of the window. */
+    /** Sets the width of the control panel in pixels; the canvas keeps at least half of the window. */
     void setPanelWidth(int width) {
         panelWidth = width;
-        panelSplit.place(size -> size - Math.min(width, Math.min(size - minStageWidth(), getWidth() / 2)));
+        panelSplit.place(size -> size - Math.min(width, size - Math.max(minStageWidth(), (getWidth() + 1) / 2)));
     }
 
     private int minStageWidth() {

@@ -524,18 +524,6 @@ class MainPanelTest {
         return image;
     }
 
-    /** The palette of obstacles is part of the other half. */
-    @Test
-    void aWidePanelGetsHalfOfTheWindow() {
-        runOnEdt(() -> {
-            setSizeAndLayOut(1280, 800);
-            mainPanel.setPanelWidth(1000);
-            ComponentFinder.layOut(mainPanel);
-            ComponentFinder.layOut(mainPanel);
-            assertEquals(640, mainPanel.controlPanel().getWidth(), 8);
-        });
-    }
-
     private void setSizeAndLayOut(int width, int height) {
         mainPanel.setSize(width, height);
         mainPanel.setPanelWidth(mainPanel.controlPanel().defaultWidth());
