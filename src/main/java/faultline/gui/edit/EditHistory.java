@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -343,8 +344,13 @@ final class EditHistory {
      * switches and faults that have been undone. Returns the edit that takes its place, or itself if there is nothing.
      */
     EventEdit withUndoneEdits(EventEdit edit) {
-        // Edits after it that are done have no effect, since it is the next one to be undone.
-        ExecutedEvents executed = new ExecutedEvents(edits.subList(0, edits.indexOf(edit) + 1), this::named);
+        // Later edits of the timeline have no effect, since this one is the next to be undone.
+        int index = edits.indexOf(edit);
+        List<Edit> owners = IntStream.range(0, cursor)
+                .filter(i -> i <= index || edits.get(i) instanceof CommandEdit)
+                .mapToObj(edits::get)
+                .toList();
+        ExecutedEvents executed = new ExecutedEvents(owners, this::named);
         List<Change> kept = new ArrayList<>();
         for (Change change : changes.subList(0, passed)) {
             List<CommandResult> all = IS_EVENT.test(change) ? change.executed() : List.of();

@@ -583,6 +583,26 @@ class UndoneEventsTest {
         assertEquals(List.of(), faults());
     }
 
+    /** The fault has no effect after the repair, but when that is undone. */
+    @Test
+    void aFaultBeforeAPlannedRepairIsKeptWhenTheRepairIsUndone() {
+        run.advanceTo(20);
+        run.send(FAULT);
+        run.send(new Command.InjectFault("left", new Fault.Bias(0.1)));
+        run.advanceTo(30);
+        run.send(new Command.ClearFaults("left"));
+        run.restart();
+        run.advanceTo(5);
+        run.send(new Command.InjectFault("left", new Fault.Dead()));
+        run.advanceTo(40);
+        run.undo();
+        run.advanceTo(41);
+        assertEquals(
+                List.of(new Fault.Dead(), new Fault.Stuck(0.13), new Fault.Bias(0.1)),
+                faults(),
+                callOnEdt(run.edits()::redoName).toString());
+    }
+
     /** A fault and its repair at one time change nothing, so they are not those that the timeline has for that time. */
     @Test
     void aFaultThatIsRepairedAtOnceIsNotThePlannedOneOfItsTime() {
