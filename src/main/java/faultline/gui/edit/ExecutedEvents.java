@@ -28,6 +28,8 @@ final class ExecutedEvents {
     private final Map<Edit, List<OwnedEvent>> events = new IdentityHashMap<>();
     /** All events with the ids that their sensors have now, in the order of execution. */
     private final List<CommandResult> all = new ArrayList<>();
+    /** Those of all events that the timeline has; null until they are asked for after the last one was added. */
+    private Set<CommandResult> onTimeline;
 
     private final Map<Object, Owner> owners = new HashMap<>();
     /** Events without an edit before them, by what they change. */
@@ -82,6 +84,7 @@ final class ExecutedEvents {
     private void add(CommandEdit edit, CommandResult result) {
         CommandResult namedResult = named.apply(edit, result);
         all.add(namedResult);
+        onTimeline = null;
         Object subject = subjectOf(namedResult);
         if (events.containsKey(edit)) {
             owners.put(subject, new Owner(edit, result.command()));
@@ -104,10 +107,12 @@ final class ExecutedEvents {
      * because the timeline lacks them; empty for an edit of other commands, or that is not done.
      */
     List<CommandResult> of(Edit edit) {
-        Set<CommandResult> kept = Collections.newSetFromMap(new IdentityHashMap<>());
-        kept.addAll(TimelineEvents.in(all));
+        if (onTimeline == null) {
+            onTimeline = Collections.newSetFromMap(new IdentityHashMap<>());
+            onTimeline.addAll(TimelineEvents.in(all));
+        }
         return events.getOrDefault(edit, List.of()).stream()
-                .filter(owned -> kept.contains(owned.named()))
+                .filter(owned -> onTimeline.contains(owned.named()))
                 .map(OwnedEvent::event)
                 .toList();
     }
