@@ -178,19 +178,26 @@ public final class ExportController implements WorkspaceListener {
         }
     }
 
-    /** Saves the recording that was switched off, or discards it on request. */
+    /**
+     * Saves the recording that was switched off, or discards it on request. If the question whether to discard it is
+     * closed, the recording continues.
+     */
     private void endRecording(RenderRequest request) {
         long start = recordingStart;
         recording(request).ifPresent(recording -> {
             while (!write("exportGif", ".gif", recording, () -> {}, () -> resumeRecording(start))) {
-                if (discardQuestion.get().orElse(false)) {
+                Optional<Boolean> discard = discardQuestion.get();
+                if (discard.isEmpty()) {
+                    resumeRecording(start);
+                }
+                if (discard.orElse(true)) {
                     return;
                 }
             }
         });
     }
 
-    /** Continues a recording that could not be written, unless its run is gone or there is a newer one. */
+    /** Continues a recording that was not written, unless its run is gone or there is a newer one. */
     private void resumeRecording(long start) {
         if (start == recordingStart) {
             recordGif.setOn(true);

@@ -367,6 +367,22 @@ class ExportControllerTest {
         assertEquals(1, answers.size(), "discarded");
     }
 
+    @Test
+    void aRecordingContinuesIfTheQuestionWhetherToDiscardItIsClosed() throws IOException {
+        List<Optional<Boolean>> answers = new ArrayList<>(List.of(Optional.empty(), Optional.of(true)));
+        runOnEdt(() -> {
+            controller.setDiscardQuestion(() -> answers.remove(0));
+            refusals = 2;
+            setRecording(true);
+            setRecording(false);
+            assertTrue(action("record").isOn());
+            assertEquals(1, answers.size(), "asked once");
+            refusals = 0;
+        });
+        stepTo(STEPS + 6);
+        assertEquals(2, recordedFrameCount(), "ticks 12 and 17 of 18");
+    }
+
     private void setRecording(boolean on) {
         action("record").putValue(UiAction.SELECTED_KEY, on);
         perform("record");
