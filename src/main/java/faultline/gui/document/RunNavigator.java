@@ -50,7 +50,8 @@ public final class RunNavigator implements WorkspaceListener {
         workspace.fire(listener -> listener.seekStarted(tick));
         workspace
                 .openDocument()
-                .ifPresent(now -> replay(now, () -> now.document().prepareMoveTo(tick), past -> tick, Session::replay));
+                .ifPresent(now -> replay(
+                        now, TaskKind.GO_TO, () -> now.document().prepareMoveTo(tick), past -> tick, Session::replay));
     }
 
     /** Moves the run to the first tick that is not before a time, seconds, as {@link #seek} does. */
@@ -74,7 +75,7 @@ public final class RunNavigator implements WorkspaceListener {
             resuming |= now.session().status().running();
             resimulating = true;
             discardFuture();
-            replay(now, now.document()::prepareResimulation, Journal::ticks, Session::resimulate);
+            replay(now, TaskKind.RESIMULATE, now.document()::prepareResimulation, Journal::ticks, Session::resimulate);
         });
     }
 
@@ -85,7 +86,8 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     /** Pauses a run and replays it up to a tick, after a preparation when the results of all commands are known. */
-    private void replay(OpenDocument now, Runnable preparation, ToLongFunction<Journal> end, Replay replay) {
+    private void replay(
+            OpenDocument now, TaskKind kind, Runnable preparation, ToLongFunction<Journal> end, Replay replay) {
         now.session().pause();
         CompletableFuture<Journal> past = now.session().journal();
         CompletableFuture<Journal> whole = now.session()
@@ -96,7 +98,7 @@ public final class RunNavigator implements WorkspaceListener {
                             return documentJournal(now, journal);
                         },
                         EventQueue::invokeLater);
-        WorkspaceTask task = new WorkspaceTask(TaskKind.GO_TO, now.document().displayPath());
+        WorkspaceTask task = new WorkspaceTask(kind, now.document().displayPath());
         Callable<OpenDocument> maker = () -> {
             Journal journal = whole.join();
             long tick = end.applyAsLong(past.join());

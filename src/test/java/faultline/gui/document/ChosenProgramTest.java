@@ -56,6 +56,7 @@ class ChosenProgramTest {
     private Path folder;
 
     private final List<Throwable> failures = new ArrayList<>();
+    private final List<TaskKind> failedTasks = new ArrayList<>();
     private final List<Path> journals = new ArrayList<>();
     private final List<Double> differences = new ArrayList<>();
     private int sessionCount;
@@ -87,6 +88,7 @@ class ChosenProgramTest {
                 @Override
                 public void taskFailed(TaskKind task, Path taskFile, Throwable failure) {
                     failures.add(failure);
+                    failedTasks.add(task);
                 }
             });
             run = new RunController(workspace);
@@ -273,5 +275,21 @@ class ChosenProgramTest {
         assertInstanceOf(RunFailedException.class, failures.get(0));
         assertTrue(failures.get(0).getMessage().contains("no-such-program"), failures.get(0)::getMessage);
         assertEquals(1, callOnEdt(() -> sessionCount));
+    }
+
+    @Test
+    void aChangeAndAMoveThatTheProgramDoesNotSurviveAreDifferentFailures() throws Exception {
+        Path script = script("CIRCLE");
+        choose("sh " + script);
+        waitFor("the second session", () -> sessionCount == 2);
+        runOnEdt(() -> run.navigator().seek(10));
+        waitFor("the third session", () -> sessionCount == 3);
+        Files.writeString(script, "exit 1");
+        runOnEdt(() -> run.navigator().seek(5));
+        waitFor("the failure of the move", () -> failedTasks.size() == 1);
+        runOnEdt(() ->
+                run.change(now -> now.withSetup(now.setup().withSeed(now.setup().seed() + 1))));
+        waitFor("the failure of the change", () -> failedTasks.size() == 2);
+        assertEquals(List.of(TaskKind.GO_TO, TaskKind.RESIMULATE), callOnEdt(() -> List.copyOf(failedTasks)));
     }
 }
