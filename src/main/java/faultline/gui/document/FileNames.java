@@ -1,12 +1,18 @@
 package faultline.gui.document;
 
 import java.nio.charset.StandardCharsets;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Predicate;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
-/** Derives file names from the names of scenarios. A file name is valid on every operating system. */
+/**
+ * Derives file names from the names of scenarios. A file name is valid on every operating system, and in the encoding
+ * that this system has for file names.
+ */
 public final class FileNames {
 
     /** The extensions of scenario files; a desktop opens files of the second with this program. */
@@ -41,9 +47,27 @@ public final class FileNames {
 
     /** Returns the file name, without an extension, for the name of a scenario, which may be empty. */
     public static String forScenario(String scenario) {
-        String letters = scenario.replaceAll("[^\\p{L}\\p{N} ._-]", "_");
-        String name = start(letters).replaceAll("^[ .]+|[ .]+$", "");
+        return forScenario(scenario, FileNames::isPath);
+    }
+
+    /** Returns the file name, in which an underscore replaces each letter that is not allowed. */
+    static String forScenario(String scenario, Predicate<String> isAllowed) {
+        String name = start(scenario.replaceAll("[^\\p{L}\\p{N} ._-]", "_"))
+                .codePoints()
+                .mapToObj(Character::toString)
+                .map(letter -> isAllowed.test(letter) ? letter : "_")
+                .collect(Collectors.joining())
+                .replaceAll("^[ .]+|[ .]+$", "");
         return name.isEmpty() ? DEFAULT_NAME : DEVICE_NAME.matcher(name).matches() ? "_" + name : name;
+    }
+
+    /** Returns whether a name can be that of a file. Without an encoding in the locale, only letters of ASCII can. */
+    private static boolean isPath(String name) {
+        try {
+            return !Path.of(name).toString().isEmpty();
+        } catch (InvalidPathException e) {
+            return false;
+        }
     }
 
     /** Returns the start of a name that is short enough for a file. */

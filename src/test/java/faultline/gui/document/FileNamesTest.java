@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.CharsetEncoder;
 import java.nio.charset.StandardCharsets;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -30,6 +31,13 @@ class FileNamesTest {
             """)
     void aFileNameKeepsLettersAndNoCharacterThatASystemRejects(String scenario, String file) {
         assertEquals(file, FileNames.forScenario(scenario));
+    }
+
+    @Test
+    void aLetterThatTheEncodingOfFileNamesLacksIsReplaced() {
+        CharsetEncoder encoder = StandardCharsets.US_ASCII.newEncoder();
+        assertEquals("_ab_ _", FileNames.forScenario("żab\uD840\uDC0B 漢", encoder::canEncode));
+        assertEquals("___", FileNames.forScenario("Łóż", encoder::canEncode));
     }
 
     @Test
