@@ -34,6 +34,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
@@ -500,12 +501,16 @@ class StripChartTest {
     }
 
     @Test
-    void anEmptyRunIsAnEmptyChart() {
+    void aRunWithoutATickIsATableOfItsStart() {
         runOnEdt(() -> {
             StripChart fresh = new StripChart();
             SampleRuns.render(fresh, WIDTH, HEIGHT);
+            assertEquals(Optional.empty(), fresh.content());
             fresh.setFrame(SampleRuns.frame(0));
             SampleRuns.render(fresh, WIDTH, HEIGHT);
+            List<String> table = fresh.content().orElseThrow().toCsv().lines().toList();
+            assertEquals(2, table.size(), table::toString);
+            assertTrue(table.get(1).startsWith("0,"), table::toString);
         });
     }
 

@@ -1,11 +1,13 @@
 package faultline.gui.canvas.tool;
 
 import faultline.engine.Frame;
+import faultline.geometry.Vector2;
 import faultline.gui.edit.IdGenerator;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.ReferenceOverlay;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
+import faultline.world.Snapshot;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.HashSet;
@@ -140,6 +142,17 @@ public final class CanvasModel {
             changed.add(id);
         }
         select(changed);
+    }
+
+    /** Returns whether a point of the world is on the platform of the robot; false without a frame. */
+    boolean isOnRobot(Vector2 point) {
+        if (frame == null) {
+            return false;
+        }
+        Snapshot world = frame.snapshot();
+        Vector2 local = world.pose().toLocal(point);
+        return Math.abs(local.x()) <= world.robot().length() / 2
+                && Math.abs(local.y()) <= world.robot().width() / 2;
     }
 
     /** Returns whether the run has made a tick. */

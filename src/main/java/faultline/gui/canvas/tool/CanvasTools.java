@@ -205,12 +205,7 @@ public final class CanvasTools {
         if (ObstacleFinder.topmostAt(camera, model.obstacles(), screen).isPresent()) {
             return MenuTarget.OBSTACLE;
         }
-        Vector2 point = camera.toWorld(screen);
-        boolean onRobot = model.frame()
-                .filter(frame -> frame.snapshot().pose().position().distanceTo(point)
-                        <= frame.snapshot().robot().length() / 2)
-                .isPresent();
-        if (onRobot) {
+        if (model.isOnRobot(camera.toWorld(screen))) {
             return MenuTarget.ROBOT;
         }
         if (ObstacleFinder.ofWaypointAt(model, camera, screen).isPresent()) {

@@ -166,13 +166,8 @@ public final class GesturePicker {
     private Optional<Snapshot> robotAtStart(Vector2 at) {
         return model.frame()
                 .map(frame -> frame.snapshot())
-                .filter(world -> listeners.hasStartListener() && world.tick() == 0 && isOnRobot(world, at));
-    }
-
-    private boolean isOnRobot(Snapshot world, Vector2 at) {
-        Vector2 local = world.pose().toLocal(camera().toWorld(at));
-        return Math.abs(local.x()) <= world.robot().length() / 2
-                && Math.abs(local.y()) <= world.robot().width() / 2;
+                .filter(world ->
+                        listeners.hasStartListener() && world.tick() == 0 && model.isOnRobot(camera().toWorld(at)));
     }
 
     private void selectSensorAt(Vector2 at) {

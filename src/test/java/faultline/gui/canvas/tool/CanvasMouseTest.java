@@ -18,6 +18,7 @@ import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ShapePreset;
 import faultline.paint.scene.Layer;
 import faultline.paint.surface.Camera;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
@@ -293,6 +294,17 @@ class CanvasMouseTest {
         MenuTarget[] targets = callOnEdt(() ->
                 new MenuTarget[] {target(new Vector2(4, 2)), target(new Vector2(1, 1)), target(new Vector2(5.5, 3.5))});
         assertArrayEquals(new MenuTarget[] {MenuTarget.OBSTACLE, MenuTarget.ROBOT, MenuTarget.FLOOR}, targets);
+    }
+
+    @Test
+    void theMenuOfTheRobotIsThatOfItsWholePlatformOnly() {
+        RobotSpec robot =
+                callOnEdt(() -> canvas.frame().orElseThrow().snapshot().robot());
+        double ahead = robot.length() / 2;
+        double aside = robot.width() / 2;
+        assertEquals(MenuTarget.ROBOT, callOnEdt(() -> target(new Vector2(1 + ahead - 0.02, 1 + aside - 0.02))));
+        assertEquals(MenuTarget.FLOOR, callOnEdt(() -> target(new Vector2(1 + ahead + 0.02, 1))));
+        assertEquals(MenuTarget.FLOOR, callOnEdt(() -> target(new Vector2(1, 1 + aside + 0.02))));
     }
 
     @Test
