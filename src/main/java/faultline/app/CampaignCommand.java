@@ -48,7 +48,7 @@ final class CampaignCommand {
         AtomicBoolean cancelled = new AtomicBoolean();
         CountDownLatch ended = new CountDownLatch(1);
         Thread hook = new Thread(() -> cancel(cancelled, ended));
-        Runtime.getRuntime().addShutdownHook(hook);
+        addHook(hook, cancelled);
         TerminalProgress progress = TerminalProgress.on(output.err());
         try {
             CampaignRunner.RunCounts result = runner.run(resume, progress::update, cancelled::get);
@@ -57,6 +57,15 @@ final class CampaignCommand {
         } finally {
             ended.countDown();
             removeHook(hook);
+        }
+    }
+
+    /** Adds a hook, or cancels the campaign if the process is ending. */
+    private static void addHook(Thread hook, AtomicBoolean cancelled) {
+        try {
+            Runtime.getRuntime().addShutdownHook(hook);
+        } catch (IllegalStateException e) {
+            cancelled.set(true);
         }
     }
 

@@ -56,6 +56,7 @@ final class ChildProcess implements AutoCloseable {
     private volatile long writeStart = Long.MAX_VALUE;
 
     private volatile boolean endedByGuard;
+    private volatile boolean endedWithProgram;
 
     /**
      * Starts a child.
@@ -287,8 +288,14 @@ final class ChildProcess implements AutoCloseable {
         }
     }
 
+    /** Returns whether the program is ending, so that an end of the child is not its own fault. */
+    boolean isEndedWithProgram() {
+        return endedWithProgram;
+    }
+
     /** Leaves a child that is being closed its time to end, and kills any other. */
     private void endWithProgram() {
+        endedWithProgram = true;
         if (closer.getState() == Thread.State.NEW) {
             killTree();
         } else {

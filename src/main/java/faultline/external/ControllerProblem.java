@@ -52,6 +52,8 @@ public enum ControllerProblem implements Message.Template {
 
     /** The child has ended. */
     ENDED("{0} ended with exit code {2}{1}{3}"),
+    /** The program was ended, for example by a signal, and has ended the child. */
+    ENDED_WITH_PROGRAM("{0} was ended with the program{1}"),
     /** The child has closed its input. */
     CLOSED_INPUT("{0} closed its standard input{1}"),
     /** The child has closed its output. */

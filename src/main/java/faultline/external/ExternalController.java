@@ -172,6 +172,9 @@ public final class ExternalController implements Controller, TickObserver, AutoC
 
     private RunFailedException failure(Exception cause, Message when) {
         child.close();
+        if (child.isEndedWithProgram()) {
+            return new RunFailedException(ControllerProblem.ENDED_WITH_PROGRAM.with(who, when), cause);
+        }
         Message sentence = cause instanceof ProtocolException broken
                 ? broken.sentence(who, when)
                 : ControllerProblem.UNREADABLE.with(who, when, String.valueOf(cause.getMessage()));

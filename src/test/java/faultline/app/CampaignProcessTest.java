@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import faultline.JavaProcess;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -181,5 +183,34 @@ class CampaignProcessTest {
                         + " did you mean \"count\"?\n",
                 Files.readString(folder.resolve("output.txt")));
         assertTrue(Files.notExists(folder.resolve("bad")));
+    }
+
+    /** Begins a campaign when the process is already ending. */
+    static final class LateProgram {
+
+        private LateProgram() {}
+
+        public static void main(String[] arguments) {
+            CommandOutput output = new CommandOutput(System.out, System.err);
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> new CommandLine(output).run(arguments)));
+        }
+    }
+
+    @Test
+    void aCampaignThatBeginsWhileTheProcessEndsIsStopped() throws Exception {
+        writePlan(ENDLESS);
+        Process process = JavaProcess.builder(
+                        LateProgram.class.getName(),
+                        List.of(
+                                "campaign",
+                                folder.resolve("plan.xml").toString(),
+                                "--out",
+                                folder.resolve("late").toString()))
+                .redirectErrorStream(true)
+                .start();
+        assertEquals(
+                "faultline: " + folder.resolve("late/plan/plan.xml")
+                        + ": the file was not written, because the program is ending\n",
+                new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
     }
 }

@@ -10,6 +10,7 @@ import faultline.engine.SimulationSetup;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -63,6 +64,11 @@ class ChildEndTest {
         return new ExternalController(command, run, ExternalController.Timeouts.DEFAULT, false, line -> {});
     }
 
+    private static Observation observation(SimulationSetup setup) {
+        return new Observation(
+                0, setup.dt(), setup.robot(), new double[setup.robot().sensors().size()]);
+    }
+
     /** Interrupts work while the child is busy, and lets the child continue after the work has ended. */
     private void interruptWhileBusy(Runnable work) throws Exception {
         Thread thread = new Thread(() -> {
@@ -81,10 +87,8 @@ class ChildEndTest {
 
     @Test
     void aChildThatIsBusyWithAnAnswerEndsInOrder() throws Exception {
-        Observation observation = new Observation(
-                0, setup.dt(), setup.robot(), new double[setup.robot().sensors().size()]);
         try (ExternalController child = start(command(READY + BUSY))) {
-            interruptWhileBusy(() -> child.decide(observation));
+            interruptWhileBusy(() -> child.decide(observation(setup)));
         }
         assertTrue(Files.exists(folder.resolve("results")));
     }
@@ -117,5 +121,47 @@ class ChildEndTest {
         assertTrue(program.waitFor(30, TimeUnit.SECONDS));
         assertEquals(0, program.exitValue());
         assertTrue(Files.exists(folder.resolve("results")));
+    }
+
+    /** Ends when its child has read an observation and written a line to standard error, and prints the failure. */
+    static final class EndingProgram {
+
+        private EndingProgram() {}
+
+        public static void main(String[] words) throws Exception {
+            SimulationSetup setup =
+                    Scenario.load(Path.of("scenarios/office.xml")).setup();
+            Thread user = Thread.currentThread();
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> awaitEnd(user)));
+            try (ExternalController child = new ExternalController(
+                    words[0],
+                    RunDescription.of("faultline test", "Office", setup, 1),
+                    ExternalController.Timeouts.DEFAULT,
+                    false,
+                    line -> new Thread(() -> System.exit(0)).start())) {
+                child.decide(observation(setup));
+            } catch (RunFailedException e) {
+                System.out.println(e.getMessage());
+            }
+        }
+
+        private static void awaitEnd(Thread thread) {
+            try {
+                thread.join();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    @Test
+    void aChildThatEndsWithTheProgramIsNotBlamed() throws Exception {
+        String command = command(READY + "echo waiting >&2; exec sleep 1000\n");
+        Process program = JavaProcess.builder(EndingProgram.class.getName(), List.of(command))
+                .start();
+        assertEquals(
+                "the controller \"" + command + "\" was ended with the program at tick 0\n",
+                new String(program.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertTrue(program.waitFor(30, TimeUnit.SECONDS));
     }
 }
