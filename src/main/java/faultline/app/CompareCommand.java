@@ -219,9 +219,7 @@ final class CompareCommand {
         }
         files.commit();
         output.println(comparison.lines());
-        if (comparison.seedsMakeNoDifference()) {
-            output.println("seeds: nothing in these runs is random, so every seed gives the same run");
-        }
+        comparison.seedRemarks().forEach(remark -> output.println("seeds: " + remark));
         output.println("page: " + files.page());
         output.println("table: " + files.table());
         compared.forEach(this::reportRefusals);

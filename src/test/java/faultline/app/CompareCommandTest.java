@@ -122,6 +122,36 @@ class CompareCommandTest {
         assertTrue(out.contains("\nseeds: nothing in these runs is random, so every seed gives the same run\n"), out);
     }
 
+    /** The child drives each run with other voltages. */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void theEqualRunsOfOneOfTheControllersCountOnce() throws Exception {
+        Path count = folder.resolve("count");
+        String varying = STRAIGHT.replace("i=0; ", "echo x >> " + count + "; n=$(wc -l < " + count + "); i=0; ")
+                .replace("2.1", "2.$n");
+        CommandResult result = command(
+                "compare",
+                "scenarios/yard.xml",
+                "--out",
+                page().toString(),
+                "--controller",
+                "wall-follower",
+                "--controller",
+                varying,
+                "--seeds",
+                "3",
+                "--until",
+                "2");
+        assertEquals(0, result.code, result.err);
+        List<String> lines = result.out.lines().toList();
+        assertEquals(List.of("wall-follower", "3"), cells(lines.get(1)).subList(0, 2));
+        assertEquals("0.00", cells(lines.get(1)).get(4), "no interval of one run");
+        assertTrue(cells(lines.get(2)).get(4).startsWith("0.00 ["), lines::toString);
+        String remark = "he completed runs of wall-follower are the same run, which counts once";
+        assertTrue(result.out.contains("\nseeds: t" + remark + "\n"), result.out);
+        assertTrue(Files.readString(page()).contains(" T" + remark + "."));
+    }
+
     private static List<String> cells(String line) {
         return List.of(line.split(" {2,}"));
     }

@@ -90,7 +90,7 @@ final class ComparisonChart {
         List<Series> series = new ArrayList<>();
         DoubleStream.Builder shown = DoubleStream.builder();
         for (int i = 0; i < controllers.size(); i++) {
-            double[] values = metric.values(controllers.get(i).runs());
+            double[] values = metric.values(controllers.get(i).countedRuns());
             int row = controllers.size() - 1 - i;
             if (values.length > 1) {
                 Interval mean = metric.interval(values);

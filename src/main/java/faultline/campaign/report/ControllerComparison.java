@@ -6,6 +6,7 @@ import faultline.scenario.Scenario;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Several controllers in the same scenario with the same seeds: a table and one self-contained page. */
@@ -105,21 +106,34 @@ public final class ControllerComparison {
                         : " and " + controller.broken().size() + " broken");
         return Stream.concat(
                         Stream.of(controller.controller(), runs),
-                        Arrays.stream(Metric.values()).map(metric -> metric.summary(metric.values(controller.runs()))))
+                        Arrays.stream(Metric.values())
+                                .map(metric -> metric.summary(metric.values(controller.countedRuns()))))
                 .toList();
     }
 
     private List<String> differences(String name, ControllerRuns controller) {
-        List<ControllerRuns.RunPair> pairs = controller.pairs(controllers.get(0));
+        ControllerRuns first = controllers.get(0);
+        List<ControllerRuns.RunPair> counted = controller.countedPairs(first);
         return Stream.concat(
-                        Stream.of(name, Html.count(pairs.size(), "pair")),
-                        Arrays.stream(Metric.values()).map(metric -> metric.difference(pairs)))
+                        Stream.of(name, Html.count(controller.pairs(first).size(), "pair")),
+                        Arrays.stream(Metric.values()).map(metric -> metric.difference(counted)))
                 .toList();
     }
 
-    /** {@return whether no run depends on its seed, so that more seeds and their intervals tell nothing} */
-    public boolean seedsMakeNoDifference() {
-        return controllers.stream().allMatch(ControllerRuns::areAllEqual);
+    /**
+     * {@return a sentence for each controller whose completed runs are all equal, which count as one run; one sentence
+     * if nothing is random in any run}
+     */
+    public List<String> seedRemarks() {
+        List<ControllerRuns> equal =
+                controllers.stream().filter(ControllerRuns::areAllEqual).toList();
+        if (equal.equals(controllers)
+                && controllers.stream().allMatch(runs -> runs.broken().isEmpty())) {
+            return List.of("nothing in these runs is random, so every seed gives the same run");
+        }
+        return equal.stream()
+                .map(runs -> "the completed runs of " + runs.controller() + " are the same run, which counts once")
+                .toList();
     }
 
     /** {@return the page} */
@@ -145,11 +159,15 @@ public final class ControllerComparison {
                 "Numbers",
                 Html.paragraph("Means over the seeds with their 95 % confidence intervals."
                                 + (truth ? " Controllers in child processes were given the ground truth." : "")
-                                + (seedsMakeNoDifference()
-                                        ? " Nothing in these runs is random: every seed gives the same run."
-                                        : ""))
+                                + seedSentences())
                         + Html.table("numbers", header(), rows)
                         + pairedDifferences());
+    }
+
+    private String seedSentences() {
+        return seedRemarks().stream()
+                .map(remark -> " " + Character.toUpperCase(remark.charAt(0)) + remark.substring(1) + ".")
+                .collect(Collectors.joining());
     }
 
     private String pairedDifferences() {

@@ -51,15 +51,28 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
                 .toList();
     }
 
-    /** Returns whether all of several runs are the same run, and none failed. */
+    /**
+     * Returns whether several completed runs have one trajectory, so that they tell no more than one run. Then their
+     * seeds make no difference.
+     */
     boolean areAllEqual() {
-        return broken.isEmpty()
-                && runs.size() > 1
+        return runs.size() > 1
                 && runs.stream()
                                 .map(run -> run.result().trajectoryHash())
                                 .distinct()
                                 .count()
                         == 1;
+    }
+
+    /** Returns the completed runs that count: one of them if all are equal, otherwise all. */
+    List<ComparedRun> countedRuns() {
+        return areAllEqual() ? runs.subList(0, 1) : runs;
+    }
+
+    /** Returns the pairs that count: one of them if the runs of both controllers are all equal, otherwise all. */
+    List<RunPair> countedPairs(ControllerRuns other) {
+        List<RunPair> pairs = pairs(other);
+        return areAllEqual() && other.areAllEqual() && !pairs.isEmpty() ? pairs.subList(0, 1) : pairs;
     }
 
     /** {@return one sentence for each command of the timeline that was refused in some of the completed runs} */

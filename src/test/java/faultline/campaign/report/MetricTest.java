@@ -63,13 +63,18 @@ class MetricTest {
     }
 
     @Test
-    void seedsMakeNoDifferenceIfSeveralRunsAreEqual() {
-        assertTrue(new ControllerRuns("drive", List.of(RESTING, RESTING), List.of()).areAllEqual());
-        assertFalse(new ControllerRuns("drive", List.of(RESTING, COLLIDING), List.of()).areAllEqual());
-        assertFalse(new ControllerRuns("drive", List.of(RESTING), List.of()).areAllEqual());
-        ControllerRuns.FailedRun broken = new ControllerRuns.FailedRun(2, "it broke");
-        assertFalse(
-                new ControllerRuns("drive", List.of(RESTING, RESTING), List.of(broken)).areAllEqual(),
-                "another seed broke the run");
+    void runsThatAreAllEqualCountOnce() {
+        ControllerRuns.FailedRun broken = new ControllerRuns.FailedRun(3, "it broke");
+        for (List<ControllerRuns.FailedRun> failed : List.of(List.<ControllerRuns.FailedRun>of(), List.of(broken))) {
+            ControllerRuns resting = new ControllerRuns("rest", List.of(RESTING, RESTING), failed);
+            assertTrue(resting.areAllEqual());
+            assertEquals(List.of(RESTING), resting.countedRuns());
+            assertEquals("0.00", Metric.COLLISION.summary(Metric.COLLISION.values(resting.countedRuns())));
+        }
+        ControllerRuns varying = new ControllerRuns("vary", List.of(RESTING, COLLIDING), List.of());
+        assertEquals(varying.runs(), varying.countedRuns());
+        ControllerRuns single = new ControllerRuns("one", List.of(RESTING), List.of());
+        assertFalse(single.areAllEqual());
+        assertEquals(single.runs(), single.countedRuns());
     }
 }
