@@ -90,11 +90,13 @@ public record MapDescription(
         if (Math.max(frame.width(), frame.height()) > MAX_SIZE.doubleValue()) {
             throw new FloorPlanException(
                     image,
-                    FloorPlanProblem.MAP_SIZE.with(
-                            DecimalText.formatRounded(frame.width()),
-                            DecimalText.formatRounded(frame.height()),
-                            MAX_SIZE));
+                    FloorPlanProblem.MAP_SIZE.with(wholeMetres(frame.width()), wholeMetres(frame.height()), MAX_SIZE));
         }
+    }
+
+    /** Returns a length rounded up, so that one that is too great is not shown as the greatest one. */
+    private static String wholeMetres(double length) {
+        return DecimalText.formatFixed(Math.ceil(length), 0);
     }
 
     /** Returns a number of cells in metres, the nearest double to their exact product with the resolution. */

@@ -427,13 +427,24 @@ class FloorPlanTest {
     }
 
     @Test
+    void aMapThatIsALittleTooLargeIsNotSaidToMeasureWhatIsAllowed() throws IOException {
+        Path image = write("m.pgm", PLAIN);
+        IOException e = assertThrows(
+                FloorPlanException.class,
+                () -> FloorPlan.readImage(image, new BigDecimal("33333.4"), FloorPlan.Options.DEFAULT));
+        assertEquals(
+                image + ": the map measures 100001 x 66667 m; expected at most 100000 m; the resolution may be wrong",
+                e.getMessage());
+    }
+
+    @Test
     void aMapThatIsOnlyRotatedLargerThanAWorldIsRefused() throws IOException {
         Path image = write("m.pgm", PLAIN);
         Path yaml = write("m.yaml", "image: m.pgm\nresolution: 3e4\norigin: [0, 0, 0.785398]\n");
         IOException e =
                 assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
         assertEquals(
-                image + ": the map measures 106000 x 106000 m; expected at most 100000 m; the resolution may be wrong",
+                image + ": the map measures 106067 x 106067 m; expected at most 100000 m; the resolution may be wrong",
                 e.getMessage());
     }
 
