@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
@@ -14,11 +15,14 @@ import java.awt.EventQueue;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.JButton;
 import javax.swing.JDialog;
+import javax.swing.JFileChooser;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JSlider;
@@ -27,10 +31,11 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
+import javax.swing.UIManager;
 
 /**
  * Sends random mouse and key input to the window; the same seed gives the same input. It closes dialogs and menus that
- * open, and never quits.
+ * open, by Escape alone, and never quits.
  */
 final class MonkeyTester {
 
@@ -63,6 +68,9 @@ final class MonkeyTester {
         KeyEvent.VK_I,
         KeyEvent.VK_I
     };
+    private static final int[] DIALOG_KEYS = {
+        KeyEvent.VK_TAB, KeyEvent.VK_DOWN, KeyEvent.VK_UP, KeyEvent.VK_LEFT, KeyEvent.VK_SPACE, KeyEvent.VK_ENTER
+    };
     private static final int[] CONTROL_KEYS = {
         KeyEvent.VK_Z,
         KeyEvent.VK_Z,
@@ -75,6 +83,34 @@ final class MonkeyTester {
     };
     private static final List<String> OPENING =
             List.of("guide", "shortcuts", "about", "open", "exportPng", "saveAs", "examples");
+    /** The actions that may ask something, or open another scenario, which is not in the hall of the other gestures. */
+    private static final List<String> ASKING = List.of(
+            "new",
+            "importPlan",
+            "revert",
+            "saveJournal",
+            "properties",
+            "exportGif",
+            "exportCsv",
+            "exportChartPng",
+            "preferences",
+            "goToTime",
+            "chooseController",
+            "compareController",
+            "openGhost",
+            "openBatchResults",
+            "record",
+            "record",
+            "motionSpeed",
+            "keepGhost",
+            "restart",
+            "tour");
+
+    private static final List<String> TEXTS = List.of("0.5", "-3", "1e9", "abc", "", "12");
+    private static final int MAX_STEPS_IN_DIALOGS = 6;
+    /** More than the dialogs and menus that can be open at once. */
+    private static final int MAX_ESCAPES = 20;
+
     private static final List<String> SWITCHING =
             List.of("dark", "labels", "instruments", "hits", "routes", "snapGrid", "sensorsTwo", "sensorsAll");
 
@@ -118,6 +154,53 @@ final class MonkeyTester {
         }
     }
 
+    /**
+     * Chooses an action that may ask something, or performs another gesture, uses the dialogs that open, and closes
+     * whatever is open. No file is written but the open one.
+     */
+    void performGestureAndAnswer() {
+        if (random.nextBoolean()) {
+            String action = any(ASKING);
+            if (callOnEdt(() -> driver.isEnabled(action))) {
+                driver.chooseLater(action);
+                robot.waitForPaint();
+            }
+        } else {
+            gestures.get(random.nextInt(gestures.size())).run();
+        }
+        for (int step = random.nextInt(MAX_STEPS_IN_DIALOGS); step > 0; step--) {
+            callOnEdt(() -> dialogs().filter(Window::isFocused).findFirst()).ifPresent(this::useDialog);
+        }
+        closeAll();
+        assertTrue(callOnEdt(() -> driver.window().isShowing()), "the window is gone");
+        // What takes time, such as the start of a controller, may show another dialog later.
+        robot.repeatUntil(
+                "a component of the window has the focus",
+                () -> driver.window().getFocusOwner() != null,
+                this::closeAll);
+    }
+
+    /** Presses a button, enters a text or presses keys; of a choice of a file, only the button that cancels it. */
+    private void useDialog(JDialog dialog) {
+        boolean choosesFile = callOnEdt(() ->
+                ComponentFinder.findAll(dialog, JFileChooser.class).findAny().isPresent());
+        List<JButton> buttons = showing(dialog, JButton.class).stream()
+                .filter(button -> !choosesFile
+                        || UIManager.getString("FileChooser.cancelButtonText").equals(button.getText()))
+                .toList();
+        List<JTextField> fields = choosesFile ? List.of() : showing(dialog, JTextField.class);
+        int kind = random.nextInt(3);
+        if (kind == 0 && !buttons.isEmpty()) {
+            driver.click(any(buttons));
+        } else if (kind == 1 && !fields.isEmpty()) {
+            driver.click(any(fields));
+            robot.pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+            any(TEXTS).chars().forEach(letter -> robot.pressKeys(KeyEvent.getExtendedKeyCodeForChar(letter)));
+        } else if (kind == 2 && !choosesFile) {
+            robot.pressKeys(any(DIALOG_KEYS));
+        }
+    }
+
     private void click() {
         robot.click(canvas(), x(), y(), any(BUTTONS));
     }
@@ -127,7 +210,11 @@ final class MonkeyTester {
     }
 
     private void dragAnObstacle() {
-        Obstacle obstacle = any(driver.frame().snapshot().obstacles());
+        List<Obstacle> obstacles = driver.frame().snapshot().obstacles();
+        if (obstacles.isEmpty()) {
+            return;
+        }
+        Obstacle obstacle = any(obstacles);
         Vector2 from =
                 callOnEdt(() -> canvas().camera().toScreen(obstacle.pose().position()));
         if (callOnEdt(() -> canvas().contains((int) from.x(), (int) from.y()))) {
@@ -227,12 +314,17 @@ final class MonkeyTester {
         driver.choose(any(SWITCHING));
     }
 
-    /** Closes menus and dialogs by Escape. */
+    /** Closes menus and dialogs by Escape, which must not open others for ever. */
     private void closeAll() {
+        List<String> escaped = new ArrayList<>();
         robot.repeatUntil(
-                "all dialogs and menus are closed",
-                () -> dialogs().findAny().isEmpty() && !isMenuOpen(),
-                () -> robot.pressKeys(KeyEvent.VK_ESCAPE));
+                "all dialogs and menus are closed", () -> dialogs().findAny().isEmpty() && !isMenuOpen(), () -> {
+                    // A window manager may give the focus to a dialog late, and the key goes to nobody before.
+                    callOnEdt(() -> dialogs().filter(Window::isFocused).findFirst())
+                            .ifPresent(dialog -> escaped.add(dialog.getTitle()));
+                    assertTrue(escaped.size() <= MAX_ESCAPES, "Escape does not end: " + escaped);
+                    robot.pressKeys(KeyEvent.VK_ESCAPE);
+                });
         robot.pressKeys(KeyEvent.VK_ESCAPE);
     }
 
@@ -249,7 +341,11 @@ final class MonkeyTester {
     }
 
     private <C extends Component> List<C> showing(Class<C> type) {
-        return callOnEdt(() -> ComponentFinder.findAll(driver.window().getContentPane(), type)
+        return showing(driver.window().getContentPane(), type);
+    }
+
+    private static <C extends Component> List<C> showing(Component root, Class<C> type) {
+        return callOnEdt(() -> ComponentFinder.findAll(root, type)
                 .filter(c -> c.isShowing() && c.isEnabled() && !c.getSize().equals(new Dimension()))
                 .toList());
     }
