@@ -5,6 +5,7 @@ import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -57,8 +58,16 @@ public final class Autosave implements AutoCloseable {
 
     /**
      * Writes the unsaved edits, or deletes the recovery file if there are none. Does nothing if the file is up to date.
+     * Writes those that wait for the run as soon as they are made.
      */
     void saveUnsavedEdits() {
+        if (workspace.awaitsCommands()) {
+            workspace.edited().ifPresent(edited -> edited.thenRun(this::saveKnownEdits));
+        }
+        saveKnownEdits();
+    }
+
+    private void saveKnownEdits() {
         Scenario unsaved = unsavedEdits();
         if (!lastWriteSucceeded || !Objects.equals(unsaved, lastWritten)) {
             lastWritten = unsaved;
@@ -70,9 +79,12 @@ public final class Autosave implements AutoCloseable {
         }
     }
 
-    /** Returns the scenario with its unsaved edits, null if there are none. */
+    /** Returns the scenario with its unsaved edits, null if there are none; without those that wait for the run. */
     private Scenario unsavedEdits() {
-        return workspace.isChanged() ? workspace.scenario().orElseThrow() : null;
+        return workspace
+                .scenario()
+                .filter(now -> !workspace.savedScenario().equals(Optional.of(now)))
+                .orElse(null);
     }
 
     /** Notes that the recovery store holds these edits, which were recovered after a crash. */

@@ -68,11 +68,11 @@ public final class DocumentStore {
     }
 
     /**
-     * Returns the scenario as edited by all commands that have been sent; empty before the first session. The future
+     * Returns the scenario with all edits that have been requested; empty before the first session. The future
      * completes on the event dispatch thread.
      */
     public Optional<CompletableFuture<Scenario>> editedScenario() {
-        return workspace.openDocument().map(OpenDocument::edited);
+        return workspace.edited();
     }
 
     /** Opens the scenario that the file holds; edits are discarded. */
@@ -140,10 +140,10 @@ public final class DocumentStore {
 
     /**
      * Saves the edited scenario, with the comments of its present file, and calls {@code then} when the file is
-     * written.
+     * written. Edits that wait until the run has been restarted or moved are waited for.
      */
     public void save(Path file, Runnable then) {
-        workspace.openDocument().ifPresent(now -> write(now.document(), now.edited(), file, then));
+        workspace.openDocument().ifPresent(now -> write(now.document(), editedNow(), file, then));
     }
 
     /**
@@ -178,7 +178,7 @@ public final class DocumentStore {
      */
     public void saveUnlessReplaced(Path file, Runnable then, Consumer<ForeignChange> onForeignChange) {
         workspace.openDocument().ifPresent(now -> {
-            CompletableFuture<Scenario> edited = now.edited();
+            CompletableFuture<Scenario> edited = editedNow();
             Runnable save = () -> write(now.document(), edited, file, then);
             writes.add(
                     () -> {
@@ -199,6 +199,10 @@ public final class DocumentStore {
                     },
                     failure -> saveFailed(file, failure));
         });
+    }
+
+    private CompletableFuture<Scenario> editedNow() {
+        return workspace.edited().orElseThrow();
     }
 
     private void write(ScenarioDocument document, CompletableFuture<Scenario> edited, Path file, Runnable then) {

@@ -18,8 +18,14 @@ public final class RunController implements WorkspaceListener {
 
     private final Workspace workspace;
     private final RunNavigator navigator;
-    private final List<Consumer<OpenDocument>> deferredRequests = new ArrayList<>();
+    private final List<DeferredRequest> deferredRequests = new ArrayList<>();
+    /** The number of changes that are made when the run has answered the commands before them. */
+    private int pendingChanges;
+
     private double speed = 1;
+
+    /** What waits until the run has been restarted or moved, and whether it is an edit. */
+    private record DeferredRequest(Consumer<OpenDocument> action, boolean edit) {}
 
     /** Creates the controller of a workspace's run. */
     public RunController(Workspace workspace) {
@@ -33,6 +39,7 @@ public final class RunController implements WorkspaceListener {
     public void scenarioOpened() {
         // The requests were sent to the previous scenario.
         deferredRequests.clear();
+        reportDeferredEdits();
     }
 
     @Override
@@ -50,26 +57,46 @@ public final class RunController implements WorkspaceListener {
 
     @Override
     public void taskFinished() {
-        List<Consumer<OpenDocument>> requests = List.copyOf(deferredRequests);
+        List<DeferredRequest> requests = List.copyOf(deferredRequests);
         deferredRequests.clear();
         requests.forEach(this::submit);
+        reportDeferredEdits();
     }
 
     /**
      * Sends a request to the session. While the run is restarted or moved to another tick, requests wait for the new
      * session: the old one ends, and its changes with it.
      */
-    private void submit(Consumer<OpenDocument> request) {
+    private void submit(DeferredRequest request) {
         if (isRepositioning()) {
             deferredRequests.add(request);
+            reportDeferredEdits();
         } else {
-            workspace.openDocument().ifPresent(request);
+            workspace.openDocument().ifPresent(request.action());
         }
+    }
+
+    private void submit(Consumer<OpenDocument> action) {
+        submit(new DeferredRequest(action, false));
+    }
+
+    /** Tells the workspace whether edits wait. They are unsaved changes, and a save waits for them. */
+    private void reportDeferredEdits() {
+        if (pendingChanges > 0 || deferredRequests.stream().anyMatch(DeferredRequest::edit)) {
+            workspace.editDeferred();
+        } else {
+            workspace.deferredEditsSent();
+        }
+    }
+
+    /** Makes an edit of the open scenario, as soon as the run is no longer being restarted or moved. */
+    public void runAfterRepositioning(Runnable edit) {
+        submit(new DeferredRequest(open -> edit.run(), true));
     }
 
     /** Returns whether the run is being restarted or moved to another tick. */
     public boolean isRepositioning() {
-        return workspace.task().filter(task -> task.kind() != TaskKind.OPEN).isPresent();
+        return workspace.isRepositioning();
     }
 
     /** Returns the navigator, which moves the run to other ticks. */
@@ -93,18 +120,22 @@ public final class RunController implements WorkspaceListener {
      */
     private void restartWith(UnaryOperator<Scenario> change) {
         workspace.openDocument().ifPresent(now -> {
+            pendingChanges++;
+            reportDeferredEdits();
             CompletableFuture<Scenario> changed = now.edited().thenApply(edited -> changeForRestart(now, change));
             restart(now, changed, () -> reportDeferredChange(now));
         });
     }
 
     private Scenario changeForRestart(OpenDocument open, UnaryOperator<Scenario> change) {
+        pendingChanges--;
         SimulationSetup before = open.document().initial().setup();
         open.document().changeForRestart(change);
         if (isDocumentOpen(open)) {
             workspace.fire(listener -> listener.editsIncluded(before));
             workspace.fire(WorkspaceListener::titleChanged);
         }
+        reportDeferredEdits();
         return open.document().edited();
     }
 
@@ -181,27 +212,29 @@ public final class RunController implements WorkspaceListener {
      * sensors by earlier ids or by those of the edited scenario, which the results have.
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
-        submit(open -> {
-            if (open.session().hasEnded()) {
-                EventQueue.invokeLater(() -> onExecuted.accept(List.of()));
-                return;
-            }
-            ScenarioDocument document = open.document();
-            document.commandsSent();
-            List<String> ids = open.sensorIds();
-            open.session()
-                    .send(
-                            commands.stream()
-                                    .map(command -> document.named(command, ids))
-                                    .toList(),
-                            results -> EventQueue.invokeLater(() -> {
-                                List<CommandResult> named = results.stream()
-                                        .map(result -> document.named(open.inTicksOfScenario(result)))
-                                        .toList();
-                                commandsExecuted(open, named);
-                                onExecuted.accept(named);
-                            }));
-        });
+        submit(new DeferredRequest(open -> send(open, commands, onExecuted), true));
+    }
+
+    private void send(OpenDocument open, List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
+        if (open.session().hasEnded()) {
+            EventQueue.invokeLater(() -> onExecuted.accept(List.of()));
+            return;
+        }
+        ScenarioDocument document = open.document();
+        document.commandsSent();
+        List<String> ids = open.sensorIds();
+        open.session()
+                .send(
+                        commands.stream()
+                                .map(command -> document.named(command, ids))
+                                .toList(),
+                        results -> EventQueue.invokeLater(() -> {
+                            List<CommandResult> named = results.stream()
+                                    .map(result -> document.named(open.inTicksOfScenario(result)))
+                                    .toList();
+                            commandsExecuted(open, named);
+                            onExecuted.accept(named);
+                        }));
     }
 
     /**

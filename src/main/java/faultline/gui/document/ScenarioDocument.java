@@ -267,6 +267,11 @@ final class ScenarioDocument {
         renames.addAll(other.renames);
     }
 
+    /** Returns whether this is a document or continues it after restarts. */
+    boolean continues(ScenarioDocument other) {
+        return onDisk == other.onDisk;
+    }
+
     /** Returns the file, or the name of the scenario if it has none. */
     Path displayPath() {
         return file().orElseGet(() -> Path.of(FileNames.forScenario(initial.name())));

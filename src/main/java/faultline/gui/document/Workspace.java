@@ -36,6 +36,8 @@ public final class Workspace implements AutoCloseable {
     private WorkspaceTask task;
     /** Starts the last task again. */
     private Runnable lastTask = () -> {};
+    /** Completes when the edits that wait for the end of a restart or a move have been sent; null if none wait. */
+    private CompletableFuture<Void> deferredEdits;
 
     /** Adds a listener; listeners are called in the order in which they were added. */
     public void addListener(WorkspaceListener listener) {
@@ -106,6 +108,9 @@ public final class Workspace implements AutoCloseable {
      * is cancelled. If a failed task is started again, one of both runs again.
      */
     void start(WorkspaceTask newTask, Callable<OpenDocument> maker, Runnable then, Runnable otherwise) {
+        if (newTask.kind() == TaskKind.OPEN) {
+            sendDeferredEdits();
+        }
         cancelActiveTask();
         task = newTask;
         lastTask = () -> start(newTask, maker, then, otherwise);
@@ -130,6 +135,19 @@ public final class Workspace implements AutoCloseable {
     public void cancelTask() {
         cancelActiveTask();
         finishTask();
+    }
+
+    /** Returns whether the run is being restarted or moved to another tick. */
+    boolean isRepositioning() {
+        return task().filter(active -> active.kind() != TaskKind.OPEN).isPresent();
+    }
+
+    /** Cancels a restart or a move that edits wait for, so that the run gets them before the scenario is left. */
+    private void sendDeferredEdits() {
+        while (deferredEdits != null && isRepositioning()) {
+            // An undo that has waited may start another one.
+            cancelTask();
+        }
     }
 
     private void cancelActiveTask() {
@@ -240,15 +258,56 @@ public final class Workspace implements AutoCloseable {
         return document().flatMap(ScenarioDocument::replaceable);
     }
 
-    /** Returns whether the scenario differs from its file. */
+    /** Returns whether the scenario differs from its file, or will because edits wait for the run. */
     public boolean isChanged() {
-        return document().filter(ScenarioDocument::isChanged).isPresent();
+        return deferredEdits != null
+                || document().filter(ScenarioDocument::isChanged).isPresent();
     }
 
-    /** Returns whether commands have been sent whose results are not known yet, because the run is busy. */
+    /** Returns whether there are commands whose results are not known yet, because the run is busy. */
     public boolean awaitsCommands() {
-        return !hasRunDied()
-                && document().filter(ScenarioDocument::awaitsCommands).isPresent();
+        return deferredEdits != null
+                || !hasRunDied()
+                        && document().filter(ScenarioDocument::awaitsCommands).isPresent();
+    }
+
+    /** Notes that an edit waits until the run has been restarted or moved. */
+    void editDeferred() {
+        if (deferredEdits == null) {
+            deferredEdits = new CompletableFuture<>();
+            fire(WorkspaceListener::titleChanged);
+        }
+    }
+
+    /** Notes that the edits that waited have been sent to the run, or dropped. */
+    void deferredEditsSent() {
+        CompletableFuture<Void> sent = deferredEdits;
+        if (sent != null) {
+            deferredEdits = null;
+            sent.complete(null);
+            // The answers show what has changed.
+            edited().ifPresent(edited -> edited.thenRun(() -> fire(WorkspaceListener::titleChanged)));
+        }
+    }
+
+    /**
+     * Returns the scenario with all edits that have been requested, those included that wait until the run has been
+     * restarted or moved; empty before the first session. The future completes on the event dispatch thread, also if
+     * another scenario has been opened by then.
+     */
+    Optional<CompletableFuture<Scenario>> edited() {
+        return openDocument().map(this::edited);
+    }
+
+    private CompletableFuture<Scenario> edited(OpenDocument requested) {
+        if (deferredEdits != null) {
+            return deferredEdits.thenCompose(sent -> edited(requested));
+        }
+        OpenDocument now = openDocument()
+                .filter(open -> open.document().continues(requested.document()))
+                .orElse(requested);
+        return now.edited()
+                .thenCompose(edited -> deferredEdits == null ? CompletableFuture.completedFuture(edited) : edited(now));
     }
 
     /** Returns whether the thread of the run has died of an error; what has been edited is known nevertheless. */
@@ -270,6 +329,7 @@ public final class Workspace implements AutoCloseable {
     @Override
     public void close() {
         fire(WorkspaceListener::workspaceClosing);
+        sendDeferredEdits();
         cancelActiveTask();
         openDocument().map(OpenDocument::session).ifPresent(Workspace::awaitEndBeforeExit);
         closeSession();

@@ -67,7 +67,7 @@ public final class UndoController {
     /** Follows the run of a workspace, however it is moved and restarted. */
     public void follow(Workspace workspace, RunController run) {
         history.setPlan(run::plannedSince);
-        requests.setRepositioning(run::isRepositioning);
+        requests.setRun(run);
         workspace.addListener(new RunFollower(run));
     }
 
@@ -288,11 +288,6 @@ public final class UndoController {
             return edit instanceof EventEdit earlier
                     ? earlier.with(events)
                     : new EventEdit((CommandEdit) edit, events, run);
-        }
-
-        @Override
-        public void taskFinished() {
-            requests.process();
         }
     }
 }

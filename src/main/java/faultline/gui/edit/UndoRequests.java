@@ -1,9 +1,9 @@
 package faultline.gui.edit;
 
+import faultline.gui.document.RunController;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
-import java.util.function.BooleanSupplier;
 
 /**
  * Undoes and redoes edits on request. A request waits until the run has answered the edits before it, since one that is
@@ -15,8 +15,12 @@ final class UndoRequests {
     private final EditHistory history;
     private final EditAction action;
     private final Deque<Kind> waiting = new ArrayDeque<>();
-    private BooleanSupplier repositioning = () -> false;
+    /** Null for a run that is neither restarted nor moved. */
+    private RunController run;
+
     private int unanswered;
+    /** Whether the requests will be processed when the run has been restarted or moved. */
+    private boolean deferred;
 
     private enum Kind {
         UNDO,
@@ -34,9 +38,9 @@ final class UndoRequests {
         this.action = action;
     }
 
-    /** Sets what returns whether the run is being restarted or moved to another tick. */
-    void setRepositioning(BooleanSupplier newRepositioning) {
-        repositioning = newRepositioning;
+    /** Sets the run that may be restarted or moved to another tick. */
+    void setRun(RunController newRun) {
+        run = newRun;
     }
 
     /** Records that an edit has been made. */
@@ -79,12 +83,13 @@ final class UndoRequests {
         return !waiting.isEmpty();
     }
 
-    /** Executes the requests that need not wait any longer; called when the run has been restarted or moved. */
-    void process() {
+    /** Executes the requests that need not wait any longer. */
+    private void process() {
         while (unanswered == 0 && !waiting.isEmpty()) {
             boolean redone = waiting.peek() == Kind.REDO;
             Optional<Edit> next = redone ? history.nextRedo() : history.nextUndo();
             if (next.filter(this::mustWait).isPresent()) {
+                processLater();
                 return;
             }
             waiting.remove();
@@ -93,12 +98,23 @@ final class UndoRequests {
     }
 
     private boolean mustWait(Edit edit) {
-        return edit instanceof CommandEdit commands && commands.hasOnlyEvents() && repositioning.getAsBoolean();
+        return run != null && edit instanceof CommandEdit commands && commands.hasOnlyEvents() && run.isRepositioning();
+    }
+
+    private void processLater() {
+        if (!deferred) {
+            deferred = true;
+            run.runAfterRepositioning(() -> {
+                deferred = false;
+                process();
+            });
+        }
     }
 
     /** Forgets all requests and edits, because another scenario has been opened. */
     void clear() {
         waiting.clear();
         unanswered = 0;
+        deferred = false;
     }
 }

@@ -18,6 +18,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.AfterEach;
@@ -29,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 @ExtendWith(EdtChecker.class)
 class FileControllerTest {
 
-    private static final Set<String> LOSING_ANSWERS = Set.of("revert.revert", "changed.reload");
+    private static final Set<String> LOSING_ANSWERS = Set.of("revert.revert", "changed.reload", "unsaved.discard");
 
     @TempDir
     private Path folder;
@@ -103,6 +105,38 @@ class FileControllerTest {
         perform("save");
         Await.until("the question", () -> questions.size() == 2);
         assertEquals(List.of("changed", "recording"), questions);
+    }
+
+    /** The command is executed when the move ends. */
+    @Test
+    void aCommandDuringAMoveOfTheRunIsAskedAbout() throws IOException {
+        openCopy();
+        CountDownLatch end = new CountDownLatch(1);
+        AtomicBoolean left = new AtomicBoolean();
+        runOnEdt(() -> {
+            files.setLeaveQuestion(Runnable::run);
+            workspace.setControllerChoice(setup -> {
+                await(end);
+                return setup;
+            });
+            run.navigator().seek(0);
+            files.runIfChangesHandled(() -> left.set(questions.isEmpty()));
+            run.send(List.of(new Command.SwitchSensor("left", false)), results -> {});
+            files.runIfChangesHandled(() -> {});
+        });
+        assertTrue(left.get(), "the move alone is no change");
+        assertEquals(List.of("unsaved"), questions);
+        end.countDown();
+        Await.until("the edit", () -> workspace.task().isEmpty() && !workspace.awaitsCommands());
+        assertTrue(callOnEdt(workspace::isChanged));
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     /** The command line may name the file by a path that is relative to the working directory. */

@@ -3,6 +3,7 @@ package faultline.gui.edit;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
@@ -103,6 +104,22 @@ class MovedStartTest {
         });
         assertMoved();
         SessionFrames.awaitTick(run.workspace(), 50);
+    }
+
+    /** The start is moved as soon as the run has answered the commands before, which may take a second. */
+    @Test
+    void aMovedStartIsAChangeAtOnce() {
+        runOnEdt(() -> {
+            moveStart();
+            assertTrue(run.workspace().isChanged());
+        });
+        assertMoved();
+        runOnEdt(() -> {
+            run.edits().undo();
+            assertTrue(run.workspace().isChanged());
+        });
+        run.rest();
+        assertFalse(callOnEdt(run.workspace()::isChanged));
     }
 
     @Test
