@@ -7,11 +7,12 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.util.ArrayList;
-import java.util.Comparator;
+import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 
 /** Controls the run of the workspace. Event dispatch thread only. */
 public final class RunController implements WorkspaceListener {
@@ -238,27 +239,91 @@ public final class RunController implements WorkspaceListener {
     }
 
     /**
+     * Undoes or redoes an edit after the timeline has changed the same things. {@code onExecuted} is called as by
+     * {@link #send(List, Consumer)} with a result for each change: that of the run, or that of the scenario if the run
+     * stays as it is. Later commands of the run remain in this case.
+     */
+    public void changeLater(List<LaterChange> changes, Consumer<List<CommandResult>> onExecuted) {
+        submit(new DeferredRequest(open -> changeLater(open, changes, onExecuted), true));
+    }
+
+    private void changeLater(OpenDocument open, List<LaterChange> changes, Consumer<List<CommandResult>> onExecuted) {
+        if (open.session().hasEnded()) {
+            EventQueue.invokeLater(() -> onExecuted.accept(List.of()));
+            return;
+        }
+        open.document().commandsSent();
+        List<String> ids = open.sensorIds();
+        CompletableFuture<List<CommandResult>> executed = new CompletableFuture<>();
+        List<Command> commands = changes.stream()
+                .flatMap(change -> Stream.ofNullable(change.inRun()))
+                .map(command -> open.document().named(command, ids))
+                .toList();
+        open.session().send(commands, executed::complete);
+        // The session answers in order, so the results are there.
+        open.session()
+                .journal()
+                .whenCompleteAsync(
+                        (journal, ended) -> {
+                            long ticks = journal == null ? navigator.currentTick() : journal.ticks();
+                            onExecuted.accept(changedLater(open, changes, executed.getNow(List.of()), ticks + 1));
+                        },
+                        EventQueue::invokeLater);
+    }
+
+    private static CommandResult executedAt(long tick, CommandResult result) {
+        return new CommandResult.Executed(tick, result.command(), result.inverse());
+    }
+
+    /** Applies the results of later changes, given those of the run, and returns them. */
+    private List<CommandResult> changedLater(
+            OpenDocument open, List<LaterChange> changes, List<CommandResult> executed, long tick) {
+        ScenarioDocument document = open.document();
+        Iterator<CommandResult> ofRun = executed.iterator();
+        List<CommandResult> results = new ArrayList<>();
+        answered(open, () -> {
+            for (LaterChange change : changes) {
+                boolean sent = change.inRun() != null;
+                if (sent && !ofRun.hasNext()) {
+                    // The run has died.
+                    return;
+                }
+                CommandResult result = sent
+                        ? document.named(open.inTicksOfScenario(ofRun.next()))
+                        : open.inTicksOfScenario(executedAt(tick, change.inScenario()));
+                results.add(result);
+                if (result.refusal().isEmpty()) {
+                    CommandResult inScenario = change.inScenario() == null ? result : change.inScenario();
+                    document.changedLater(result.tick(), inScenario, sent ? result : null);
+                }
+            }
+        });
+        if (isAnyExecuted(executed)) {
+            discardFuture(open);
+        }
+        return results;
+    }
+
+    /**
+     * Returns the tick at which the timeline has placed the obstacle that a command of an earlier run was about, -1 if
+     * it was there from the start. What the timeline has done before does not matter for the command.
+     */
+    public long originTick(CommandResult result) {
+        return workspace
+                .openDocument()
+                .map(open -> PlannedCommands.originTick(open.session().setup(), result))
+                .orElse(-1L);
+    }
+
+    /**
      * Returns the commands of the run's timeline that are executed after a tick and before a command that is sent now.
      */
     public List<Command> plannedSince(long tick) {
         return workspace
                 .openDocument()
-                .map(open ->
-                        open.document().named(planned(open.session().setup(), tick + 1, navigator.currentTick() + 1)))
+                .map(open -> open.document()
+                        .named(PlannedCommands.between(open.session().setup(), tick + 1, navigator.currentTick() + 1)))
                 .orElse(List.of());
-    }
-
-    /** Returns the commands of a timeline from one tick to another, both included, in the order of their execution. */
-    private static List<Command> planned(SimulationSetup setup, long from, long to) {
-        return setup.timeline().stream()
-                .filter(planned -> isBetween(setup.tickAt(planned.time()), from, to))
-                .sorted(Comparator.comparingLong(planned -> setup.tickAt(planned.time())))
-                .map(SimulationSetup.TimedCommand::command)
-                .toList();
-    }
-
-    private static boolean isBetween(long tick, long from, long to) {
-        return from <= tick && tick <= to;
     }
 
     /** Returns the time of a tick of the run, seconds; 0 without a run. */
@@ -270,16 +335,34 @@ public final class RunController implements WorkspaceListener {
     }
 
     private void commandsExecuted(OpenDocument open, List<CommandResult> results) {
+        boolean executed = isAnyExecuted(results);
+        answered(open, () -> {
+            if (executed) {
+                open.document().commandsExecuted(results);
+            }
+        });
+        if (executed) {
+            discardFuture(open);
+        }
+    }
+
+    private static boolean isAnyExecuted(List<CommandResult> results) {
+        return results.stream().anyMatch(result -> result.refusal().isEmpty());
+    }
+
+    /** Notes that commands have been answered, given what makes the changes of the scenario. */
+    private void answered(OpenDocument open, Runnable changes) {
         open.document().commandsAnswered();
-        if (results.stream().anyMatch(result -> result.refusal().isEmpty())) {
-            boolean changedBefore = open.document().isChanged();
-            open.document().commandsExecuted(results);
-            if (open.document().isChanged() != changedBefore) {
-                workspace.fire(WorkspaceListener::titleChanged);
-            }
-            if (workspace.openDocument().filter(open::equals).isPresent()) {
-                navigator.discardFuture();
-            }
+        boolean changedBefore = open.document().isChanged();
+        changes.run();
+        if (open.document().isChanged() != changedBefore) {
+            workspace.fire(WorkspaceListener::titleChanged);
+        }
+    }
+
+    private void discardFuture(OpenDocument open) {
+        if (workspace.openDocument().filter(open::equals).isPresent()) {
+            navigator.discardFuture();
         }
     }
 

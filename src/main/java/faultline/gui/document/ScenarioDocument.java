@@ -204,6 +204,15 @@ final class ScenarioDocument {
     }
 
     /**
+     * Changes the scenario at a tick as a command of an earlier tick did, although the run has executed another one,
+     * null for none, since its timeline has changed the same thing.
+     */
+    void changedLater(long tick, CommandResult change, CommandResult executed) {
+        editor.add(tick, change, executed);
+        edited = null;
+    }
+
+    /**
      * Prepares a move of the run to a tick. If an event is later than the commands for the next tick, all events of the
      * run become commands of the timeline with the move, so that they are kept whatever is executed at the earlier
      * tick.

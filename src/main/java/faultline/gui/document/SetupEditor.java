@@ -21,6 +21,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 /**
  * Applies executed commands to a setup. Changes of obstacles, of the platform, of the controller and of the sensors'
@@ -41,7 +42,7 @@ final class SetupEditor {
     /** The obstacles before the commands. */
     private final EditedObstacles baseObstacles;
 
-    private final List<CommandResult> entries = new ArrayList<>();
+    private final List<ExecutedChange> entries = new ArrayList<>();
     /** What a command restores that undoes the last command with this inverse. */
     private final Map<Command, Consumer<SetupEditor>> reversals = new HashMap<>();
     /** The reversals before the commands, of edits that are part of the base. */
@@ -56,6 +57,17 @@ final class SetupEditor {
     private EditedObstacles obstacles;
     private RobotSpec robot;
     private ControllerSpec controller;
+
+    /**
+     * A change of the setup at a tick, and what the run executed for it, null for nothing. Both are the same unless the
+     * timeline had changed the same thing; the change then has the tick of an earlier edit that is undone or redone.
+     */
+    private record ExecutedChange(long tick, CommandResult change, CommandResult executed) {
+        ExecutedChange renamed(SensorRename rename) {
+            CommandResult renamed = rename.rename(change);
+            return new ExecutedChange(tick, renamed, executed == null ? null : rename.rename(executed));
+        }
+    }
 
     SetupEditor(SimulationSetup setup) {
         this.base = setup;
@@ -120,18 +132,30 @@ final class SetupEditor {
      * about a sensor that has been removed while the run was busy with the command.
      */
     void add(CommandResult result) {
-        if (!SensorReference.isOn(robot, result.command())) {
+        add(result.tick(), result, result);
+    }
+
+    /**
+     * Applies, at a tick, the change that a command of an earlier tick made, for which the run has executed another
+     * command, null for none. If it has executed none, later commands of the run remain.
+     */
+    void add(long tick, CommandResult change, CommandResult executed) {
+        if (!SensorReference.isOn(robot, change.command())) {
             return;
         }
-        moveTo(result.tick() - 1, position);
-        if (position < entries.size()) {
+        moveTo(tick - 1, position);
+        boolean last = position == entries.size();
+        if (executed != null) {
             entries.subList(position, entries.size()).clear();
-            reset();
-            entries.forEach(this::apply);
         }
-        entries.add(result);
-        position = entries.size();
-        apply(result);
+        entries.add(position, new ExecutedChange(tick, change, executed));
+        position++;
+        if (last) {
+            apply(change);
+        } else {
+            reset();
+            entries.forEach(entry -> apply(entry.change()));
+        }
     }
 
     /** Follows the run to another tick, where the commands for the next one have been executed. */
@@ -162,8 +186,12 @@ final class SetupEditor {
      */
     List<TimedCommand> timeline() {
         List<TimedCommand> result = new ArrayList<>(obstacles.timeline());
-        TimelineEvents.in(entries).forEach(event -> result.add(timedCommand(event)));
+        events().forEach(event -> result.add(timedCommand(event)));
         return result;
+    }
+
+    private List<CommandResult> events() {
+        return TimelineEvents.in(entries.stream().map(ExecutedChange::change).toList());
     }
 
     private TimedCommand timedCommand(CommandResult event) {
@@ -188,7 +216,7 @@ final class SetupEditor {
         List<TimedCommand> timeline = new ArrayList<>(obstacles.withoutEdits(newSetup.timeline()));
         Set<CommandResult> events = takeEvents(timeline);
         SetupEditor result = rebased(newSetup, timeline, events);
-        result.lastRemovedEvent = TimelineEvents.in(entries).stream()
+        result.lastRemovedEvent = events().stream()
                 .filter(event -> !events.contains(event))
                 .mapToLong(CommandResult::tick)
                 .reduce(lastRemovedEvent, Math::max);
@@ -197,7 +225,7 @@ final class SetupEditor {
 
     /** Returns whether an event of the run is, or was before a change of the setup, later than a tick. */
     boolean hasEventsAfter(long tick) {
-        return lastRemovedEvent > tick || TimelineEvents.in(entries).stream().anyMatch(event -> event.tick() > tick);
+        return lastRemovedEvent > tick || events().stream().anyMatch(event -> event.tick() > tick);
     }
 
     /** Returns an editor of the same setup in which all events of the run are commands of the timeline. */
@@ -211,11 +239,11 @@ final class SetupEditor {
                 new SetupEditor(newSetup.withTimeline(timeline), obstacles.hidden(), baseObstacles, baseReversals);
         Set<Command> reversalsOfOmitted = new HashSet<>();
         for (int i = 0; i < entries.size(); i++) {
-            CommandResult entry = entries.get(i);
-            if (!result.hasSubjectOf(entry) || reversalsOfOmitted.remove(entry.command())) {
-                reversalsOfOmitted.addAll(entry.inverse());
-            } else if (events.contains(entry) || result.apply(entry)) {
-                result.entries.add(entry);
+            CommandResult change = entries.get(i).change();
+            if (!result.hasSubjectOf(change) || reversalsOfOmitted.remove(change.command())) {
+                reversalsOfOmitted.addAll(change.inverse());
+            } else if (events.contains(change) || result.apply(change)) {
+                result.entries.add(entries.get(i));
                 result.position += i < position ? 1 : 0;
             }
         }
@@ -225,7 +253,7 @@ final class SetupEditor {
     /** Removes the events of the run from a timeline, and returns those that it contained. */
     private Set<CommandResult> takeEvents(List<TimedCommand> timeline) {
         Set<CommandResult> taken = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (CommandResult event : TimelineEvents.in(entries)) {
+        for (CommandResult event : events()) {
             int index = timeline.lastIndexOf(timedCommand(event));
             if (index >= 0) {
                 timeline.remove(index);
@@ -238,7 +266,7 @@ final class SetupEditor {
     /** Returns an editor of the same setup whose executed commands have the new id of a sensor. */
     SetupEditor withRenamedEntries(SensorRename rename) {
         SetupEditor result = new SetupEditor(this);
-        entries.stream().map(rename::rename).forEach(result.entries::add);
+        entries.stream().map(entry -> entry.renamed(rename)).forEach(result.entries::add);
         result.position = position;
         return result;
     }
@@ -255,6 +283,7 @@ final class SetupEditor {
     /** Returns the executed commands, including those that are later than the tick of a moved run. */
     List<Journal.Entry> entries() {
         return entries.stream()
+                .flatMap(entry -> Stream.ofNullable(entry.executed()))
                 .map(result -> new Journal.Entry(result.tick(), result.command()))
                 .toList();
     }

@@ -1,5 +1,6 @@
 package faultline.gui.edit;
 
+import faultline.gui.document.LaterChange;
 import faultline.gui.document.SensorRename;
 import faultline.gui.document.TimelineEvents;
 import faultline.world.Command;
@@ -9,6 +10,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.function.LongFunction;
 
 /** An edit made by commands. All commands of one gesture form one edit. */
@@ -17,6 +19,8 @@ final class CommandEdit implements Edit {
     private final int gestureId;
     private final Map<EditTarget, CommandResult> results = new LinkedHashMap<>();
     private boolean ahead;
+    /** Whether the run has the edit from its start, because it was made in an earlier one. */
+    private boolean fromStart;
 
     /** Creates an edit of executed commands. */
     CommandEdit(int gestureId, List<CommandResult> results) {
@@ -75,24 +79,65 @@ final class CommandEdit implements Edit {
         ahead = newAhead;
     }
 
-    /** Returns the commands that undo executed ones, given what returns the commands of the timeline since a tick. */
-    static List<Command> undoCommands(List<CommandResult> executed, LongFunction<List<Command>> plannedSince) {
+    boolean isFromStart() {
+        return fromStart;
+    }
+
+    /** Notes that the edit is part of a new run from its start. */
+    void setFromStart() {
+        fromStart = true;
+    }
+
+    /**
+     * Returns the changes that undo the edit, given the results of its last execution, what returns the commands of the
+     * timeline since a tick, and what returns those since the result of a command that changes the setup.
+     */
+    List<LaterChange> undoChanges(
+            List<CommandResult> executed,
+            LongFunction<List<Command>> plannedSince,
+            Function<CommandResult, List<Command>> plannedAfter) {
         List<CommandResult> backwards = new ArrayList<>(executed);
         Collections.reverse(backwards);
         return backwards.stream()
-                .flatMap(result -> undo(result, plannedSince).stream())
+                .flatMap(result -> undo(result, plannedSince, plannedAfter).stream())
                 .toList();
     }
 
-    private static List<Command> undo(CommandResult result, LongFunction<List<Command>> plannedSince) {
-        return TimelineEvents.isEvent(result.command())
-                ? TimelineEvents.undo(result, plannedSince.apply(result.tick()))
-                : result.inverse();
+    private List<LaterChange> undo(
+            CommandResult result,
+            LongFunction<List<Command>> plannedSince,
+            Function<CommandResult, List<Command>> plannedAfter) {
+        if (TimelineEvents.isEvent(result.command())) {
+            return same(TimelineEvents.undo(result, plannedSince.apply(result.tick())));
+        }
+        CommandResult first = results.getOrDefault(EditTarget.of(result.command()), result);
+        return first.inverse().size() == 1
+                ? LaterChange.after(plannedAfter.apply(first), inverse(first))
+                        .map(List::of)
+                        .orElseGet(() -> same(result.inverse()))
+                : same(result.inverse());
     }
 
-    /** Returns the commands that redo the edit. */
-    List<Command> redoCommands() {
-        return results.values().stream().map(CommandResult::command).toList();
+    private static CommandResult inverse(CommandResult result) {
+        return new CommandResult.Executed(result.tick(), result.inverse().get(0), List.of(result.command()));
+    }
+
+    private static List<LaterChange> same(List<Command> commands) {
+        return commands.stream().map(LaterChange::same).toList();
+    }
+
+    /** Returns the changes that redo the edit, given what returns the commands of the timeline since a result. */
+    List<LaterChange> redoChanges(Function<CommandResult, List<Command>> plannedAfter) {
+        return results.values().stream()
+                .map(result -> redo(result, plannedAfter))
+                .toList();
+    }
+
+    private static LaterChange redo(CommandResult result, Function<CommandResult, List<Command>> plannedAfter) {
+        return TimelineEvents.isEvent(result.command()) || result.inverse().size() != 1
+                ? LaterChange.same(result.command())
+                : LaterChange.after(plannedAfter.apply(result), result)
+                        .orElseGet(() -> LaterChange.same(result.command()));
     }
 
     @Override

@@ -75,9 +75,17 @@ public final class CommandSender {
      * another scenario has been opened by then.
      */
     void submit(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
+        submit(commands, received -> channel.accept(commands, received), onExecuted);
+    }
+
+    /** Sends commands as {@link #submit(List, Consumer)} does, given what sends them and passes on their results. */
+    void submit(
+            List<Command> commands,
+            Consumer<Consumer<List<CommandResult>>> action,
+            Consumer<List<CommandResult>> onExecuted) {
         int sentIn = generation;
         Runnable onAnswered = pendingEdits.add(commands);
-        channel.accept(commands, results -> {
+        action.accept(results -> {
             onAnswered.run();
             if (sentIn == generation) {
                 onExecuted.accept(results);

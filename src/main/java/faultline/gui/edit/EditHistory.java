@@ -1,5 +1,6 @@
 package faultline.gui.edit;
 
+import faultline.gui.document.LaterChange;
 import faultline.gui.document.SensorRename;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -10,6 +11,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
+import java.util.function.ToLongFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -23,48 +25,27 @@ import java.util.stream.Stream;
 final class EditHistory {
 
     private static final int MAX_EDITS = 1000;
-    private static final Predicate<Change> IS_EVENT = change -> change.edit().hasOnlyEvents();
+    private static final Predicate<EditChange> IS_EVENT =
+            change -> change.edit().hasOnlyEvents();
 
     private final List<Edit> edits = new ArrayList<>();
     /** The number of edits that are done; they come first. */
     private int cursor;
 
-    private final List<Change> changes = new ArrayList<>();
+    private final List<EditChange> changes = new ArrayList<>();
     /** The number of changes that the run has passed. */
     private int passed;
 
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
+    private ToLongFunction<CommandResult> originTick = CommandResult::tick;
 
     /**
-     * An edit that was done or undone at the start of a tick, and the results of the commands that redid or undid it;
-     * none if it was done for the first time.
+     * Sets what returns the commands of the timeline that were executed after a tick, and the tick from which on a run
+     * has an edit of an earlier one, given the result of its command.
      */
-    private record Change(long tick, CommandEdit edit, boolean done, List<CommandResult> results) {
-        boolean isFirst() {
-            return done && results.isEmpty();
-        }
-
-        /** Returns what was executed; the commands of a gesture may have been executed at several ticks. */
-        List<CommandResult> executed() {
-            return isFirst()
-                    ? edit.results()
-                    : results.stream()
-                            .filter(result -> result.refusal().isEmpty())
-                            .toList();
-        }
-
-        Change with(List<CommandResult> newResults) {
-            return new Change(tick, edit, done, newResults);
-        }
-
-        Change renamed(SensorRename rename) {
-            return with(results.stream().map(rename::rename).toList());
-        }
-    }
-
-    /** Sets what returns the commands of the timeline that were executed after a tick. */
-    void setPlan(LongFunction<List<Command>> newPlannedSince) {
+    void setPlan(LongFunction<List<Command>> newPlannedSince, ToLongFunction<CommandResult> newOriginTick) {
         plannedSince = newPlannedSince;
+        originTick = newOriginTick;
     }
 
     /**
@@ -135,7 +116,7 @@ final class EditHistory {
     /** Gives the commands of edits that have been dropped, but executed in this run, other ids. */
     private void renameDropped(List<SensorRename> renames) {
         changes.stream()
-                .map(Change::edit)
+                .map(EditChange::edit)
                 .distinct()
                 .filter(edit -> !edits.contains(edit))
                 .toList()
@@ -181,18 +162,38 @@ final class EditHistory {
     }
 
     private boolean isEffective(Edit edit) {
-        return edit instanceof CommandEdit command ? !undoCommands(command).isEmpty() : edit.isEffective();
+        return edit instanceof CommandEdit command ? !undoChanges(command).isEmpty() : edit.isEffective();
     }
 
-    /** Returns the commands that undo an edit as it was done last; none if the timeline has ended what it did. */
-    List<Command> undoCommands(CommandEdit edit) {
-        for (int i = passed - 1; i >= 0; i--) {
-            Change change = changes.get(i);
-            if (change.edit() == edit && change.done()) {
-                return CommandEdit.undoCommands(change.executed(), plannedSince);
-            }
-        }
-        return CommandEdit.undoCommands(edit.results(), plannedSince);
+    /** Returns what undoes an edit as it was done last; nothing if the timeline has ended what it did. */
+    List<LaterChange> undoChanges(CommandEdit edit) {
+        List<CommandResult> executed = passed(edit)
+                .filter(EditChange::done)
+                .reduce((earlier, later) -> later)
+                .map(EditChange::executed)
+                .orElseGet(edit::results);
+        return edit.undoChanges(executed, plannedSince, result -> plannedAfter(edit, result));
+    }
+
+    /** Returns what redoes an edit. */
+    List<LaterChange> redoChanges(CommandEdit edit) {
+        return edit.redoChanges(result -> plannedAfter(edit, result));
+    }
+
+    private Stream<EditChange> passed(CommandEdit edit) {
+        return changes.subList(0, passed).stream().filter(change -> change.edit() == edit);
+    }
+
+    /** Returns the commands of the timeline after a command of an edit was first executed in this run. */
+    private List<Command> plannedAfter(CommandEdit edit, CommandResult result) {
+        return plannedSince.apply(
+                edit.isFromStart()
+                        ? originTick.applyAsLong(result)
+                        : passed(edit)
+                                .findFirst()
+                                .filter(change -> !change.isFirst())
+                                .map(EditChange::tick)
+                                .orElse(result.tick()));
     }
 
     /** Returns the edit that is redone next. */
@@ -253,26 +254,27 @@ final class EditHistory {
         changes.replaceAll(change -> change.edit() == edit ? change.renamed(rename) : change);
     }
 
-    /** Records that a new edit was done at a tick, after all other changes. */
+    /** Records that a new edit was done at a tick, before those that are ahead. */
     void addExecution(long tick, CommandEdit edit) {
-        addChange(new Change(tick, edit, true, List.of()));
+        addChange(new EditChange(tick, edit, true, List.of()));
     }
 
-    /** Records that an edit was redone or undone at a tick, after all other changes, with the results of commands. */
+    /** Records that an edit was redone or undone at a tick, before those that are ahead, with the results. */
     void addChange(long tick, CommandEdit edit, boolean done, List<CommandResult> results) {
-        addChange(new Change(tick, edit, done, results));
+        addChange(new EditChange(tick, edit, done, results));
     }
 
-    private void addChange(Change change) {
-        changes.add(change);
-        passed = changes.size();
+    private void addChange(EditChange change) {
+        advanceTo(change.tick() - 1);
+        changes.add(passed, change);
+        passed++;
     }
 
     /** Returns the tick at which an edit was first done, 0 if it was done before the run started. */
     long firstTick(CommandEdit edit) {
         return changes.stream()
                 .filter(change -> change.edit() == edit)
-                .mapToLong(Change::tick)
+                .mapToLong(EditChange::tick)
                 .findFirst()
                 .orElse(0);
     }
@@ -298,10 +300,11 @@ final class EditHistory {
             passed -= (int) changes.subList(0, passed).stream().filter(IS_EVENT).count();
             changes.removeIf(IS_EVENT);
         }
+        runStarted();
         int before = passed;
         while (passed > 0 && changes.get(passed - 1).tick() > tick) {
             passed--;
-            Change reverted = changes.get(passed);
+            EditChange reverted = changes.get(passed);
             mark(reverted.edit(), !reverted.done(), reverted.done());
         }
         return advanceTo(tick) || passed != before;
@@ -325,6 +328,15 @@ final class EditHistory {
         advanceTo(Long.MAX_VALUE);
         replaceEvents(replacement);
         forgetChanges();
+    }
+
+    /** Follows the start of another run: it has all edits from its start, except for those that it executes. */
+    void runStarted() {
+        for (Edit edit : edits) {
+            if (edit instanceof CommandEdit command && changes.stream().noneMatch(change -> change.edit() == edit)) {
+                command.setFromStart();
+            }
+        }
     }
 
     /** Replaces the edits of events that are done, given what was executed for them in this run. */
@@ -351,8 +363,8 @@ final class EditHistory {
                 .mapToObj(edits::get)
                 .toList();
         ExecutedEvents executed = new ExecutedEvents(owners, this::named);
-        List<Change> kept = new ArrayList<>();
-        for (Change change : changes.subList(0, passed)) {
+        List<EditChange> kept = new ArrayList<>();
+        for (EditChange change : changes.subList(0, passed)) {
             List<CommandResult> all = IS_EVENT.test(change) ? change.executed() : List.of();
             List<CommandResult> others = all.stream()
                     .filter(result -> !executed.add(change.edit(), result, edit))

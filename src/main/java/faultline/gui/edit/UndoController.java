@@ -2,6 +2,7 @@ package faultline.gui.edit;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.document.LaterChange;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SensorRename;
 import faultline.gui.document.Workspace;
@@ -16,10 +17,13 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Records the results of the commands that a {@link CommandSender} sends as edits that can be undone and redone. Undo
@@ -44,6 +48,7 @@ public final class UndoController {
     private final UndoRequests requests = new UndoRequests(history, this::apply);
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
+    private BiConsumer<List<LaterChange>, Consumer<List<CommandResult>>> laterChanges = (changes, onExecuted) -> {};
     private long advancedTo;
 
     /** Creates a controller without edits, which records the results of what a sender sends. */
@@ -66,7 +71,8 @@ public final class UndoController {
 
     /** Follows the run of a workspace, however it is moved and restarted. */
     public void follow(Workspace workspace, RunController run) {
-        history.setPlan(run::plannedSince);
+        history.setPlan(run::plannedSince, run::originTick);
+        laterChanges = run::changeLater;
         requests.setRun(run);
         workspace.addListener(new RunFollower(run));
     }
@@ -157,15 +163,28 @@ public final class UndoController {
 
     /** Sends the commands that redo or undo an edit. */
     void submit(CommandEdit edit, boolean done) {
-        List<Command> commands = done ? edit.redoCommands() : history.undoCommands(edit);
-        if (!commands.isEmpty()) {
-            sender.submit(commands, results -> commandsExecuted(edit, done, results));
+        List<LaterChange> changes = done ? history.redoChanges(edit) : history.undoChanges(edit);
+        if (changes.isEmpty()) {
+            return;
+        }
+        List<Command> commands = changes.stream()
+                .flatMap(change -> Stream.ofNullable(change.inRun()))
+                .toList();
+        Consumer<List<CommandResult>> onExecuted = results -> commandsExecuted(edit, done, changes, results);
+        if (changes.stream().allMatch(change -> change.inScenario() == null)) {
+            sender.submit(commands, onExecuted);
+        } else {
+            sender.submit(commands, received -> laterChanges.accept(changes, received), onExecuted);
         }
     }
 
-    private void commandsExecuted(CommandEdit edit, boolean done, List<CommandResult> results) {
+    private void commandsExecuted(
+            CommandEdit edit, boolean done, List<LaterChange> changes, List<CommandResult> results) {
         if (isAnyExecuted(results)) {
-            checkFork(results);
+            checkFork(IntStream.range(0, results.size())
+                    .filter(i -> changes.get(i).inRun() != null)
+                    .mapToObj(results::get)
+                    .toList());
             if (!done) {
                 undoListener.accept(history.firstTick(edit));
             }
@@ -254,12 +273,17 @@ public final class UndoController {
 
         @Override
         public void editsIncluded(SimulationSetup before) {
-            scenarioRestarted(before);
+            includeEdits(before);
         }
 
         /** All edits are part of the run from its start. Events are on the timeline now, where they are undone. */
         @Override
         public void scenarioRestarted(SimulationSetup before) {
+            includeEdits(before);
+            history.runStarted();
+        }
+
+        private void includeEdits(SimulationSetup before) {
             endEdit();
             history.restart((edit, executed) -> timelineEdit(edit, executed, before));
             onStateChange.run();

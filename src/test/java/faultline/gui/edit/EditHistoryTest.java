@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import faultline.geometry.Pose;
+import faultline.gui.document.LaterChange;
 import faultline.gui.document.SensorReference;
 import faultline.gui.document.SensorRename;
 import faultline.robot.RobotSpec;
@@ -86,9 +87,21 @@ class EditHistoryTest {
     }
 
     private void markUndone(long tick, CommandEdit edit) {
-        List<CommandResult> results = results(tick, history.undoCommands(edit));
+        List<CommandResult> results = results(tick, undoCommands(edit));
         history.mark(edit, false);
         history.addChange(tick, edit, false, results);
+    }
+
+    private List<Command> undoCommands(CommandEdit edit) {
+        return inRun(history.undoChanges(edit));
+    }
+
+    private List<Command> redoCommands(CommandEdit edit) {
+        return inRun(history.redoChanges(edit));
+    }
+
+    private static List<Command> inRun(List<LaterChange> changes) {
+        return changes.stream().map(LaterChange::inRun).toList();
     }
 
     private static List<CommandResult> results(long tick, List<Command> commands) {
@@ -107,8 +120,8 @@ class EditHistoryTest {
                 List.of(
                         new CommandResult.Executed(1, off, List.of(on)),
                         new CommandResult.Executed(1, platform, List.of(platform))));
-        assertEquals(List.of(off, platform), edit.redoCommands());
-        assertEquals(List.of(platform, on), history.undoCommands(edit));
+        assertEquals(List.of(off, platform), redoCommands(edit));
+        assertEquals(List.of(platform, on), undoCommands(edit));
         assertFalse(edit.isNoOp());
     }
 
@@ -237,7 +250,7 @@ class EditHistoryTest {
         CommandEdit redone = switchOff(30, "left");
         markUndone(40, redone);
         history.mark(redone, true);
-        history.addChange(50, redone, true, results(50, redone.redoCommands()));
+        history.addChange(50, redone, true, results(50, redoCommands(redone)));
         List<List<Long>> ticks = new ArrayList<>();
         assertTrue(history.moveTo(5, true, (edit, executed) -> replacement(ticks, executed)));
         assertEquals(List.of(List.of(10L), List.of(30L, 40L, 50L)), ticks);
@@ -274,7 +287,7 @@ class EditHistoryTest {
     }
 
     private List<String> sensors(CommandEdit edit) {
-        return Stream.concat(edit.redoCommands().stream(), history.undoCommands(edit).stream())
+        return Stream.concat(redoCommands(edit).stream(), undoCommands(edit).stream())
                 .flatMap(command -> SensorReference.in(command).stream())
                 .distinct()
                 .toList();
