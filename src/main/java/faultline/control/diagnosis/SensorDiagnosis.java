@@ -5,6 +5,8 @@ import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
@@ -16,7 +18,8 @@ public final class SensorDiagnosis {
 
     /**
      * The maximum number of sensors that are diagnosed, because each has a bit of an {@code int} and the robot's body
-     * has another one. If there are more, the last ones in the robot's list are always trusted.
+     * has another one. If there are more, the last ones in the robot's list are always trusted. They have no part in
+     * the map of what the sensors saw.
      */
     public static final int MAX_SENSORS = Integer.SIZE - 1;
 
@@ -28,6 +31,10 @@ public final class SensorDiagnosis {
     private InspectedSensor[] sensors = {};
     /** The tests of the sensors' signals in the same order. */
     private SignalCheck[] signals = {};
+    /** The cones of the robot's other sensors, which are not diagnosed. */
+    private MountedCone[] otherCones = {};
+    /** The readings of the newest observation. */
+    private double[] readings = {};
 
     private EvidenceGrid grid;
     private SensorInspection inspection;
@@ -71,8 +78,8 @@ public final class SensorDiagnosis {
             grid.clear();
         }
         motion.advance(reckoning.rolled(), reckoning.turned(), dt);
-        double[] readings = observation.readings();
-        testSignals(readings);
+        readings = observation.readings();
+        testSignals();
         // Each check is called through its superclass, so that the compiler keeps the code of rare checks apart from
         // that of every tick.
         for (PacedCheck check : checks) {
@@ -83,7 +90,8 @@ public final class SensorDiagnosis {
     }
 
     private void refit(RobotSpec newRobot) {
-        int n = Math.min(newRobot.sensors().size(), MAX_SENSORS);
+        List<SensorSpec> mounted = newRobot.sensors();
+        int n = Math.min(mounted.size(), MAX_SENSORS);
         boolean same =
                 robot != null && robot.sensors().size() == newRobot.sensors().size();
         robot = newRobot;
@@ -92,7 +100,7 @@ public final class SensorDiagnosis {
             signals = new SignalCheck[n];
         }
         for (int i = 0; i < n; i++) {
-            MountedCone cone = MountedCone.of(newRobot.sensors().get(i), side);
+            MountedCone cone = MountedCone.of(mounted.get(i), side);
             if (!same || !cone.equals(sensors[i].cone())) {
                 // What was learnt about the signal of another cone does not hold for this one.
                 signals[i] = new SignalCheck(cone, motion);
@@ -103,6 +111,10 @@ public final class SensorDiagnosis {
                 sensors[i] = new InspectedSensor(i, cone);
             }
         }
+        otherCones = mounted.stream()
+                .skip(n)
+                .map(sensor -> MountedCone.of(sensor, side))
+                .toArray(MountedCone[]::new);
         if (!same) {
             makeChecks();
         }
@@ -127,7 +139,7 @@ public final class SensorDiagnosis {
                 };
     }
 
-    private void testSignals(double[] readings) {
+    private void testSignals() {
         for (int i = 0; i < signals.length; i++) {
             double reading = readings[i];
             SignalCheck signal = signals[i];
@@ -191,12 +203,14 @@ public final class SensorDiagnosis {
     }
 
     /**
-     * Records that the robot makes no progress if it steers by a sensor.
+     * Records that the robot makes no progress if it steers by a sensor. One that is not diagnosed remains trusted.
      *
      * @param sensor its place in the robot's list
      */
     public void distrustMisleading(int sensor) {
-        distrust(sensor, SensorFinding.MISLEADING);
+        if (sensor < sensors.length) {
+            distrust(sensor, SensorFinding.MISLEADING);
+        }
     }
 
     /** {@return whether a sensor has been found blind just now, because it misses a surface ahead of the robot} */
@@ -207,6 +221,20 @@ public final class SensorDiagnosis {
     /** {@return the number of sensors that are diagnosed} */
     public int sensors() {
         return sensors.length;
+    }
+
+    /** {@return the number of all sensors of the robot, diagnosed or not} */
+    public int allSensors() {
+        return sensors.length + otherCones.length;
+    }
+
+    /**
+     * {@return whether a sensor answered the last time; it is off otherwise}
+     *
+     * @param sensor its place in the robot's list
+     */
+    public boolean answers(int sensor) {
+        return !Reading.isOff(readings[sensor]);
     }
 
     /**
@@ -268,6 +296,6 @@ public final class SensorDiagnosis {
      * @return the cone
      */
     public MountedCone cone(int sensor) {
-        return sensors[sensor].cone();
+        return sensor < sensors.length ? sensors[sensor].cone() : otherCones[sensor - sensors.length];
     }
 }

@@ -6,7 +6,8 @@ import java.util.OptionalInt;
 
 /**
  * A strategy of the ladder with the sensors that it needs. The first rung of {@link #LADDER} whose requirements are met
- * drives; the diagram shows the same table.
+ * drives; the diagram shows the same table. A sensor that is not diagnosed is trusted as long as it answers, but the
+ * local map does not contain what it sees.
  */
 public enum Rung {
     /** All sensors are trusted: the six states. */
@@ -20,28 +21,28 @@ public enum Rung {
     REDUCED(Strategy.SIX_STATES) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
-            return serves(diagnosis, QUARTER, FACING) && serves(diagnosis, 0, FACING);
+            return facing(diagnosis, QUARTER) != NO_SENSOR && facing(diagnosis, 0) != NO_SENSOR;
         }
     },
     /** A sensor on the wall's side and two others are trusted: the local map. */
     THREE(Strategy.MAP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
-            return serves(diagnosis, QUARTER, SIDEWAYS) && Integer.bitCount(diagnosis.trusted()) >= 3;
+            return looksSideways(diagnosis) && Integer.bitCount(diagnosis.trusted()) >= 3;
         }
     },
     /** A sensor on the wall's side and another one are trusted: the local map, with turns to look around. */
     TWO(Strategy.MAP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
-            return serves(diagnosis, QUARTER, SIDEWAYS) && Integer.bitCount(diagnosis.trusted()) == 2;
+            return looksSideways(diagnosis) && Integer.bitCount(diagnosis.trusted()) == 2;
         }
     },
     /** Only one that looks to the wall's side is trusted: the local map, with more turns to look around. */
     ONE(Strategy.MAP) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
-            return serves(diagnosis, QUARTER, SIDEWAYS);
+            return looksSideways(diagnosis);
         }
     },
     /** No sensor on the wall's side is trusted: the robot stops. */
@@ -62,6 +63,7 @@ public enum Rung {
     /** All rungs from the top. */
     public static final List<Rung> LADDER = List.of(values());
 
+    private static final int NO_SENSOR = -1;
     private static final double QUARTER = StrictMath.PI / 2;
     private static final double FACING = StrictMath.toRadians(20);
     private static final double SIDEWAYS = StrictMath.toRadians(50);
@@ -100,26 +102,45 @@ public enum Rung {
 
     /** Returns the trusted sensor that the six states use to follow the wall. */
     static OptionalInt facingWall(SensorDiagnosis diagnosis) {
-        return serving(diagnosis, QUARTER, FACING);
+        int sensor = facing(diagnosis, QUARTER);
+        return sensor == NO_SENSOR ? OptionalInt.empty() : OptionalInt.of(sensor);
     }
 
-    /** Returns whether a trusted sensor looks within some angle of a bearing. */
-    private static boolean serves(SensorDiagnosis diagnosis, double bearing, double within) {
-        return serving(diagnosis, bearing, within).isPresent();
-    }
-
-    /** Returns the trusted sensor that looks closest to a bearing, if it is within some angle of it. */
-    private static OptionalInt serving(SensorDiagnosis diagnosis, double bearing, double within) {
-        OptionalInt nearest = OptionalInt.empty();
-        double least = within;
-        for (int rest = diagnosis.trusted(); rest != 0; rest &= rest - 1) {
-            int sensor = Integer.numberOfTrailingZeros(rest);
-            double off = Math.abs(diagnosis.cone(sensor).bearing() - bearing);
-            if (off < least) {
-                least = off;
-                nearest = OptionalInt.of(sensor);
+    /** Returns the trusted sensor that the six states use in a direction, {@link #NO_SENSOR} if there is none. */
+    private static int facing(SensorDiagnosis diagnosis, double bearing) {
+        int nearest = diagnosed(diagnosis, bearing, FACING);
+        double least = nearest == NO_SENSOR ? FACING : deviation(diagnosis, nearest, bearing);
+        for (int other = diagnosis.sensors(); other < diagnosis.allSensors(); other++) {
+            double deviation = deviation(diagnosis, other, bearing);
+            if (deviation < least && diagnosis.answers(other)) {
+                least = deviation;
+                nearest = other;
             }
         }
         return nearest;
+    }
+
+    /** Returns whether a trusted sensor whose measurements are in the map looks to the wall's side. */
+    private static boolean looksSideways(SensorDiagnosis diagnosis) {
+        return diagnosed(diagnosis, QUARTER, SIDEWAYS) != NO_SENSOR;
+    }
+
+    /** Returns the diagnosed and trusted sensor that looks closest to a bearing, if it is within some angle of it. */
+    private static int diagnosed(SensorDiagnosis diagnosis, double bearing, double within) {
+        int nearest = NO_SENSOR;
+        double least = within;
+        for (int rest = diagnosis.trusted(); rest != 0; rest &= rest - 1) {
+            int sensor = Integer.numberOfTrailingZeros(rest);
+            double deviation = deviation(diagnosis, sensor, bearing);
+            if (deviation < least) {
+                least = deviation;
+                nearest = sensor;
+            }
+        }
+        return nearest;
+    }
+
+    private static double deviation(SensorDiagnosis diagnosis, int sensor, double bearing) {
+        return Math.abs(diagnosis.cone(sensor).bearing() - bearing);
     }
 }
