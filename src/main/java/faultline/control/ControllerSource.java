@@ -12,7 +12,7 @@ public interface ControllerSource {
      * @param dt the length of a tick, seconds
      * @param periodTicks the number of ticks for which a decision holds
      * @param duration the duration of the run, seconds
-     * @param robot as built
+     * @param robot the robot as the controller believes it to be, as in observations
      */
     record RunConditions(long seed, double dt, long periodTicks, double duration, RobotSpec robot) {}
 

@@ -39,7 +39,11 @@ public final class ControllerFactory {
         if (spec instanceof ControllerSpec.Chosen chosen) {
             long periodTicks = PeriodicController.ticksPerPeriod(spec.period(), setup.dt());
             ControllerSource.RunConditions run = new ControllerSource.RunConditions(
-                    setup.seed(), setup.dt(), periodTicks, setup.duration(), setup.robot());
+                    setup.seed(),
+                    setup.dt(),
+                    periodTicks,
+                    setup.duration(),
+                    setup.robot().believed());
             return new PeriodicController(chosen.source().start(run), spec.period());
         }
         return create(spec);

@@ -2,6 +2,8 @@ package faultline.engine;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.control.Controller;
+import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.ControllerState;
@@ -9,9 +11,15 @@ import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
+import faultline.geometry.Pose;
+import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
 import faultline.sensor.Reading;
+import faultline.world.WorldSpec;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class ControllerFactoryTest {
@@ -59,5 +67,33 @@ class ControllerFactoryTest {
                     ControllerFactory.initialState(spec),
                     first(spec).telemetry().state());
         }
+    }
+
+    /** A controller from outside is given the robot that its observations contain, not the true drive. */
+    @Test
+    void aChosenControllerIsGivenTheRobotAsItBelievesItToBe() {
+        List<RobotSpec> given = new ArrayList<>();
+        ControllerSource source = new ControllerSource() {
+            @Override
+            public Controller start(RunConditions run) {
+                given.add(run.robot());
+                return observation -> {
+                    given.add(observation.robot());
+                    return Decision.ofVelocity(observation.robot(), Velocity.ZERO, "STAND", "");
+                };
+            }
+
+            @Override
+            public boolean limitsAnswerTime() {
+                return true;
+            }
+        };
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1.5, 0))
+                .withRobot(RobotSpec.DEFAULT.withDriveScale(new DriveScale(1, 0.95, 1.05)))
+                .withController(new ControllerSpec.Chosen(new ControllerSpec.None(), source));
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            simulation.tick();
+        }
+        assertEquals(List.of(RobotSpec.DEFAULT, RobotSpec.DEFAULT), given.subList(0, 2));
     }
 }
