@@ -76,7 +76,8 @@ public record Telemetry(
      * The result of a sensor diagnosis.
      *
      * @param rung the name of the strategy that drives, empty without a diagnosis
-     * @param health the health of each sensor, in the robot's order; empty without a diagnosis
+     * @param health the health of the first sensors or of all, in the robot's order; that of the others is unknown;
+     *     empty without a diagnosis
      */
     public record Diagnosis(String rung, List<SensorHealth> health) {
 
@@ -87,7 +88,8 @@ public record Telemetry(
          * Creates a diagnosis from a copy of the health.
          *
          * @param rung the name of the strategy that drives, empty without a diagnosis
-         * @param health the health of each sensor, in the robot's order; empty without a diagnosis
+         * @param health the health of the first sensors or of all, in the robot's order; that of the others is unknown;
+         *     empty without a diagnosis
          */
         public Diagnosis {
             health = List.copyOf(health);

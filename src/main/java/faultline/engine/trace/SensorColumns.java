@@ -25,7 +25,7 @@ final class SensorColumns implements ColumnGroup {
         private boolean off;
         private List<Fault> faults = List.of();
         private String faultText = "";
-        /** Null without a diagnosis. */
+        /** Null if it is unknown, as without a diagnosis. */
         private SensorHealth health;
 
         private String trust = "";
@@ -66,7 +66,7 @@ final class SensorColumns implements ColumnGroup {
             append(
                     Reading.isOff(reading),
                     simulation.faults(i),
-                    health.isEmpty() ? null : health.get(i),
+                    i < health.size() ? health.get(i) : null,
                     words[i],
                     rows);
         }

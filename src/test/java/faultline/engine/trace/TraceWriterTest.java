@@ -15,9 +15,11 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.geometry.Angles;
+import faultline.geometry.Pose;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
 import faultline.sensor.Reading;
+import faultline.world.WorldSpec;
 import java.io.BufferedOutputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -362,5 +364,34 @@ class TraceWriterTest {
                     "full at 100", assertThrows(IOException.class, trace::flush).getMessage());
         }
         out.assertWriterEnds();
+    }
+
+    private static final SimulationSetup ROOM = SimulationSetup.of(
+                    new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1.5, 0))
+            .withDuration(0.02);
+
+    /** A controller that is not part of the program need not report all sensors. */
+    @Test
+    void theAssessmentOfASensorWithoutHealthIsEmpty() throws IOException {
+        SensorHealth front = SensorHealth.trusted("front");
+        Telemetry telemetry = new Telemetry(
+                ControllerState.of("MINE"),
+                "",
+                0,
+                0,
+                Telemetry.WallControl.NONE,
+                Telemetry.EdgeTimes.NONE,
+                new Telemetry.Diagnosis("MINE", List.of(front)));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        try (TraceWriter trace = new TraceWriter(out, TraceFormat.TWO)) {
+            HeadlessRun.run(ROOM, observation -> new Decision(0, 0, telemetry), ControllerMode.DIRECT, List.of(trace));
+            trace.flush();
+        }
+        List<String> header = List.of(rows(out).get(0).split(","));
+        List<String> last = List.of(rows(out).get(2).split(",", -1));
+        assertEquals("trusted", last.get(header.indexOf("front.trust")));
+        for (String column : List.of("trust", "finding", "evidence")) {
+            assertEquals("", last.get(header.indexOf("front-right." + column)));
+        }
     }
 }
