@@ -128,7 +128,8 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
     }
 
     /**
-     * Writes the rows that have not been written; must be called at the end.
+     * Writes the rows that have not been written, and flushes the stream; must be called at the end. Rows can be added
+     * after that.
      *
      * @throws IOException if the stream fails
      */
@@ -137,6 +138,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
             throwFailure();
             if (!cells.isEmpty()) {
                 write(rows);
+                rows.clear();
             }
         } catch (UncheckedIOException failed) {
             throw failed.getCause();

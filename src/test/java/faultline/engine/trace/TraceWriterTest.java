@@ -370,6 +370,27 @@ class TraceWriterTest {
                     new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1.5, 0))
             .withDuration(0.02);
 
+    @Test
+    void aFlushWritesOnlyTheRowsSinceTheLastOne() throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        try (TraceWriter trace = new TraceWriter(out, TraceFormat.ONE);
+                Simulation simulation = new Simulation(ROOM, ControllerMode.DIRECT)) {
+            trace.flush();
+            assertEquals(0, out.size());
+            trace.observe(simulation);
+            trace.flush();
+            trace.flush();
+            assertEquals(2, rows(out).size());
+            simulation.tick();
+            trace.observe(simulation);
+            trace.flush();
+        }
+        List<String> rows = rows(out);
+        assertEquals(3, rows.size());
+        assertTrue(rows.get(1).startsWith("0,0"), rows.get(1));
+        assertTrue(rows.get(2).startsWith("1,0.01,"), rows.get(2));
+    }
+
     /** A controller that is not part of the program need not report all sensors. */
     @Test
     void theAssessmentOfASensorWithoutHealthIsEmpty() throws IOException {
