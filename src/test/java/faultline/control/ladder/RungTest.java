@@ -94,7 +94,7 @@ class RungTest {
     void theLadderListsAllRungsFromTheTop() {
         assertEquals(List.of(Rung.ALL, Rung.REDUCED, Rung.THREE, Rung.TWO, Rung.ONE, Rung.STOP), Rung.LADDER);
         assertEquals("no trusted sensor on the side of the wall", StopReason.NO_SENSOR.condition());
-        assertEquals("no progress for a minute", StopReason.NO_PROGRESS.condition());
+        assertEquals("no progress", StopReason.NO_PROGRESS.condition());
         assertEquals("the wanted distance is too large for the local map", StopReason.TOO_FAR.condition());
     }
 }
