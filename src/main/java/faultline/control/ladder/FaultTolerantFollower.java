@@ -36,6 +36,8 @@ public final class FaultTolerantFollower implements Controller {
     private long lastTick;
     /** The trusted sensors with which the map follower made no progress; it is not tried again with the same ones. */
     private int stuckWith;
+    /** The trusted sensors at the last decision of the map follower. */
+    private int mapSensors;
 
     private StopReason stopReason = StopReason.NO_SENSOR;
     private Rung reportedRung;
@@ -83,8 +85,9 @@ public final class FaultTolerantFollower implements Controller {
             return;
         }
         Rung.Strategy before = rung.strategy();
-        if (before == Rung.Strategy.MAP && mapFollower.isStuck()) {
-            stuckWith = diagnosis.trusted();
+        boolean wasStuck = before == Rung.Strategy.MAP && mapFollower.isStuck();
+        if (wasStuck) {
+            stuckWith = mapSensors;
         }
         rung = Rung.of(diagnosis);
         stopReason = StopReason.NO_SENSOR;
@@ -93,7 +96,7 @@ public final class FaultTolerantFollower implements Controller {
             stopReason = stuck ? StopReason.NO_PROGRESS : StopReason.TOO_FAR;
             rung = stuck || !diagnosis.reach().holdsWanted() ? Rung.STOP : rung;
         }
-        if (rung.strategy() != before) {
+        if (wasStuck || rung.strategy() != before) {
             if (rung.strategy() == Rung.Strategy.MAP) {
                 mapFollower.begin(last.telemetry().state() != FollowerState.SEARCH);
             } else if (rung.strategy() == Rung.Strategy.SIX_STATES) {
@@ -107,6 +110,7 @@ public final class FaultTolerantFollower implements Controller {
         return switch (rung.strategy()) {
             case SIX_STATES -> watched(sixStates.decide(masked(observation), verdict()));
             case MAP -> {
+                mapSensors = diagnosis.trusted();
                 mapFollower.decide(observation.robot(), dt);
                 yield decision(
                         observation.robot(), mapFollower.velocity(), mapFollower.state(), mapFollower.wallControl());

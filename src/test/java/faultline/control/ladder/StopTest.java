@@ -159,4 +159,14 @@ class StopTest {
         assertEquals("no progress", simulation.telemetry().condition());
         assertEquals(seconds, simulation.time(), 2);
     }
+
+    @Test
+    void aSetOfSensorsIsTriedThatIsNewAtTheTickAtWhichAnotherOneWasStuck() {
+        long decision = runUntilStop(inACell(1)).ticks() - 1;
+        SimulationSetup setup = inACell(
+                1,
+                new TimedCommand(
+                        decision * SimulationSetup.DEFAULT_TICK, new Command.SwitchSensor("rear-left", false)));
+        assertEquals("THREE", run(setup, 21).telemetry().diagnosis().rung());
+    }
 }
