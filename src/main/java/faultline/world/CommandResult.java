@@ -13,8 +13,9 @@ public sealed interface CommandResult {
     Command command();
 
     /**
-     * {@return the commands, in order, that restore what the command has changed} A collision that it has caused is not
-     * undone. Empty for a refused command.
+     * {@return the commands, in order, that restore what the command has changed; empty for a refused command} A
+     * collision that it has caused is not undone. An obstacle that was removed comes back where it was, as if it were
+     * placed for the first time: above the others, and if it moves, toward its first waypoint.
      */
     List<Command> inverse();
 

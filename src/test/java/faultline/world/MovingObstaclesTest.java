@@ -132,4 +132,21 @@ class MovingObstaclesTest {
         assertEquals("visitor", world.collision().orElseThrow().obstacle());
         assertTrue(world.pose().x() < 2.8);
     }
+
+    /** The inverse is the command that a file can contain, which places an obstacle like a new one. */
+    @Test
+    void anObstacleWhoseRemovalIsUndoneIsAboveTheOthersAndMovesToItsFirstWaypoint() {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(3, 3, 0));
+        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, false, new Vector2(1, 0), new Vector2(1, 1)), pole);
+        assertAt(1, 0.5, positionAfter(world, 3));
+        world.execute(new Command.RemoveObstacle("visitor")).inverse().forEach(world::execute);
+        List<Obstacle> obstacles = world.snapshot().obstacles();
+        assertEquals(
+                List.of("pole", "visitor"), obstacles.stream().map(Obstacle::id).toList());
+        assertAt(1, 0.5, obstacles.get(1).pose().position());
+        positionAfter(world, 0.5);
+        assertAt(1, 0.25, world.snapshot().obstacles().get(1).pose().position());
+        positionAfter(world, 1);
+        assertAt(1, 0.25, world.snapshot().obstacles().get(1).pose().position());
+    }
 }
