@@ -42,8 +42,13 @@ final class InteractiveRun implements AutoCloseable {
         meter = new RunMeter(journal.setup());
         player = new JournalPlayer(journal);
         simulation = new Simulation(journal.setup(), ControllerMode.OWN_THREAD, recorder);
-        recorder.observe(simulation);
-        meter.observe(simulation);
+        try {
+            recorder.observe(simulation);
+            meter.observe(simulation);
+        } catch (RuntimeException | Error e) {
+            simulation.close();
+            throw e;
+        }
     }
 
     /** Makes all ticks up to one at full speed; after each of them, the condition may cancel the replay. */
