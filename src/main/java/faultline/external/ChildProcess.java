@@ -52,6 +52,9 @@ final class ChildProcess implements AutoCloseable {
 
     private final Thread exitHook = new Thread(this::endWithProgram);
     private final Consumer<String> errors;
+    /** Only its first exception is reported. Used by the thread that reads the errors. */
+    private boolean consumerFailed;
+
     /** The time at which the write in progress began, or the maximum value if there is none. */
     private volatile long writeStart = Long.MAX_VALUE;
 
@@ -127,7 +130,16 @@ final class ChildProcess implements AutoCloseable {
             }
             errorLines.addLast(line);
         }
-        errors.accept(line);
+        try {
+            errors.accept(line);
+        } catch (RuntimeException e) {
+            // The other lines must still be read: a child cannot write to a pipe that is closed.
+            if (!consumerFailed) {
+                consumerFailed = true;
+                Thread reader = Thread.currentThread();
+                reader.getUncaughtExceptionHandler().uncaughtException(reader, e);
+            }
+        }
     }
 
     /**

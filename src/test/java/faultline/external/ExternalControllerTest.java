@@ -23,6 +23,8 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -299,6 +301,22 @@ class ExternalControllerTest {
         assertFalse(path.contains("wall-follower"), path);
     }
 
+    /** The child writes more than fits in a pipe, and would be ended by a write after that if the pipe were closed. */
+    @Test
+    void aConsumerOfErrorsThatFailsDoesNotStopAChild() throws Exception {
+        String child =
+                "read hello; yes " + "x".repeat(999) + " | head -n 200 >&2; echo last >&2; echo '" + READY + "'; "
+                        + "i=0; while [ $i -lt 50 ]; do read line; echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,"
+                        + "\\\"v_m_s\\\":0.1,\\\"omega_rad_s\\\":0}\"; i=$((i+1)); done; read end";
+        AtomicInteger lines = new AtomicInteger();
+        RunResult result = run(shell(child), office(), 5, line -> {
+            lines.incrementAndGet();
+            throw new IllegalStateException("full");
+        });
+        assertEquals(50, result.ticks());
+        assertEquals(201, lines.get());
+    }
+
     /** Returns the descendants of this process that a test has started and that still run. */
     private List<String> childrenStillRunning() {
         return ProcessHandle.current()
@@ -322,9 +340,14 @@ class ExternalControllerTest {
     }
 
     private RunResult run(String command, SimulationSetup setup, double patience) throws IOException {
+        return run(command, setup, patience, errors::add);
+    }
+
+    private static RunResult run(String command, SimulationSetup setup, double patience, Consumer<String> errors)
+            throws IOException {
         RunDescription run = RunDescription.of("faultline test", "Office", setup, 1);
         try (ExternalController child = new ExternalController(
-                command, run, new ExternalController.Timeouts(patience, patience), false, errors::add)) {
+                command, run, new ExternalController.Timeouts(patience, patience), false, errors)) {
             RunResult result = HeadlessRun.run(setup, child, ControllerMode.DIRECT, List.of());
             child.finish("duration", "0", Map.of());
             return result;
