@@ -29,8 +29,8 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     /**
      * The time limits for a child. A time-out ends a run; it never changes its results.
      *
-     * @param ready the limit until it is ready, seconds; infinity for no limit
-     * @param answer the limit for each answer, seconds; infinity for no limit
+     * @param ready the limit until it is ready, seconds, positive; infinity for no limit
+     * @param answer the limit for each answer, seconds, positive; infinity for no limit
      */
     public record Timeouts(double ready, double answer) {
 
@@ -38,9 +38,22 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         public static final Timeouts DEFAULT = new Timeouts(30, 10);
 
         /**
+         * Creates limits.
+         *
+         * @param ready the limit until it is ready, seconds, positive; infinity for no limit
+         * @param answer the limit for each answer, seconds, positive; infinity for no limit
+         * @throws IllegalArgumentException if a limit is not positive
+         */
+        public Timeouts {
+            if (!(ready > 0 && answer > 0)) {
+                throw new IllegalArgumentException("time limits must be positive: " + ready + ", " + answer);
+            }
+        }
+
+        /**
          * {@return these limits with another limit for answers, which is also the minimum of the limit for the start}
          *
-         * @param seconds the limit for each answer, in seconds; infinity for no limit
+         * @param seconds the limit for each answer, in seconds, positive; infinity for no limit
          */
         public Timeouts withAnswer(double seconds) {
             return new Timeouts(Math.max(ready, seconds), seconds);

@@ -1,11 +1,17 @@
 package faultline.control;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.robot.DriveScale;
+import faultline.robot.RobotSpec;
 import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ControllerSpecTest {
@@ -39,5 +45,28 @@ class ControllerSpecTest {
                 () -> new Decision(0, volts, Telemetry.ofState(ControllerState.of("TEST"))));
         assertThrows(IllegalArgumentException.class, () -> new ControllerSpec.Drive(volts, 0));
         assertThrows(IllegalArgumentException.class, () -> new ControllerSpec.Drive(0, volts));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "0, 1, 10, a tick must be positive: 0.0",
+        "NaN, 1, 10, a tick must be positive: NaN",
+        "Infinity, 1, 10, a tick must be positive: Infinity",
+        "0.01, 0, 10, a decision must hold for at least one tick: 0",
+        "0.01, 1, -1, the duration must not be negative: -1.0",
+        "0.01, 1, NaN, the duration must not be negative: NaN",
+        "0.01, 1, Infinity, the duration must not be negative: Infinity"
+    })
+    void theConditionsOfARunAreChecked(double dt, long periodTicks, double duration, String message) {
+        Executable create = () -> new ControllerSource.RunConditions(1, dt, periodTicks, duration, RobotSpec.DEFAULT);
+        assertEquals(
+                message, assertThrows(IllegalArgumentException.class, create).getMessage());
+    }
+
+    @Test
+    void theConditionsOfARunHaveNoTrueDrive() {
+        RobotSpec wide = RobotSpec.DEFAULT.withDriveScale(new DriveScale(1, 1, 1.05));
+        assertThrows(IllegalArgumentException.class, () -> new ControllerSource.RunConditions(1, 0.01, 1, 0, wide));
+        assertEquals(0, new ControllerSource.RunConditions(1, 0.01, 1, 0, wide.believed()).duration());
     }
 }

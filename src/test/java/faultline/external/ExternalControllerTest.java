@@ -353,4 +353,12 @@ class ExternalControllerTest {
             return result;
         }
     }
+
+    @ParameterizedTest
+    @CsvSource({"NaN, 10", "30, NaN", "0, 10", "30, 0", "-1, 10"})
+    void timeLimitsArePositive(double ready, double answer) {
+        IllegalArgumentException e =
+                assertThrows(IllegalArgumentException.class, () -> new ExternalController.Timeouts(ready, answer));
+        assertEquals("time limits must be positive: " + ready + ", " + answer, e.getMessage());
+    }
 }
