@@ -206,6 +206,19 @@ public sealed interface ControllerSpec {
         }
 
         /**
+         * {@return other settings for a running follower with these settings}
+         *
+         * @param other the other settings
+         * @throws IllegalArgumentException if the follower cannot continue with them
+         */
+        public WallFollowing changedTo(BuiltIn other) {
+            if (other instanceof WallFollowing follower && canContinueWith(follower)) {
+                return follower;
+            }
+            throw new IllegalArgumentException("a running follower cannot continue with " + other);
+        }
+
+        /**
          * {@return the same settings with or without diagnosis}
          *
          * @param on whether the follower watches its sensors

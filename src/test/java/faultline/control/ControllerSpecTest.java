@@ -1,12 +1,18 @@
 package faultline.control;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.diagnosis.SensorDiagnosis;
+import faultline.control.fallback.MapFollower;
+import faultline.control.ladder.FaultTolerantFollower;
+import faultline.control.wallfollower.WallFollower;
 import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
@@ -68,5 +74,25 @@ class ControllerSpecTest {
         RobotSpec wide = RobotSpec.DEFAULT.withDriveScale(new DriveScale(1, 1, 1.05));
         assertThrows(IllegalArgumentException.class, () -> new ControllerSource.RunConditions(1, 0.01, 1, 0, wide));
         assertEquals(0, new ControllerSource.RunConditions(1, 0.01, 1, 0, wide.believed()).duration());
+    }
+
+    @Test
+    void aRunningFollowerRefusesSettingsWithWhichItCannotContinue() {
+        WallFollowing spec = WallFollowing.DEFAULT;
+        MapFollower mapFollower = new MapFollower(new SensorDiagnosis(spec.side()), spec);
+        Controller sixStates = new WallFollower(spec);
+        Controller tolerant = new FaultTolerantFollower(spec);
+        for (WallFollowing other :
+                List.of(spec.withSide(WallSide.RIGHT), spec.withPeriod(0.05), spec.withDiagnosis(!spec.diagnosis()))) {
+            assertThrows(IllegalArgumentException.class, () -> mapFollower.configure(other));
+            assertThrows(IllegalArgumentException.class, () -> sixStates.configure(other));
+            assertThrows(IllegalArgumentException.class, () -> tolerant.configure(other));
+        }
+        assertThrows(IllegalArgumentException.class, () -> sixStates.configure(new ControllerSpec.None()));
+        WallFollowing farther = spec.withDistance(0.4);
+        mapFollower.configure(farther);
+        sixStates.configure(farther);
+        tolerant.configure(farther);
+        assertSame(farther, spec.changedTo(farther));
     }
 }

@@ -103,10 +103,11 @@ public final class MapFollower {
      * Sets the wanted distance from the sensor that faces the wall to the wall, or from the side of the platform if no
      * sensor does.
      *
-     * @param settings the settings, with the same side of the wall as before
+     * @param settings the settings
+     * @throws IllegalArgumentException if a running follower cannot continue with them
      */
     public void configure(ControllerSpec.WallFollowing settings) {
-        spec = settings;
+        spec = spec.changedTo(settings);
         if (robot != null) {
             updateDistances();
         }

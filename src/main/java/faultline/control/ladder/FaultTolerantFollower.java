@@ -69,7 +69,7 @@ public final class FaultTolerantFollower implements Controller {
 
     @Override
     public void configure(ControllerSpec.BuiltIn settings) {
-        spec = (ControllerSpec.WallFollowing) settings;
+        spec = spec.changedTo(settings);
         setWantedDistance();
         mapFollower.configure(spec);
         sixStates.configure(spec);

@@ -199,7 +199,7 @@ public final class WallFollower implements Controller {
 
     @Override
     public void configure(ControllerSpec.BuiltIn settings) {
-        spec = (ControllerSpec.WallFollowing) settings;
+        spec = spec.changedTo(settings);
         estimate.configure(spec);
         alignment.setRule(spec.timingRule());
         wall.configure(spec.distance(), spec.gainRule());
