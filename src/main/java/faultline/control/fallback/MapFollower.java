@@ -255,7 +255,7 @@ public final class MapFollower {
         } else if (path.isScanning()) {
             path.advanceScan(robot, direction, driveDirection);
             v = 0;
-            omega = path.scanSign() * Steering.turnRate(robot);
+            omega = path.scanSign() * robot.spinRate();
         } else {
             double off = offDirection();
             v = Math.abs(off) > Steering.ASIDE ? 0 : driveDirection.velocity(Steering.speed(robot, off));

@@ -49,12 +49,7 @@ final class Steering {
         if (Math.abs(off) > ASIDE) {
             return Math.copySign(Math.min(RETURN_RATE * robot.turnRate(), robot.maxTurnRate()), off);
         }
-        double rate = turnRate(robot);
+        double rate = robot.spinRate();
         return Math.max(-rate, Math.min(rate, GAIN * off));
-    }
-
-    /** Returns the robot's turn rate, as far as its motors allow, radians per second. */
-    static double turnRate(RobotSpec robot) {
-        return Math.min(robot.turnRate(), robot.maxTurnRate());
     }
 }

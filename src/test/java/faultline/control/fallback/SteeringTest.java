@@ -29,13 +29,13 @@ class SteeringTest {
     void itTurnsTowardTheDirectionAndNoFasterThanTheRobotTurns() {
         assertEquals(0.25, Steering.turnRate(ROBOT, 0.1), 1e-12);
         assertEquals(-0.25, Steering.turnRate(ROBOT, -0.1), 1e-12);
-        assertEquals(Steering.turnRate(ROBOT), Steering.turnRate(ROBOT, Steering.ASIDE));
+        assertEquals(ROBOT.spinRate(), Steering.turnRate(ROBOT, Steering.ASIDE));
     }
 
     @Test
     void onTheSpotItTurnsTwiceAsFastIfTheMotorsCan() {
         double fast = Math.min(2 * ROBOT.turnRate(), ROBOT.maxTurnRate());
-        assertTrue(fast > Steering.turnRate(ROBOT));
+        assertTrue(fast > ROBOT.spinRate());
         assertEquals(fast, Steering.turnRate(ROBOT, 1.1 * Steering.ASIDE));
         assertEquals(-fast, Steering.turnRate(ROBOT, -3));
     }
