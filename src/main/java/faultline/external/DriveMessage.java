@@ -1,7 +1,9 @@
 package faultline.external;
 
+import faultline.control.Decision;
 import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
 
 /**
  * A {@code drive} message: the voltages of the motors, and the state that the controller reports.
@@ -30,13 +32,12 @@ record DriveMessage(double leftVolts, double rightVolts, String state, String wh
         if (volts) {
             return new DriveMessage(message.number("left_v"), message.number("right_v"), state, why);
         }
-        double v = message.number("v_m_s");
-        double half = message.number("omega_rad_s") * robot.track() / 2;
-        double left = robot.motor().voltageFor(v - half);
-        double right = robot.motor().voltageFor(v + half);
-        if (!Double.isFinite(left) || !Double.isFinite(right)) {
+        Velocity velocity = new Velocity(message.number("v_m_s"), message.number("omega_rad_s"));
+        try {
+            Decision decision = Decision.ofVelocity(robot, velocity, state, why);
+            return new DriveMessage(decision.leftVolts(), decision.rightVolts(), state, why);
+        } catch (IllegalArgumentException infinite) {
             throw new ProtocolException(ControllerProblem.TOO_FAST);
         }
-        return new DriveMessage(left, right, state, why);
     }
 }
