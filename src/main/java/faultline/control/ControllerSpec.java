@@ -72,8 +72,11 @@ public sealed interface ControllerSpec {
         }
     }
 
-    /** The robot stays where it is: file type {@code none}. */
+    /** The robot stays where it is: file type {@link #TYPE}. */
     record None() implements BuiltIn {
+        /** The type in files. */
+        public static final String TYPE = "none";
+
         @Override
         public <R> R matchBuiltIn(BuiltInCases<R> cases) {
             return cases.none.apply(this);
@@ -81,12 +84,15 @@ public sealed interface ControllerSpec {
     }
 
     /**
-     * Constant voltages: file type {@code drive}.
+     * Constant voltages: file type {@link #TYPE}.
      *
      * @param leftVolts the voltage on the left motors, finite
      * @param rightVolts the voltage on the right motors, finite
      */
     record Drive(double leftVolts, double rightVolts) implements BuiltIn {
+        /** The type in files. */
+        public static final String TYPE = "drive";
+
         /**
          * Creates settings.
          *
@@ -107,7 +113,7 @@ public sealed interface ControllerSpec {
     }
 
     /**
-     * The paper's six-state wall follower: file type {@code wall-follower}.
+     * The paper's six-state wall follower: file type {@link #TYPE}.
      *
      * @param distance the wanted reading of the sensor that faces the wall, metres, positive
      * @param side the side that the wall is kept on
@@ -126,6 +132,9 @@ public sealed interface ControllerSpec {
             GainRule gainRule,
             Thresholds thresholds)
             implements BuiltIn {
+
+        /** The type in files. */
+        public static final String TYPE = "wall-follower";
 
         /** The follower that is used where a file gives no values. */
         public static final WallFollowing DEFAULT = new WallFollowing(
@@ -275,11 +284,14 @@ public sealed interface ControllerSpec {
 
     /**
      * A controller from outside that the user has to choose, because a file never starts a program: file type
-     * {@code extern}.
+     * {@link #TYPE}.
      *
      * @param period the time between two decisions, seconds; 0 for every tick
      */
     record Extern(double period) implements Foreign {
+        /** The type in files. */
+        public static final String TYPE = "extern";
+
         /**
          * Creates settings.
          *
@@ -359,13 +371,16 @@ public sealed interface ControllerSpec {
     }
 
     /**
-     * The decisions of an earlier run: file type {@code recorded}.
+     * The decisions of an earlier run: file type {@link #TYPE}.
      *
      * @param wanted the distance from the wall that was wanted, metres
      * @param ticks the number of ticks with decisions
      * @param decisions the decisions, in the order of their ticks
      */
     record Recorded(double wanted, long ticks, List<RecordedDecision> decisions) implements ControllerSpec {
+        /** The type in files. */
+        public static final String TYPE = "recorded";
+
         /**
          * Creates a record from a copy of the decisions.
          *

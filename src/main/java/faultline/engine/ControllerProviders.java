@@ -2,6 +2,7 @@ package faultline.engine;
 
 import faultline.control.Controller;
 import faultline.control.ControllerProvider;
+import faultline.control.ControllerSpec;
 import faultline.control.StateTracker;
 import faultline.io.MessageText;
 import java.net.URISyntaxException;
@@ -26,7 +27,12 @@ import java.util.concurrent.TimeoutException;
 public final class ControllerProviders {
 
     /** The names of the built-in controllers, which a provider must not have. */
-    public static final Set<String> BUILT_IN_NAMES = Set.of("wall-follower", "none", "drive", "extern", "recorded");
+    public static final Set<String> BUILT_IN_NAMES = Set.of(
+            ControllerSpec.WallFollowing.TYPE,
+            ControllerSpec.None.TYPE,
+            ControllerSpec.Drive.TYPE,
+            ControllerSpec.Extern.TYPE,
+            ControllerSpec.Recorded.TYPE);
 
     private ControllerProviders() {}
 

@@ -10,10 +10,10 @@ import java.util.List;
 public final class ControllerNames {
 
     /** The name of the built-in wall follower, which uses the settings of the scenario if it has any. */
-    public static final String WALL_FOLLOWER = "wall-follower";
+    public static final String WALL_FOLLOWER = ControllerSpec.WallFollowing.TYPE;
 
     /** The name of the controller with which the robot stands still. */
-    public static final String NONE = "none";
+    public static final String NONE = ControllerSpec.None.TYPE;
 
     private ControllerNames() {}
 
@@ -31,12 +31,14 @@ public final class ControllerNames {
      */
     public static String typeOf(ControllerSpec spec) {
         return spec.match(new ControllerSpec.ControllerCases<>(
-                builtIn -> builtIn.matchBuiltIn(
-                        new ControllerSpec.BuiltInCases<>(none -> NONE, drive -> "drive", follower -> WALL_FOLLOWER)),
-                extern -> "extern",
+                builtIn -> builtIn.matchBuiltIn(new ControllerSpec.BuiltInCases<>(
+                        none -> ControllerSpec.None.TYPE,
+                        drive -> ControllerSpec.Drive.TYPE,
+                        follower -> ControllerSpec.WallFollowing.TYPE)),
+                extern -> ControllerSpec.Extern.TYPE,
                 ControllerSpec.Provided::name,
                 chosen -> typeOf(chosen.original()),
-                recorded -> "recorded"));
+                recorded -> ControllerSpec.Recorded.TYPE));
     }
 
     /**

@@ -28,9 +28,7 @@ import java.util.stream.Stream;
 /** Reads the controller element. */
 final class ControllerReader {
 
-    static final String DEFAULT_TYPE = "wall-follower";
-    static final String EXTERN = "extern";
-    static final String RECORDED = "recorded";
+    private static final String DEFAULT_TYPE = ControllerSpec.WallFollowing.TYPE;
     private static final Boolean[] SWITCH = {true, false};
     private static final Map<String, Function<AttributeReader, ControllerSpec>> TYPE_READERS = new LinkedHashMap<>();
     private static final Map<String, Function<AttributeReader, GainRule>> GAIN_RULES = new LinkedHashMap<>();
@@ -43,11 +41,11 @@ final class ControllerReader {
                 fields -> new GainRule.Fixed(
                         fields.number("kp", NumberRange.GAIN), fields.number("kd", NumberRange.GAIN)));
         TYPE_READERS.put(DEFAULT_TYPE, ControllerReader::readWallFollower);
-        TYPE_READERS.put("none", fields -> new ControllerSpec.None());
-        TYPE_READERS.put("drive", ControllerReader::readDrive);
-        TYPE_READERS.put(EXTERN, fields -> new ControllerSpec.Extern(readPeriod(fields)));
+        TYPE_READERS.put(ControllerSpec.None.TYPE, fields -> new ControllerSpec.None());
+        TYPE_READERS.put(ControllerSpec.Drive.TYPE, ControllerReader::readDrive);
+        TYPE_READERS.put(ControllerSpec.Extern.TYPE, fields -> new ControllerSpec.Extern(readPeriod(fields)));
         TYPE_READERS.put(
-                RECORDED,
+                ControllerSpec.Recorded.TYPE,
                 fields -> new ControllerSpec.Recorded(
                         readDistance(fields), fields.integer("ticks", 0, DecisionText.MAX_TICKS, 0), List.of()));
     }
@@ -79,7 +77,9 @@ final class ControllerReader {
     }
 
     private static List<String> children(String type, boolean provided) {
-        return provided ? List.of("setting") : type.equals(RECORDED) ? List.of("decisions") : List.of();
+        return provided
+                ? List.of("setting")
+                : type.equals(ControllerSpec.Recorded.TYPE) ? List.of("decisions") : List.of();
     }
 
     /** Reports a type that is neither one of the program nor on the class path, and reads a wall follower. */
@@ -135,8 +135,8 @@ final class ControllerReader {
     static ControllerSpec.BuiltIn readBuiltIn(AttributeReader fields, ControllerSpec.WallFollowing defaults) {
         Map<String, Function<AttributeReader, ControllerSpec.BuiltIn>> types = new LinkedHashMap<>();
         types.put(DEFAULT_TYPE, own -> readWallFollower(own, defaults));
-        types.put("none", own -> new ControllerSpec.None());
-        types.put("drive", ControllerReader::readDrive);
+        types.put(ControllerSpec.None.TYPE, own -> new ControllerSpec.None());
+        types.put(ControllerSpec.Drive.TYPE, ControllerReader::readDrive);
         return fields.choice("type", types, types.get(DEFAULT_TYPE)).apply(fields);
     }
 

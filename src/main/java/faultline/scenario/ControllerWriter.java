@@ -31,19 +31,19 @@ record ControllerWriter(XmlWriter out, ControllerSpec.WallFollowing defaults, bo
     XmlWriter write(ControllerSpec spec) {
         return spec.match(new ControllerCases<>(
                 builtIn -> builtIn.matchBuiltIn(new BuiltInCases<>(
-                        none -> out.attribute("type", "none"),
-                        drive -> out.attribute("type", "drive")
+                        none -> out.attribute("type", ControllerSpec.None.TYPE),
+                        drive -> out.attribute("type", ControllerSpec.Drive.TYPE)
                                 .attribute("left", drive.leftVolts())
                                 .attribute("right", drive.rightVolts()),
                         this::writeFollower)),
-                extern -> out.attribute("type", ControllerReader.EXTERN).attribute("period", extern.period()),
+                extern -> out.attribute("type", ControllerSpec.Extern.TYPE).attribute("period", extern.period()),
                 this::writeProvided,
                 chosen -> write(chosen.original()),
                 this::writeRecorded));
     }
 
     private XmlWriter writeFollower(ControllerSpec.WallFollowing spec) {
-        out.attribute("type", ControllerReader.DEFAULT_TYPE)
+        out.attribute("type", ControllerSpec.WallFollowing.TYPE)
                 .attribute("distance", spec.distance())
                 .attribute("hand", spec.side().fileName())
                 .attribute("period", spec.period())
@@ -76,7 +76,7 @@ record ControllerWriter(XmlWriter out, ControllerSpec.WallFollowing defaults, bo
     }
 
     private XmlWriter writeRecorded(ControllerSpec.Recorded spec) {
-        out.attribute("type", ControllerReader.RECORDED)
+        out.attribute("type", ControllerSpec.Recorded.TYPE)
                 .attribute("distance", spec.wanted())
                 .attribute("ticks", String.valueOf(spec.ticks()));
         writeDecisions(spec);
