@@ -1,6 +1,7 @@
 package faultline.control.ladder;
 
 import faultline.control.diagnosis.SensorDiagnosis;
+import faultline.control.wallfollower.WallFollower;
 import java.util.List;
 import java.util.OptionalInt;
 
@@ -65,7 +66,6 @@ public enum Rung {
 
     private static final int NO_SENSOR = -1;
     private static final double QUARTER = StrictMath.PI / 2;
-    private static final double FACING = StrictMath.toRadians(20);
     private static final double SIDEWAYS = StrictMath.toRadians(50);
 
     private final Strategy strategy;
@@ -108,8 +108,8 @@ public enum Rung {
 
     /** Returns the trusted sensor that the six states use in a direction, {@link #NO_SENSOR} if there is none. */
     private static int facing(SensorDiagnosis diagnosis, double bearing) {
-        int nearest = diagnosed(diagnosis, bearing, FACING);
-        double least = nearest == NO_SENSOR ? FACING : deviation(diagnosis, nearest, bearing);
+        int nearest = diagnosed(diagnosis, bearing, WallFollower.FACING_TOLERANCE);
+        double least = nearest == NO_SENSOR ? WallFollower.FACING_TOLERANCE : deviation(diagnosis, nearest, bearing);
         for (int other = diagnosis.sensors(); other < diagnosis.allSensors(); other++) {
             double deviation = deviation(diagnosis, other, bearing);
             if (deviation < least && diagnosis.answers(other)) {

@@ -34,9 +34,6 @@ final class SensorViews {
         }
     }
 
-    /** A sensor looks in a direction if its bearing differs by less than this. */
-    private static final double BEARING_TOLERANCE = StrictMath.toRadians(20);
-
     private static final Direction[] DIRECTIONS = Direction.values();
 
     private final double side;
@@ -105,7 +102,7 @@ final class SensorViews {
         int count = 0;
         for (int i = 0; i < mounted.length; i++) {
             double deviation = deviation(direction, i);
-            if (deviation < BEARING_TOLERANCE) {
+            if (deviation < WallFollower.FACING_TOLERANCE) {
                 int place = count++;
                 while (place > 0 && deviation(direction, found[place - 1]) > deviation) {
                     found[place] = found[place - 1];

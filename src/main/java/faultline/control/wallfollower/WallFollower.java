@@ -53,6 +53,9 @@ public final class WallFollower implements Controller {
                     "turned all round",
                     follower -> !follower.wall.isWallInSight() && follower.turnedAllRound()));
 
+    /** A sensor looks in one of the follower's directions if its bearing differs by less than this, radians. */
+    public static final double FACING_TOLERANCE = StrictMath.toRadians(20);
+
     /** The transitions that leave each state: a decision looks at no others. */
     private static final Map<FollowerState, List<Transition>> OUTGOING = outgoing();
 
