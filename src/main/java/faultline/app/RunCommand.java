@@ -27,7 +27,7 @@ final class RunCommand {
         options.child().jars().forEach(ControllerJars::add);
         options.checkController();
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
-        requireController(scenario, !options.controller().isScenarios());
+        requireController(scenario, !options.controller().isScenarioDefault());
         try (RunOutputs outputs = new RunOutputs(options)) {
             RunResult result = keepOutputs(scenario, outputs, () -> runOnce(scenario, options, outputs));
             outputs.finish(scenario);

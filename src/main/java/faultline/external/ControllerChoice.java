@@ -50,7 +50,7 @@ public record ControllerChoice(String text, List<Path> jars) {
     }
 
     /** {@return whether this is the scenario's own controller} */
-    public boolean isScenarios() {
+    public boolean isScenarioDefault() {
         return text.isEmpty();
     }
 
@@ -61,7 +61,7 @@ public record ControllerChoice(String text, List<Path> jars) {
 
     /** {@return whether this is a command that starts a child process} This searches the jars. */
     public boolean isCommand() {
-        return !isScenarios() && !isInJars() && !ControllerNames.all().contains(text);
+        return !isScenarioDefault() && !isInJars() && !ControllerNames.all().contains(text);
     }
 
     private boolean isInJars() {
@@ -78,7 +78,7 @@ public record ControllerChoice(String text, List<Path> jars) {
      * @param commands the source of the controller if this is a command
      */
     public SimulationSetup applyTo(SimulationSetup setup, ControllerSource commands) {
-        if (isScenarios()) {
+        if (isScenarioDefault()) {
             return setup;
         }
         ControllerSpec original = setup.controller();
@@ -118,7 +118,7 @@ public record ControllerChoice(String text, List<Path> jars) {
      */
     public SimulationSetup applyByName(SimulationSetup setup) {
         ControllerSpec original = setup.controller();
-        if (isScenarios()) {
+        if (isScenarioDefault()) {
             return setup;
         }
         if (text.equals(ControllerNames.WALL_FOLLOWER)) {

@@ -65,8 +65,8 @@ class ControllerChoiceTest {
         assertSame(setup, ControllerChoice.SCENARIO.applyTo(setup, null));
         assertSame(setup, ControllerChoice.SCENARIO.applyTo(setup, "Yard", line -> {}));
         assertSame(setup, ControllerChoice.SCENARIO.applyByName(setup));
-        assertTrue(ControllerChoice.SCENARIO.isScenarios());
-        assertFalse(ControllerChoice.of("none").isScenarios());
+        assertTrue(ControllerChoice.SCENARIO.isScenarioDefault());
+        assertFalse(ControllerChoice.of("none").isScenarioDefault());
     }
 
     @Test

@@ -46,7 +46,7 @@ final class KnownPath {
     }
 
     /** Ends a scan. */
-    void begin() {
+    void endScan() {
         scan.end();
     }
 

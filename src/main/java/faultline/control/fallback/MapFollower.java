@@ -128,7 +128,7 @@ public final class MapFollower {
         direction = atWall ? at.heading() : driveDirection.leading(at.heading());
         wall.begin(direction + QUARTER, atWall);
         untilPlan = 0;
-        path.begin();
+        path.endScan();
         retreat.end();
         state = atWall ? FollowerState.FOLLOW : FollowerState.SEARCH;
         stuck = false;

@@ -55,10 +55,12 @@ final class AlignmentManoeuvre {
     // TURN: spin right until the left sensor comes to the wall.
 
     /**
-     * Starts a spin. Beside a wall that was met sideways, the robot first turns away from it to the left, so that the
-     * sensor can come to it.
+     * Starts a spin. If the left sensor already sees a wall that was met in a search, the robot first turns to the
+     * left, away from it, so that the sensor can come to it.
+     *
+     * @param afterSearch whether the wall was met in a search
      */
-    void begin(boolean wallMetSideways) {
+    void begin(boolean afterSearch) {
         if (rule != nextRule) {
             rule = nextRule;
             edgeTimer = EdgeTimer.of(rule);
@@ -66,7 +68,7 @@ final class AlignmentManoeuvre {
         startHeading = estimate.odometer().heading();
         startTick = estimate.tick();
         estimate.clearFrontMemory();
-        backingOff = wallMetSideways && wallReading() < Reading.NOTHING;
+        backingOff = afterSearch && wallReading() < Reading.NOTHING;
         nearestReading = left().reading();
         edgeTimer.start(
                 estimate.thresholds().get(Threshold.TIMING_LEVEL),

@@ -21,7 +21,9 @@ public final class DiagnosisMetrics implements TickObserver {
     private final Set<String> faulty = new HashSet<>();
     private final String firstFaulty;
     private final Set<String> wronglyDistrusted = new HashSet<>();
-    private final double tick;
+    /** The length of a tick, seconds. */
+    private final double dt;
+
     private double detected = Double.NaN;
     private double secondsInView;
     private double largestError;
@@ -34,7 +36,7 @@ public final class DiagnosisMetrics implements TickObserver {
      * @param setup the setup of the run
      */
     public DiagnosisMetrics(SimulationSetup setup) {
-        tick = setup.dt();
+        dt = setup.dt();
         onset = CarryOnMetrics.faultTimes(setup).min().orElse(0);
         setup.timeline().stream()
                 .filter(timed -> timed.command() instanceof Command.InjectFault)
@@ -71,7 +73,7 @@ public final class DiagnosisMetrics implements TickObserver {
         if (distance == Reading.NOTHING) {
             return;
         }
-        secondsInView += tick;
+        secondsInView += dt;
         double reading = simulation.reportedReading(sensor);
         if (reading < Reading.NOTHING) {
             largestError = Math.max(largestError, Math.abs(reading - distance));

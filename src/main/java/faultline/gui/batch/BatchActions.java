@@ -105,7 +105,7 @@ public final class BatchActions {
     }
 
     private void showDialog(BatchSource open, ControllerChoice chosen) {
-        if (chosen.isScenarios()) {
+        if (chosen.isScenarioDefault()) {
             showDialog(open, chosen, false);
         } else {
             // If a jar is broken by now, the batch says so when it starts.

@@ -34,7 +34,7 @@ record BatchControllerItem(ControllerOrigin origin, ControllerChoice choice) {
      */
     static List<BatchControllerItem> items(SimulationSetup setup, ControllerChoice chosen, boolean program) {
         List<BatchControllerItem> items = new ArrayList<>();
-        if (!chosen.isScenarios() && !program && !isSame(chosen, setup)) {
+        if (!chosen.isScenarioDefault() && !program && !isSame(chosen, setup)) {
             items.add(new BatchControllerItem(ControllerOrigin.CHOSEN, chosen));
         }
         // No plan can name a controller that the user has to choose.

@@ -164,7 +164,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
      * scenario with its own controller instead and returns true; the dialog still shows the choice.
      */
     public boolean openFailed(Throwable cause) {
-        if (cause instanceof RunFailedException && !next.isScenarios()) {
+        if (cause instanceof RunFailedException && !next.isScenarioDefault()) {
             use(ControllerChoice.SCENARIO);
             workspace.retry();
             return true;
@@ -188,7 +188,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
         untried = false;
         ControllerChoice before = started;
         started = workspace.keepsController() ? ControllerChoice.SCENARIO : next;
-        scenarioController.setEnabled(!started.isScenarios());
+        scenarioController.setEnabled(!started.isScenarioDefault());
         if (ghostPending) {
             ghostPending = false;
             startGhost();
@@ -198,7 +198,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
         files = Map.of();
         notes.remove(changedNote);
         ControllerChoice chosen = started;
-        if (!chosen.isScenarios()) {
+        if (!chosen.isScenarioDefault()) {
             BackgroundTasks.compute(
                     () -> times(chosen.files()),
                     found -> {

@@ -82,7 +82,7 @@ final class ControllerDialog {
         ((JTextComponent) field.getEditor().getEditorComponent())
                 .getDocument()
                 .addDocumentListener(new TextListener(this::stopAwaiting));
-        field.setSelectedItem(now.isScenarios() ? Messages.get("chooseController.scenarios") : now.text());
+        field.setSelectedItem(now.isScenarioDefault() ? Messages.get("chooseController.scenarios") : now.text());
         load(() -> FoundControllers.of(now.jars()), found -> showNames(found, text()));
     }
 

@@ -86,7 +86,7 @@ public final class ComparisonController implements WorkspaceListener {
                 Scenario scenario = edited.join();
                 assert !EventQueue.isDispatchThread();
                 SimulationSetup setup = controller.applyTo(scenario.setup(), scenario.name(), errors);
-                String name = controller.isScenarios() ? scenario.name() : controller.text();
+                String name = controller.isScenarioDefault() ? scenario.name() : controller.text();
                 return replay(name, new Journal(setup, List.of(), setup.ticks()), tick -> {
                     if (tick == 0) {
                         EventQueue.invokeLater(onStarted);

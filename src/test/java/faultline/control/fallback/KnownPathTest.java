@@ -57,7 +57,7 @@ class KnownPathTest {
     void aNewStartEndsAScan() {
         drive(BLIND, 0, 0, 1, 0.15);
         path.update(BLIND, 0, DriveDirection.FORWARDS);
-        path.begin();
+        path.endScan();
         assertFalse(path.isScanning());
     }
 
