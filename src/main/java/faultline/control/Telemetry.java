@@ -27,7 +27,7 @@ public record Telemetry(
      * The distance control.
      *
      * @param wantedDistance the distance that it maintains, metres
-     * @param measuredDistance the distance that it measures, metres
+     * @param measuredDistance the distance that it measures, metres; positive infinity if nothing is within range
      * @param proportional the PD controller's P term, radians per second
      * @param derivative the PD controller's D term, radians per second
      */
@@ -38,7 +38,7 @@ public record Telemetry(
     }
 
     /**
-     * The times of the alignment manoeuvre.
+     * The times of the alignment manoeuvre, on the clock of its spin, which starts at 0 when TURN begins.
      *
      * @param tF3 when the left sensor came to the timing distance, the paper's frame F3, seconds
      * @param tF4 when it left it, frame F4, seconds

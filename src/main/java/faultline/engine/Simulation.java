@@ -88,7 +88,8 @@ public final class Simulation implements AutoCloseable {
     /**
      * Creates a simulation at tick 0 with a controller instead of the setup's.
      *
-     * @param setup the setup; its controller is only named in the first telemetry
+     * @param setup the setup. Its controller gives the state of the first telemetry and the first value of
+     *     {@link #controllerSpec}. A command may change the settings only if that controller is part of the program
      * @param controller drives the robot; not closed with the simulation
      * @param mode the thread of the controller
      * @param listener receives the result of every command

@@ -243,7 +243,8 @@ final class TimelineReader {
     private static <K extends FaultDescriptor<F>, F> Optional<F> readFault(AttributeReader fields, K[] kinds) {
         Optional<F> fault = fields.choice("kind", kinds, FaultDescriptor::fileName)
                 .map(kind -> kind.createFault(readFaultValue(fields, kind), readFaultLength(fields, kind)));
-        fields.text("value");
+        // An unknown kind is reported alone, without its value.
+        fields.isPresent("value");
         return fault;
     }
 

@@ -34,10 +34,19 @@ public final class CarryOnMetrics implements TickObserver {
     /** The time that a lap takes in addition to its length divided by the robot's speed, seconds. */
     private static final double CORNER_TIME = 10;
 
-    /** The robot's path is sampled in steps of this length, metres. */
-    private static final double STEP = 0.02;
+    /** The places of the circuit are this far apart, metres. */
+    private static final double PLACE_SPACING = 0.02;
 
-    /** Points of the path farther from each other than this could miss a place, metres. */
+    /** Places nearer to each other than this belong to one path, metres. */
+    private static final double JOIN_DISTANCE = 0.04;
+
+    /** A place is passed if the robot's centre comes within this of it, metres. */
+    private static final double PASSING_DISTANCE = 0.15;
+
+    /** The least distance between two points of the robot's path that are looked at, metres. */
+    private static final double MIN_STEP = 0.02;
+
+    /** The greatest distance: points farther apart could miss a place, metres. */
     private static final double MAX_STEP = 0.05;
 
     /** The distance that the robot must drive before a pass of the same place counts again, metres. */
@@ -102,10 +111,9 @@ public final class CarryOnMetrics implements TickObserver {
         if (distance.isEmpty()) {
             return WallCircuit.empty();
         }
-        double spacing = 0.02;
         List<WallReference.WallSample> places =
-                new WallReference(setup.world()).samplesAlongPath(distance.getAsDouble(), spacing);
-        return new WallCircuit(places, spacing, 0.04, 0.15);
+                new WallReference(setup.world()).samplesAlongPath(distance.getAsDouble(), PLACE_SPACING);
+        return new WallCircuit(places, PLACE_SPACING, JOIN_DISTANCE, PASSING_DISTANCE);
     }
 
     /**
@@ -158,7 +166,7 @@ public final class CarryOnMetrics implements TickObserver {
             return;
         }
         if (path >= 0) {
-            if (centre.distanceTo(last) >= STEP) {
+            if (centre.distanceTo(last) >= MIN_STEP) {
                 new Segment(last, centre).forEachPoint(MAX_STEP, this::visit);
             }
         } else if (state != FollowerState.SEARCH) {
