@@ -90,6 +90,11 @@ final class EditedObstacles {
         return new EditedObstacles(this);
     }
 
+    /** Returns the origin of the obstacle that a command at a tick is about. */
+    Origin originAt(long tick, String id) {
+        return origins.at(tick, id);
+    }
+
     /** Moves an obstacle at a tick; one that does not exist is ignored. */
     void move(long tick, String id, Pose pose) {
         Origin origin = origins.at(tick, id);

@@ -21,6 +21,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -44,9 +45,11 @@ final class SetupEditor {
 
     private final List<ExecutedChange> entries = new ArrayList<>();
     /** What a command restores that undoes the last command with this inverse. */
-    private final Map<Command, Consumer<SetupEditor>> reversals = new HashMap<>();
-    /** The reversals before the commands, of edits that are part of the base. */
+    private final Map<UndoCommand, Consumer<SetupEditor>> reversals = new HashMap<>();
+    /** The same for edits that are part of the base, whose ticks are those of an earlier run. */
     private final Map<Command, Consumer<SetupEditor>> baseReversals;
+    /** The same for all edits, for a run in which the present ones are part of the base. */
+    private final Map<Command, Consumer<SetupEditor>> lastReversals = new HashMap<>();
     /** The number of entries that the run has executed. */
     private int position;
     /**
@@ -58,11 +61,24 @@ final class SetupEditor {
     private RobotSpec robot;
     private ControllerSpec controller;
 
+    /** A command that undoes another one; the origin of its obstacle, null if it is about something else. */
+    private record UndoCommand(Command command, ObstacleOrigins.Origin origin) {}
+
     /**
      * A change of the setup at a tick, and what the run executed for it, null for nothing. Both are the same unless the
      * timeline had changed the same thing; the change then has the tick of an earlier edit that is undone or redone.
      */
     private record ExecutedChange(long tick, CommandResult change, CommandResult executed) {
+        /** Returns whether this undoes or redoes a change, and the run has executed nothing for it. */
+        boolean isWithoutRun(CommandResult other) {
+            return executed == null && commands(change).equals(commands(other));
+        }
+
+        private static Set<Command> commands(CommandResult change) {
+            return Stream.concat(Stream.of(change.command()), change.inverse().stream())
+                    .collect(Collectors.toSet());
+        }
+
         ExecutedChange renamed(SensorRename rename) {
             CommandResult renamed = rename.rename(change);
             return new ExecutedChange(tick, renamed, executed == null ? null : rename.rename(executed));
@@ -124,7 +140,8 @@ final class SetupEditor {
         controller = base.controller();
         obstacles = baseObstacles.copy();
         reversals.clear();
-        reversals.putAll(baseReversals);
+        lastReversals.clear();
+        lastReversals.putAll(baseReversals);
     }
 
     /**
@@ -137,7 +154,8 @@ final class SetupEditor {
 
     /**
      * Applies, at a tick, the change that a command of an earlier tick made, for which the run has executed another
-     * command, null for none. If it has executed none, later commands of the run remain.
+     * command, null for none. If it has executed none, later commands of the run remain, except for what undoes or
+     * redoes the same change there without the run.
      */
     void add(long tick, CommandResult change, CommandResult executed) {
         if (!SensorReference.isOn(robot, change.command())) {
@@ -145,9 +163,7 @@ final class SetupEditor {
         }
         moveTo(tick - 1, position);
         boolean last = position == entries.size();
-        if (executed != null) {
-            entries.subList(position, entries.size()).clear();
-        }
+        entries.subList(position, entries.size()).removeIf(later -> executed != null || later.isWithoutRun(change));
         entries.add(position, new ExecutedChange(tick, change, executed));
         position++;
         if (last) {
@@ -205,7 +221,7 @@ final class SetupEditor {
 
     /** Returns an editor of the edited setup, without edits, that hides the same commands and can undo the edits. */
     SetupEditor restarted(SimulationSetup edited) {
-        return new SetupEditor(edited, obstacles.hidden(), obstacles, reversals);
+        return new SetupEditor(edited, obstacles.hidden(), obstacles, lastReversals);
     }
 
     /**
@@ -321,13 +337,25 @@ final class SetupEditor {
             return false;
         }
         Consumer<SetupEditor> reversal = reversal(result);
-        Optional.ofNullable(reversals.get(result.command()))
+        Command command = result.command();
+        Optional.ofNullable(reversals.getOrDefault(undoCommand(result.tick(), command), baseReversals.get(command)))
                 .orElseGet(() -> change(result))
                 .accept(this);
         if (result.inverse().size() == 1) {
-            reversals.put(result.inverse().get(0), reversal);
+            Command undo = result.inverse().get(0);
+            reversals.put(undoCommand(result.tick(), undo), reversal);
+            lastReversals.put(undo, reversal);
         }
         return true;
+    }
+
+    /** Returns a command with the origin that its obstacle has at a tick: the timeline may place one of the same id. */
+    private UndoCommand undoCommand(long tick, Command command) {
+        return new UndoCommand(
+                command,
+                ObstacleOrigins.subject(command)
+                        .map(id -> obstacles.originAt(tick, id))
+                        .orElse(null));
     }
 
     /** Returns what makes the change of a command. */

@@ -7,6 +7,7 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -83,34 +84,40 @@ final class CommandEdit implements Edit {
         return fromStart;
     }
 
-    /** Notes that the edit is part of a new run from its start. */
-    void setFromStart() {
-        fromStart = true;
+    /** Sets whether the edit is part of a new run from its start. */
+    void setFromStart(boolean newFromStart) {
+        fromStart = newFromStart;
     }
 
     /**
-     * Returns the changes that undo the edit, given the results of its last execution, what returns the commands of the
-     * timeline since a tick, and what returns those since the result of a command that changes the setup.
+     * Returns the changes that undo the edit, given the results of its last and of its first execution, what returns
+     * the commands of the timeline since a tick, and what returns those since the result of a command that changes the
+     * setup.
      */
     List<LaterChange> undoChanges(
             List<CommandResult> executed,
+            List<CommandResult> firsts,
             LongFunction<List<Command>> plannedSince,
             Function<CommandResult, List<Command>> plannedAfter) {
+        Map<EditTarget, CommandResult> first = new HashMap<>();
+        firsts.forEach(result -> first.putIfAbsent(EditTarget.of(result.command()), result));
         List<CommandResult> backwards = new ArrayList<>(executed);
         Collections.reverse(backwards);
         return backwards.stream()
-                .flatMap(result -> undo(result, plannedSince, plannedAfter).stream())
+                .flatMap(result -> undo(
+                        result, first.getOrDefault(EditTarget.of(result.command()), result), plannedSince, plannedAfter)
+                        .stream())
                 .toList();
     }
 
-    private List<LaterChange> undo(
+    private static List<LaterChange> undo(
             CommandResult result,
+            CommandResult first,
             LongFunction<List<Command>> plannedSince,
             Function<CommandResult, List<Command>> plannedAfter) {
         if (TimelineEvents.isEvent(result.command())) {
             return same(TimelineEvents.undo(result, plannedSince.apply(result.tick())));
         }
-        CommandResult first = results.getOrDefault(EditTarget.of(result.command()), result);
         return first.inverse().size() == 1
                 ? LaterChange.after(plannedAfter.apply(first), inverse(first))
                         .map(List::of)

@@ -172,7 +172,14 @@ final class EditHistory {
                 .reduce((earlier, later) -> later)
                 .map(EditChange::executed)
                 .orElseGet(edit::results);
-        return edit.undoChanges(executed, plannedSince, result -> plannedAfter(edit, result));
+        return edit.undoChanges(executed, firstResults(edit), plannedSince, result -> plannedAfter(edit, result));
+    }
+
+    /** Returns the results of an edit when it was first executed before the present tick; it may be redone earlier. */
+    private List<CommandResult> firstResults(CommandEdit edit) {
+        return edit.isFromStart()
+                ? edit.results()
+                : passed(edit).findFirst().map(EditChange::executed).orElseGet(edit::results);
     }
 
     /** Returns what redoes an edit. */
@@ -266,6 +273,8 @@ final class EditHistory {
 
     private void addChange(EditChange change) {
         advanceTo(change.tick() - 1);
+        // The run has executed none of those that are ahead of one that it does not execute either.
+        changes.subList(passed, changes.size()).removeIf(later -> later.edit() == change.edit());
         changes.add(passed, change);
         passed++;
     }
@@ -330,11 +339,12 @@ final class EditHistory {
         forgetChanges();
     }
 
-    /** Follows the start of another run: it has all edits from its start, except for those that it executes. */
+    /** Follows the start of another run: it has all edits that are done, except for those that it executes. */
     void runStarted() {
-        for (Edit edit : edits) {
+        for (int i = 0; i < edits.size(); i++) {
+            Edit edit = edits.get(i);
             if (edit instanceof CommandEdit command && changes.stream().noneMatch(change -> change.edit() == edit)) {
-                command.setFromStart();
+                command.setFromStart(i < cursor);
             }
         }
     }

@@ -110,6 +110,72 @@ class LaterObstacleUndoTest {
         }
     }
 
+    /** The edit was made at the planned place, and is redone at the place of the start. */
+    @Test
+    void anEditThatIsRedoneBeforeTheTimelineIsUndoneToItsStart() {
+        plan(at(0.2, PLAN));
+        run.advanceTo(30);
+        run.send(new Command.PlaceObstacle(new Obstacle(STAND, new ObstacleShape.CircleShape(0.3), PLANNED)));
+        run.seek(10);
+        run.redo();
+        run.advanceTo(28);
+        run.undo();
+        assertEquals(Optional.of(stand), atStart(STAND));
+        assertShown(stand.withPose(PLANNED));
+    }
+
+    @Test
+    void anEditThatIsRedoneTwiceAfterTheTimelineIsUndoneOnce() {
+        plan(at(0.2, PLAN));
+        run.send(EDIT);
+        run.undo();
+        run.advanceTo(60);
+        run.redo();
+        run.seek(40);
+        run.redo();
+        run.advanceTo(80);
+        run.undo();
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+        assertEquals(Optional.of(stand), atStart(STAND));
+        assertShown(stand.withPose(PLANNED));
+    }
+
+    /** Another edit at an earlier tick drops its first execution from the run. */
+    @Test
+    void anEditThatIsRedoneInAnotherCourseOfTheRunIsUndoneToItsPlaceBefore() {
+        plan(at(0.2, PLAN));
+        run.advanceTo(60);
+        run.send(new Command.PlaceObstacle(new Obstacle(STAND, new ObstacleShape.CircleShape(0.3), PLANNED)));
+        run.seek(30);
+        run.send(EDIT);
+        run.seek(40);
+        Pose last = new Pose(5.9, 4.2, 0);
+        run.send(new Command.MoveObstacle(STAND, last));
+        run.redo();
+        run.undo();
+        assertEquals(Optional.of(stand.withPose(last)), shown(STAND));
+        run.undo();
+        run.undo();
+        assertShown(stand.withPose(PLANNED));
+        assertEquals(Optional.of(stand), atStart(STAND));
+    }
+
+    /** Both obstacles are removed by the same command, and so is what undoes their return. */
+    @Test
+    void theRemovalsOfTwoObstaclesOfOneIdAreUndoneEach() {
+        Command put = new Command.PlaceObstacle(stand.withPose(PLANNED));
+        plan(at(0.2, new Command.RemoveObstacle(STAND)), at(0.3, put));
+        List<TimedCommand> planned = run.timeline();
+        run.send(new Command.RemoveObstacle(STAND));
+        run.undo();
+        run.advanceTo(40);
+        run.send(new Command.RemoveObstacle(STAND));
+        run.undo();
+        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(planned, run.timeline());
+        assertShown(stand.withPose(PLANNED));
+    }
+
     @Test
     void anObstacleThatTheTimelineHasNotMovedYetReturns() {
         plan(at(0.2, PLAN));
