@@ -165,10 +165,20 @@ final class CommandLine {
         }
         if (!looksLikeFile(first)) {
             throw new UsageException("there is no command " + MessageText.quoted(first) + "; expected "
-                    + String.join(", ", COMMANDS) + " or a scenario file"
-                    + DidYouMean.hint(first, COMMANDS));
+                    + String.join(", ", COMMANDS) + " or a scenario file" + hint(first));
         }
         return new WindowCommand(output).run(args);
+    }
+
+    /** Returns the hint for a first argument that is no command. */
+    private static String hint(String argument) {
+        boolean option = argument.startsWith("--");
+        String hint = DidYouMean.hint(
+                argument,
+                COMMANDS.stream()
+                        .filter(command -> command.startsWith("--") == option)
+                        .toList());
+        return hint.isEmpty() && option ? "; options follow it" : hint;
     }
 
     /** Returns the help of a command, or of all if none is named. */

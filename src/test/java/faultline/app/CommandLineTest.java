@@ -274,6 +274,7 @@ class CommandLineTest {
             --help rnu                      | --help takes the name of one command, not "rnu"; did you mean "run"?
             --help run check                | --help takes the name of one command, not "run check"
             --version 0.1.0                 | --version takes nothing, not "0.1.0"
+            --controller none x.xml         | there is no command "--controller"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; options follow it
             --hepl                          | there is no command "--hepl"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; did you mean "--help"?
             a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
             --window a.xml b.xml            | the window takes one scenario file, not also "b.xml"
