@@ -99,8 +99,19 @@ class CampaignRunnerTest {
         assertArrayEquals(expected, Files.readAllBytes(merged.runs()));
         assertEquals(replays(reference), replays(folder.resolve("merged")));
         assertEquals(
+                Files.readAllLines(reference.resolve("timing.csv")).stream()
+                        .map(CampaignRunnerTest::firstCell)
+                        .toList(),
+                Files.readAllLines(merged.timing()).stream()
+                        .map(CampaignRunnerTest::firstCell)
+                        .toList());
+        assertEquals(
                 Files.readString(reference.resolve("campaign.json")),
                 Files.readString(folder.resolve("merged").resolve("campaign.json")));
+    }
+
+    private static String firstCell(String row) {
+        return Csv.cells(row).get(0);
     }
 
     @Test
@@ -311,6 +322,15 @@ class CampaignRunnerTest {
         cannotMerge("run 24 comes next", one, two, two, three);
         Files.write(two.runs(), Arrays.copyOf(Files.readAllBytes(two.runs()), 900));
         cannotMerge("--shard 2/3 --resume makes the rest", one, two, three);
+    }
+
+    @Test
+    void partsOfDifferentPlansAreRefused() throws Exception {
+        CampaignFolder one = part(1);
+        CampaignFolder two = new CampaignFolder(folder.resolve("part-2"));
+        new CampaignRunner(SamplePlan.read(PLAN.replace("30", "31")), two, new Shard(2, 3), 2)
+                .run(false, (made, runs) -> {}, () -> false);
+        cannotMerge(two + ": this is of another campaign than " + one, one, two, part(3));
     }
 
     @Test
