@@ -87,6 +87,13 @@ class WorstRunsTest {
     }
 
     @Test
+    void ofRunsWithOneOutcomeThoseWhoseShareIsNotKnownAreTheWorstAndOfEqualOnesTheFirst() throws IOException {
+        IntStream.range(0, 22).forEach(i -> addRow("undecided", i == 21 ? "" : "0.2"));
+        assertEquals(
+                names(IntStream.concat(IntStream.range(0, 19), IntStream.of(21)).toArray()), replays());
+    }
+
+    @Test
     void aRunThatFailedHasNoReplay() throws IOException {
         addRow("broken", "");
         addRow("lost", "0.2");

@@ -95,6 +95,32 @@ class CoverageTest {
         assertTrue(coverage.share().isEmpty());
     }
 
+    /** The places of the wall are 0.135 m from the first point, and 0.04 m from the last one. */
+    @Test
+    void aWallThatTheRobotReachesOnlyAtTheEndIsPassed() {
+        coverage.visit(new Vector2(2, 0.485));
+        coverage.visit(new Vector2(2, 0.41));
+        coverage.visit(new Vector2(2, 0.39));
+        assertEquals(0.06 / (4 * 3.3), share(), 0.001);
+    }
+
+    /** Places at 1.5 m from a thin pole are 0.3 m apart, so the middle one is more than a square from most others. */
+    @Test
+    void placesFarFromTheMiddleOfThoseAroundAPoleArePassed() {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.05), new Pose(5, 5, 0));
+        Coverage around = new Coverage(new WallReference(new WorldSpec(10, 10, false, 3, List.of(pole))), 1.5);
+        around.visit(new Vector2(5 - 1.55, 5));
+        assertTrue(around.share().isPresent());
+    }
+
+    @Test
+    void aRecordIsEmptyUntilAPointIsRecorded() {
+        assertTrue(coverage.isEmpty());
+        visit(LAP);
+        assertEquals(1, share());
+        assertFalse(coverage.isEmpty());
+    }
+
     @Test
     void nothingPassedIsNoShare() {
         assertTrue(coverage.share().isEmpty());
