@@ -100,7 +100,10 @@ final class PlaceMap {
         ConvexShape wall = walls.walls().shape(number);
         List<PlaceBlock> around = new ArrayList<>();
         for (PlaceRow row : PlaceRow.of(wall, distance, spacing, 0, circle)) {
-            around.addAll(row instanceof PlaceRow.Arc arc ? aroundEnd(arc, (Segment) wall) : newBlocks(wall, row));
+            around.addAll(
+                    row instanceof PlaceRow.Arc arc
+                            ? aroundEnd(arc, (Segment) wall)
+                            : newBlocks(wall, row.joined(joinDistance)));
         }
         blocksByWall.put(number, around);
     }

@@ -43,6 +43,14 @@ sealed interface PlaceRow {
     int shared(double joinDistance);
 
     /**
+     * Returns a row of the same places and, if neighbours are farther from each other than a distance, others between
+     * them. Only those around a thin or pointed ellipse can be: their spacing is that of its edge.
+     */
+    default PlaceRow joined(double joinDistance) {
+        return this;
+    }
+
+    /**
      * Returns the rows of a wall: both sides of a segment and the arcs around its ends, or the path around an ellipse.
      *
      * @param wall the wall
@@ -190,6 +198,18 @@ sealed interface PlaceRow {
 
     /** The places around an ellipse. */
     record Ring(Ellipse oval, double distance, int size) implements PlaceRow {
+
+        /** A row with more places has none added, although the path around a needle may need them. */
+        private static final int MAX_DIVIDED = 1 << 16;
+
+        @Override
+        public Ring joined(double joinDistance) {
+            Ring ring = this;
+            while (ring.size <= MAX_DIVIDED && ring.step(0, ring.size) > joinDistance) {
+                ring = new Ring(oval, distance, 2 * ring.size);
+            }
+            return ring;
+        }
 
         @Override
         public long rank(int index) {

@@ -11,12 +11,15 @@ final class BruteForceSamples {
 
     private BruteForceSamples() {}
 
-    /** Returns what {@link WallReference#samples} must return. */
-    static List<WallReference.WallSample> of(WallReference walls, double distance, double spacing, double reach) {
+    /** Returns the samples, given the distance that neighbours around a round wall must not exceed. */
+    static List<WallReference.WallSample> of(
+            WallReference walls, double distance, double spacing, double reach, double joinDistance) {
         List<WallReference.WallSample> places = new ArrayList<>();
         List<Vector2> circle = PlaceRow.circle(distance, spacing);
         for (int i = 0; i < walls.size(); i++) {
-            List<PlaceRow> rows = PlaceRow.of(walls.walls().shape(i), distance, spacing, reach, circle);
+            List<PlaceRow> rows = PlaceRow.of(walls.walls().shape(i), distance, spacing, reach, circle).stream()
+                    .map(row -> row.joined(joinDistance))
+                    .toList();
             boolean bothSides = rows.get(0) instanceof PlaceRow.Side;
             for (int place = 0; bothSides && place < rows.get(0).size(); place++) {
                 addIfFree(walls.walls(), rows.get(0), place, distance, places);

@@ -113,6 +113,31 @@ class CoverageTest {
         assertTrue(around.share().isPresent());
     }
 
+    /** The places around a pole are farther from each other than along its edge, but one piece. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.001, 0.02, 0.05, 0.1, 0.2, 0.25, 0.5})
+    void aThirdOfThePathAroundAPoleIsAThird(double radius) {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(radius), new Pose(2, 2, 0));
+        Coverage around = coverage(new WorldSpec(4, 4, false, 3, List.of(pole)));
+        for (double angle = 0; angle <= 2 * Math.PI / 3; angle += 0.002) {
+            around.visit(new Vector2(2, 2).plus(Vector2.direction(angle).times(radius + WANTED)));
+        }
+        // The tolerance is passed at both ends.
+        double tolerance = Coverage.TOLERANCE / (radius + WANTED) / Math.PI;
+        assertEquals(1 / 3.0 + tolerance, around.share().orElseThrow(), 0.02);
+    }
+
+    /** The path of this ellipse turns at its ends by half a circle, where its edge is nearly a point. */
+    @Test
+    void thePathAroundAPointedEllipseIsOnePiece() {
+        Obstacle leaf = new Obstacle("leaf", new ObstacleShape.EllipseShape(0.6, 0.02), new Pose(2, 2, 0));
+        Coverage around = coverage(new WorldSpec(4, 4, false, 3, List.of(leaf)));
+        for (double x = -0.5; x <= 0.5; x += 0.002) {
+            around.visit(new Vector2(2 + x, 2 + WANTED));
+        }
+        assertEquals(0.45, around.share().orElseThrow(), 0.05);
+    }
+
     @Test
     void aRecordIsEmptyUntilAPointIsRecorded() {
         assertTrue(coverage.isEmpty());
@@ -221,7 +246,7 @@ class CoverageTest {
             double spacing = wanted / (5 + random.nextInt(20));
             assertTrue(
                     walls.samplesAlongPath(wanted, spacing)
-                            .equals(BruteForceSamples.of(walls, wanted, spacing, wanted)),
+                            .equals(BruteForceSamples.of(walls, wanted, spacing, wanted, Double.POSITIVE_INFINITY)),
                     "world " + i);
         }
     }

@@ -26,7 +26,8 @@ final class EagerCoverage {
     private double share = Double.NaN;
 
     EagerCoverage(WallReference walls, double distance) {
-        circuit = new WallCircuit(BruteForceSamples.of(walls, distance, 0.01, 0), 0.01, 0.025, Coverage.TOLERANCE);
+        circuit =
+                new WallCircuit(BruteForceSamples.of(walls, distance, 0.01, 0, 0.025), 0.01, 0.025, Coverage.TOLERANCE);
         passed = new boolean[circuit.size()];
     }
 
