@@ -54,6 +54,19 @@ class NearestWallTest {
         assertFalse(wall.straight());
     }
 
+    /** On the diagonal of a corner, both of its walls are equally near. */
+    @Test
+    void ofTwoWallsTheFirstInTheWorldCountsWhicheverWasNearerBefore() {
+        SpatialIndex walls = SpatialIndex.ofStaticShapes(new WorldSpec(4, 4, true, 3, List.of()));
+        Vector2 diagonal = new Vector2(0.3, 0.3);
+        NearestWall.Wall first = bruteForce(walls, RANGE, diagonal);
+        for (Vector2 before : List.of(new Vector2(0.29, 0.3), new Vector2(0.3, 0.29))) {
+            NearestWall along = new NearestWall(walls, RANGE);
+            assertEquals(0.29, along.of(before, MARGIN).distance(), 1e-12);
+            assertEquals(first, along.of(diagonal, MARGIN));
+        }
+    }
+
     @Test
     void alongAPathEveryWallIsTheOneThatBruteForceFinds() {
         Random random = new Random(815);

@@ -211,7 +211,7 @@ class ExportFilesTest {
         ExportTask task = callOnEdt(() ->
                 new ExportTask(canvas, (out, progress) -> progress.cancel(), file, () -> {}, ends::add, ends::add));
         runOnEdt(task::start);
-        Await.until("the end of the task", task::isDone);
+        Await.until("the end of the task", () -> task.isDone() && !ends.isEmpty());
         assertInstanceOf(CancellationException.class, callOnEdt(() -> ends.get(0)));
         assertTrue(Files.notExists(file));
     }
