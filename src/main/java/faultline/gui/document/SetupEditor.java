@@ -21,7 +21,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -63,27 +62,6 @@ final class SetupEditor {
 
     /** A command that undoes another one; the origin of its obstacle, null if it is about something else. */
     private record UndoCommand(Command command, ObstacleOrigins.Origin origin) {}
-
-    /**
-     * A change of the setup at a tick, and what the run executed for it, null for nothing. Both are the same unless the
-     * timeline had changed the same thing; the change then has the tick of an earlier edit that is undone or redone.
-     */
-    private record ExecutedChange(long tick, CommandResult change, CommandResult executed) {
-        /** Returns whether this undoes or redoes a change, and the run has executed nothing for it. */
-        boolean isWithoutRun(CommandResult other) {
-            return executed == null && commands(change).equals(commands(other));
-        }
-
-        private static Set<Command> commands(CommandResult change) {
-            return Stream.concat(Stream.of(change.command()), change.inverse().stream())
-                    .collect(Collectors.toSet());
-        }
-
-        ExecutedChange renamed(SensorRename rename) {
-            CommandResult renamed = rename.rename(change);
-            return new ExecutedChange(tick, renamed, executed == null ? null : rename.rename(executed));
-        }
-    }
 
     SetupEditor(SimulationSetup setup) {
         this.base = setup;

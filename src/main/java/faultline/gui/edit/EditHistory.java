@@ -18,7 +18,7 @@ import java.util.stream.Stream;
 /**
  * The edits, and a cursor between those that are done and those that are undone. A new edit drops the undone ones, but
  * keeps those that are undone only because the run stands at an earlier tick: they can still be redone. The history
- * records the ticks at which edits were done and undone, so that it follows the run when it is moved to another tick.
+ * logs the ticks at which edits were done and undone, so that it follows the run when it is moved to another tick.
  * Commands have the ids that sensors had when they were executed, so those of an edit that changes its place among
  * edits that rename sensors are renamed, too.
  */
@@ -32,9 +32,7 @@ final class EditHistory {
     /** The number of edits that are done; they come first. */
     private int cursor;
 
-    private final List<EditChange> changes = new ArrayList<>();
-    /** The number of changes that the run has passed. */
-    private int passed;
+    private final EditLog log = new EditLog();
 
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
     private ToLongFunction<CommandResult> originTick = CommandResult::tick;
@@ -115,9 +113,7 @@ final class EditHistory {
 
     /** Gives the commands of edits that have been dropped, but executed in this run, other ids. */
     private void renameDropped(List<SensorRename> renames) {
-        changes.stream()
-                .map(EditChange::edit)
-                .distinct()
+        log.edits()
                 .filter(edit -> !edits.contains(edit))
                 .toList()
                 .forEach(edit -> renames.forEach(rename -> rename(edit, rename)));
@@ -167,7 +163,7 @@ final class EditHistory {
 
     /** Returns what undoes an edit as it was done last; nothing if the timeline has ended what it did. */
     List<LaterChange> undoChanges(CommandEdit edit) {
-        List<CommandResult> executed = passed(edit)
+        List<CommandResult> executed = log.passed(edit)
                 .filter(EditChange::done)
                 .reduce((earlier, later) -> later)
                 .map(EditChange::executed)
@@ -179,7 +175,7 @@ final class EditHistory {
     private List<CommandResult> firstResults(CommandEdit edit) {
         return edit.isFromStart()
                 ? edit.results()
-                : passed(edit).findFirst().map(EditChange::executed).orElseGet(edit::results);
+                : log.passed(edit).findFirst().map(EditChange::executed).orElseGet(edit::results);
     }
 
     /** Returns what redoes an edit. */
@@ -187,16 +183,12 @@ final class EditHistory {
         return edit.redoChanges(result -> plannedAfter(edit, result));
     }
 
-    private Stream<EditChange> passed(CommandEdit edit) {
-        return changes.subList(0, passed).stream().filter(change -> change.edit() == edit);
-    }
-
     /** Returns the commands of the timeline after a command of an edit was first executed in this run. */
     private List<Command> plannedAfter(CommandEdit edit, CommandResult result) {
         return plannedSince.apply(
                 edit.isFromStart()
                         ? originTick.applyAsLong(result)
-                        : passed(edit)
+                        : log.passed(edit)
                                 .findFirst()
                                 .filter(change -> !change.isFirst())
                                 .map(EditChange::tick)
@@ -258,7 +250,7 @@ final class EditHistory {
 
     private void rename(CommandEdit edit, SensorRename rename) {
         edit.rename(rename);
-        changes.replaceAll(change -> change.edit() == edit ? change.renamed(rename) : change);
+        log.rename(edit, rename);
     }
 
     /** Records that a new edit was done at a tick, before those that are ahead. */
@@ -273,19 +265,12 @@ final class EditHistory {
 
     private void addChange(EditChange change) {
         advanceTo(change.tick() - 1);
-        // The run has executed none of those that are ahead of one that it does not execute either.
-        changes.subList(passed, changes.size()).removeIf(later -> later.edit() == change.edit());
-        changes.add(passed, change);
-        passed++;
+        log.add(change);
     }
 
     /** Returns the tick at which an edit was first done, 0 if it was done before the run started. */
     long firstTick(CommandEdit edit) {
-        return changes.stream()
-                .filter(change -> change.edit() == edit)
-                .mapToLong(EditChange::tick)
-                .findFirst()
-                .orElse(0);
+        return log.firstTick(edit);
     }
 
     /**
@@ -294,9 +279,7 @@ final class EditHistory {
      */
     int fork(long tick) {
         advanceTo(tick - 1);
-        boolean ahead = passed < changes.size();
-        changes.subList(passed, changes.size()).clear();
-        return ahead ? editsAhead().size() : 0;
+        return log.removeAhead() ? editsAhead().size() : 0;
     }
 
     /**
@@ -306,27 +289,16 @@ final class EditHistory {
     boolean moveTo(long tick, boolean eventsOnTimeline, BiFunction<Edit, List<CommandResult>, Edit> replacement) {
         if (eventsOnTimeline) {
             replaceEvents(replacement);
-            passed -= (int) changes.subList(0, passed).stream().filter(IS_EVENT).count();
-            changes.removeIf(IS_EVENT);
+            log.removeIf(IS_EVENT);
         }
         runStarted();
-        int before = passed;
-        while (passed > 0 && changes.get(passed - 1).tick() > tick) {
-            passed--;
-            EditChange reverted = changes.get(passed);
-            mark(reverted.edit(), !reverted.done(), reverted.done());
-        }
-        return advanceTo(tick) || passed != before;
+        boolean reverted = log.retreatTo(tick, change -> mark(change.edit(), !change.done(), change.done()));
+        return advanceTo(tick) || reverted;
     }
 
     /** Follows the run to a later tick; returns whether that undoes or redoes an edit. */
     boolean advanceTo(long tick) {
-        int before = passed;
-        while (passed < changes.size() && changes.get(passed).tick() <= tick) {
-            mark(changes.get(passed).edit(), changes.get(passed).done());
-            passed++;
-        }
-        return passed != before;
+        return log.advanceTo(tick, change -> mark(change.edit(), change.done()));
     }
 
     /**
@@ -336,14 +308,14 @@ final class EditHistory {
     void restart(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
         advanceTo(Long.MAX_VALUE);
         replaceEvents(replacement);
-        forgetChanges();
+        log.clear();
     }
 
     /** Follows the start of another run: it has all edits that are done, except for those that it executes. */
     void runStarted() {
         for (int i = 0; i < edits.size(); i++) {
             Edit edit = edits.get(i);
-            if (edit instanceof CommandEdit command && changes.stream().noneMatch(change -> change.edit() == edit)) {
+            if (edit instanceof CommandEdit command && !log.contains(edit)) {
                 command.setFromStart(i < cursor);
             }
         }
@@ -353,7 +325,7 @@ final class EditHistory {
     private void replaceEvents(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
         List<Edit> done = edits.subList(0, cursor);
         ExecutedEvents executed = new ExecutedEvents(done, this::named);
-        changes.stream().filter(IS_EVENT).forEach(change -> executed.add(change.edit(), change.executed()));
+        log.changes().stream().filter(IS_EVENT).forEach(change -> executed.add(change.edit(), change.executed()));
         // An edit that had no effect when it was redone has none on the timeline either.
         done.replaceAll(
                 edit -> edit instanceof CommandEdit command && command.hasOnlyEvents() || executed.count(edit) > 0
@@ -374,7 +346,7 @@ final class EditHistory {
                 .toList();
         ExecutedEvents executed = new ExecutedEvents(owners, this::named);
         List<EditChange> kept = new ArrayList<>();
-        for (EditChange change : changes.subList(0, passed)) {
+        for (EditChange change : log.passed()) {
             List<CommandResult> all = IS_EVENT.test(change) ? change.executed() : List.of();
             List<CommandResult> others = all.stream()
                     .filter(result -> !executed.add(change.edit(), result, edit))
@@ -388,21 +360,14 @@ final class EditHistory {
         if (executed.count(edit) == 0) {
             return edit;
         }
-        changes.subList(0, passed).clear();
-        changes.addAll(0, kept);
-        passed = kept.size();
+        log.setPassed(kept);
         EventEdit replaced = edit.withExecuted(executed.of(edit));
         edits.set(edits.indexOf(edit), replaced);
         return replaced;
     }
 
-    private void forgetChanges() {
-        changes.clear();
-        passed = 0;
-    }
-
     void clear() {
-        forgetChanges();
+        log.clear();
         edits.clear();
         cursor = 0;
     }

@@ -1,0 +1,28 @@
+package faultline.gui.document;
+
+import faultline.world.Command;
+import faultline.world.CommandResult;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * A change of the setup at a tick, and what the run executed for it, null for nothing. Both are the same unless the
+ * timeline had changed the same thing; the change then has the tick of an earlier edit that is undone or redone.
+ */
+record ExecutedChange(long tick, CommandResult change, CommandResult executed) {
+    /** Returns whether this undoes or redoes a change, and the run has executed nothing for it. */
+    boolean isWithoutRun(CommandResult other) {
+        return executed == null && commands(change).equals(commands(other));
+    }
+
+    private static Set<Command> commands(CommandResult change) {
+        return Stream.concat(Stream.of(change.command()), change.inverse().stream())
+                .collect(Collectors.toSet());
+    }
+
+    ExecutedChange renamed(SensorRename rename) {
+        CommandResult renamed = rename.rename(change);
+        return new ExecutedChange(tick, renamed, executed == null ? null : rename.rename(executed));
+    }
+}

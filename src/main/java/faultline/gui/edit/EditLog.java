@@ -1,0 +1,110 @@
+package faultline.gui.edit;
+
+import faultline.gui.document.SensorRename;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+
+/**
+ * The log of a run: the ticks at which edits of commands were done and undone, in the order of the ticks, and a cursor
+ * after the changes that the run has passed. The changes after it are those of ticks that a moved run has not reached.
+ */
+final class EditLog {
+    private final List<EditChange> changes = new ArrayList<>();
+    /** The number of changes that the run has passed. */
+    private int passed;
+
+    /** Returns the edits that were done or undone in the run, each once. */
+    Stream<CommandEdit> edits() {
+        return changes.stream().map(EditChange::edit).distinct();
+    }
+
+    boolean contains(Edit edit) {
+        return changes.stream().anyMatch(change -> change.edit() == edit);
+    }
+
+    /** Returns all changes, also those that the run has not passed. */
+    List<EditChange> changes() {
+        return List.copyOf(changes);
+    }
+
+    /** Returns the changes that the run has passed. */
+    List<EditChange> passed() {
+        return List.copyOf(changes.subList(0, passed));
+    }
+
+    /** Returns the changes of an edit that the run has passed. */
+    Stream<EditChange> passed(CommandEdit edit) {
+        return changes.subList(0, passed).stream().filter(change -> change.edit() == edit);
+    }
+
+    /** Returns the tick at which an edit was first done, 0 if it was done before the run started. */
+    long firstTick(CommandEdit edit) {
+        return changes.stream()
+                .filter(change -> change.edit() == edit)
+                .mapToLong(EditChange::tick)
+                .findFirst()
+                .orElse(0);
+    }
+
+    /** Adds a change at the cursor and passes it. Later changes of the same edit are removed. */
+    void add(EditChange change) {
+        // The run has executed none of those that are ahead of one that it does not execute either.
+        changes.subList(passed, changes.size()).removeIf(later -> later.edit() == change.edit());
+        changes.add(passed, change);
+        passed++;
+    }
+
+    /** Replaces the changes that the run has passed. */
+    void setPassed(List<EditChange> newPassed) {
+        changes.subList(0, passed).clear();
+        changes.addAll(0, newPassed);
+        passed = newPassed.size();
+    }
+
+    /** Gives the results of an edit's changes the new id of a sensor. */
+    void rename(CommandEdit edit, SensorRename rename) {
+        changes.replaceAll(change -> change.edit() == edit ? change.renamed(rename) : change);
+    }
+
+    /** Removes the changes that meet a condition, also those that the run has not passed. */
+    void removeIf(Predicate<EditChange> condition) {
+        passed -= (int) changes.subList(0, passed).stream().filter(condition).count();
+        changes.removeIf(condition);
+    }
+
+    /** Removes the changes that the run has not passed; returns whether there were any. */
+    boolean removeAhead() {
+        List<EditChange> ahead = changes.subList(passed, changes.size());
+        boolean any = !ahead.isEmpty();
+        ahead.clear();
+        return any;
+    }
+
+    /** Moves the cursor back before the changes after a tick, from the last one; returns whether there were any. */
+    boolean retreatTo(long tick, Consumer<EditChange> revert) {
+        int before = passed;
+        while (passed > 0 && changes.get(passed - 1).tick() > tick) {
+            passed--;
+            revert.accept(changes.get(passed));
+        }
+        return passed != before;
+    }
+
+    /** Moves the cursor forward over the changes up to a tick; returns whether there were any. */
+    boolean advanceTo(long tick, Consumer<EditChange> repeat) {
+        int before = passed;
+        while (passed < changes.size() && changes.get(passed).tick() <= tick) {
+            repeat.accept(changes.get(passed));
+            passed++;
+        }
+        return passed != before;
+    }
+
+    void clear() {
+        changes.clear();
+        passed = 0;
+    }
+}
