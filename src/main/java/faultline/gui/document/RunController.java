@@ -213,29 +213,43 @@ public final class RunController implements WorkspaceListener {
      * sensors by earlier ids or by those of the edited scenario, which the results have.
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
-        submit(new DeferredRequest(open -> send(open, commands, onExecuted), true));
+        submitEdit(open -> sendNow(open, commands, onExecuted), onExecuted);
     }
 
-    private void send(OpenDocument open, List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
-        if (open.session().hasEnded()) {
-            EventQueue.invokeLater(() -> onExecuted.accept(List.of()));
-            return;
-        }
-        ScenarioDocument document = open.document();
-        document.commandsSent();
+    /** Sends an edit to the session; if the run has ended, {@code onExecuted} receives no results instead. */
+    private void submitEdit(Consumer<OpenDocument> edit, Consumer<List<CommandResult>> onExecuted) {
+        Consumer<OpenDocument> action = open -> {
+            if (open.session().hasEnded()) {
+                EventQueue.invokeLater(() -> onExecuted.accept(List.of()));
+            } else {
+                open.document().commandsSent();
+                edit.accept(open);
+            }
+        };
+        submit(new DeferredRequest(action, true));
+    }
+
+    /** Sends commands with the ids that the run's sensors have; {@code onResults} is called on the run's thread. */
+    private static void send(OpenDocument open, Stream<Command> commands, Consumer<List<CommandResult>> onResults) {
         List<String> ids = open.sensorIds();
         open.session()
                 .send(
-                        commands.stream()
-                                .map(command -> document.named(command, ids))
+                        commands.map(command -> open.document().named(command, ids))
                                 .toList(),
-                        results -> EventQueue.invokeLater(() -> {
-                            List<CommandResult> named = results.stream()
-                                    .map(result -> document.named(open.inTicksOfScenario(result)))
-                                    .toList();
-                            commandsExecuted(open, named);
-                            onExecuted.accept(named);
-                        }));
+                        onResults);
+    }
+
+    private void sendNow(OpenDocument open, List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
+        send(
+                open,
+                commands.stream(),
+                results -> EventQueue.invokeLater(() -> {
+                    List<CommandResult> named = results.stream()
+                            .map(result -> open.document().named(open.inTicksOfScenario(result)))
+                            .toList();
+                    commandsExecuted(open, named);
+                    onExecuted.accept(named);
+                }));
     }
 
     /**
@@ -244,22 +258,13 @@ public final class RunController implements WorkspaceListener {
      * stays as it is. Later commands of the run remain in this case.
      */
     public void changeLater(List<LaterChange> changes, Consumer<List<CommandResult>> onExecuted) {
-        submit(new DeferredRequest(open -> changeLater(open, changes, onExecuted), true));
+        submitEdit(open -> changeLaterNow(open, changes, onExecuted), onExecuted);
     }
 
-    private void changeLater(OpenDocument open, List<LaterChange> changes, Consumer<List<CommandResult>> onExecuted) {
-        if (open.session().hasEnded()) {
-            EventQueue.invokeLater(() -> onExecuted.accept(List.of()));
-            return;
-        }
-        open.document().commandsSent();
-        List<String> ids = open.sensorIds();
+    private void changeLaterNow(
+            OpenDocument open, List<LaterChange> changes, Consumer<List<CommandResult>> onExecuted) {
         CompletableFuture<List<CommandResult>> executed = new CompletableFuture<>();
-        List<Command> commands = changes.stream()
-                .flatMap(change -> Stream.ofNullable(change.inRun()))
-                .map(command -> open.document().named(command, ids))
-                .toList();
-        open.session().send(commands, executed::complete);
+        send(open, changes.stream().flatMap(change -> Stream.ofNullable(change.inRun())), executed::complete);
         // The session answers in order, so the results are there.
         open.session()
                 .journal()
