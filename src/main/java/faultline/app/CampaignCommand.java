@@ -6,6 +6,7 @@ import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.CampaignMerge;
 import faultline.campaign.run.CampaignRunner;
 import faultline.campaign.run.Shard;
+import faultline.io.ShutdownHooks;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -48,7 +49,9 @@ final class CampaignCommand {
         AtomicBoolean cancelled = new AtomicBoolean();
         CountDownLatch ended = new CountDownLatch(1);
         Thread hook = new Thread(() -> cancel(cancelled, ended));
-        addHook(hook, cancelled);
+        if (!ShutdownHooks.add(hook)) {
+            cancelled.set(true);
+        }
         TerminalProgress progress = TerminalProgress.on(output.err());
         try {
             CampaignRunner.RunCounts result = runner.run(resume, progress::update, cancelled::get);
@@ -56,16 +59,7 @@ final class CampaignCommand {
             return report(result, folder);
         } finally {
             ended.countDown();
-            removeHook(hook);
-        }
-    }
-
-    /** Adds a hook, or cancels the campaign if the process is ending. */
-    private static void addHook(Thread hook, AtomicBoolean cancelled) {
-        try {
-            Runtime.getRuntime().addShutdownHook(hook);
-        } catch (IllegalStateException e) {
-            cancelled.set(true);
+            ShutdownHooks.remove(hook);
         }
     }
 
@@ -76,14 +70,6 @@ final class CampaignCommand {
             ended.await(STOP_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        }
-    }
-
-    private static void removeHook(Thread hook) {
-        try {
-            Runtime.getRuntime().removeShutdownHook(hook);
-        } catch (IllegalStateException e) {
-            // The process is ending.
         }
     }
 

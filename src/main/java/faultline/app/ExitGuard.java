@@ -1,6 +1,7 @@
 package faultline.app;
 
 import faultline.io.AtomicFile;
+import faultline.io.ShutdownHooks;
 import java.util.Arrays;
 
 /**
@@ -21,11 +22,7 @@ final class ExitGuard implements AutoCloseable {
     /** Starts a guard, which reports to standard error until it is closed. */
     static ExitGuard start(CommandOutput output) {
         ExitGuard guard = new ExitGuard(output);
-        try {
-            Runtime.getRuntime().addShutdownHook(guard.hook);
-        } catch (IllegalStateException e) {
-            // The process is ending.
-        }
+        ShutdownHooks.add(guard.hook);
         return guard;
     }
 
@@ -51,10 +48,6 @@ final class ExitGuard implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        try {
-            Runtime.getRuntime().removeShutdownHook(hook);
-        } catch (IllegalStateException e) {
-            // The process is ending.
-        }
+        ShutdownHooks.remove(hook);
     }
 }

@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.io.ShutdownHooks;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -83,11 +84,9 @@ final class ChildProcess implements AutoCloseable {
     }
 
     private void addExitHook() throws IOException {
-        try {
-            Runtime.getRuntime().addShutdownHook(exitHook);
-        } catch (IllegalStateException ending) {
+        if (!ShutdownHooks.add(exitHook)) {
             killTree();
-            throw new IOException("the program is ending", ending);
+            throw new IOException("the program is ending");
         }
     }
 
@@ -293,11 +292,7 @@ final class ChildProcess implements AutoCloseable {
         detached.killAll();
         joinBriefly(errorReader);
         writeGuard.interrupt();
-        try {
-            Runtime.getRuntime().removeShutdownHook(exitHook);
-        } catch (IllegalStateException shuttingDown) {
-            // The shutdown hook is already running.
-        }
+        ShutdownHooks.remove(exitHook);
     }
 
     /** Returns whether the program is ending, so that an end of the child is not its own fault. */

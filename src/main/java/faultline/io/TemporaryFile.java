@@ -44,11 +44,7 @@ final class TemporaryFile {
         private static volatile boolean ended;
 
         static {
-            try {
-                Runtime.getRuntime().addShutdownHook(new Thread(UnfinishedFiles::deleteAll, "delete temporary files"));
-            } catch (IllegalStateException e) {
-                ended = true;
-            }
+            ended = !ShutdownHooks.add(new Thread(UnfinishedFiles::deleteAll, "delete temporary files"));
         }
 
         /** Creates a file, unless the process is ending. No file is created while all are deleted. */

@@ -1,6 +1,7 @@
 package faultline.gui.settings;
 
 import faultline.gui.settings.WindowPreferences.PreferenceStore;
+import faultline.io.ShutdownHooks;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
@@ -46,7 +47,7 @@ final class WrittenPreferences {
     static PreferenceStore storeOf(Preferences node) {
         WrittenPreferences written = new WrittenPreferences(node);
         written.read();
-        Runtime.getRuntime().addShutdownHook(new Thread(written::writeAtExit, "faultline-preferences-exit"));
+        ShutdownHooks.add(new Thread(written::writeAtExit, "faultline-preferences-exit"));
         return new PreferenceStore(key -> written.texts.getOrDefault(key, ""), written::put);
     }
 
