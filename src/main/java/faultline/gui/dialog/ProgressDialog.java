@@ -7,6 +7,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
@@ -17,8 +18,12 @@ import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
+import javax.swing.LayoutFocusTraversalPolicy;
 
-/** Shows the progress of a slow task. Its button, Escape and closing the dialog cancel the task. */
+/**
+ * Shows the progress of a slow task. Its button, Escape and closing the dialog cancel the task. The dialog opens while
+ * the user may be typing, so the button has the focus only after Tab.
+ */
 final class ProgressDialog extends JDialog {
 
     private static final int PROGRESS_STEPS = 1000;
@@ -43,6 +48,14 @@ final class ProgressDialog extends JDialog {
         content.add(progressBar, BorderLayout.CENTER);
         content.add(DialogButtons.createSingleButton(this, "wait.cancel", cancel), BorderLayout.SOUTH);
         setContentPane(content);
+        getRootPane().setDefaultButton(null);
+        progressBar.setFocusable(true);
+        setFocusTraversalPolicy(new LayoutFocusTraversalPolicy() {
+            @Override
+            public Component getInitialComponent(Window window) {
+                return progressBar;
+            }
+        });
         setProgress(task.progress());
         pack();
         setSize(new Dimension(Math.max(TextSize.scaled(WIDTH), getWidth()), getHeight()));

@@ -3,6 +3,7 @@ package faultline.gui.window;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
@@ -11,6 +12,7 @@ import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JProgressBar;
 import javax.swing.JSlider;
@@ -74,6 +76,21 @@ class ProgressDialogRobotTest {
     void theButtonCancelsALongSeek() {
         JDialog dialog = driver.dialog(DIALOG);
         driver.clickButton(DIALOG, "Cancel");
+        assertRunIsUnchanged(dialog);
+    }
+
+    @Test
+    void keysThatWereMeantForTheWindowCancelNothing() {
+        JDialog dialog = driver.dialog(DIALOG);
+        JProgressBar bar = callOnEdt(() ->
+                ComponentFinder.findAll(dialog, JProgressBar.class).findFirst().orElseThrow());
+        driver.robot().waitFor("the bar has the focus", bar::isFocusOwner);
+        assertNull(callOnEdt(() -> dialog.getRootPane().getDefaultButton()), "Enter cancels");
+        driver.robot().pressKeys(KeyEvent.VK_TAB);
+        JButton cancel = callOnEdt(
+                () -> ComponentFinder.findAll(dialog, JButton.class).findFirst().orElseThrow());
+        driver.robot().waitFor("the button has the focus", cancel::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_SPACE);
         assertRunIsUnchanged(dialog);
     }
 
