@@ -33,7 +33,7 @@ public final class ScenarioEditor {
      * that reverts only this change. Changes with equal targets in quick succession form one edit.
      */
     void edit(Supplier<String> name, Object target, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
-        undo.addSetupEdit(name, target, () -> run.change(inverse), () -> run.change(change));
+        undo.addSetupEdit(name, target, SetupChange.of(() -> run.change(inverse), () -> run.change(change)));
         run.change(change);
     }
 
@@ -48,6 +48,8 @@ public final class ScenarioEditor {
         Pose before = setup.start();
         run.restartAt(after);
         undo.addSetupEdit(
-                () -> Messages.get("edit.start"), after, () -> run.restartAt(before), () -> run.restartAt(after));
+                () -> Messages.get("edit.start"),
+                after,
+                SetupChange.of(() -> run.restartAt(before), () -> run.restartAt(after)));
     }
 }

@@ -11,16 +11,10 @@ import java.util.function.Supplier;
  *
  * @param nameSource returns the name
  * @param gestureId the gesture that the edit belongs to
- * @param undoAction what undoes the change
- * @param redoAction what makes the change again
+ * @param change the change
  * @param renames the changes of ids among what the edit changes, in order
  */
-record SetupEdit(
-        Supplier<String> nameSource,
-        int gestureId,
-        Runnable undoAction,
-        Runnable redoAction,
-        List<SensorRename> renames)
+record SetupEdit(Supplier<String> nameSource, int gestureId, SetupChange change, List<SensorRename> renames)
         implements Edit {
 
     SetupEdit {
@@ -28,8 +22,8 @@ record SetupEdit(
     }
 
     /** Creates an edit that changes no id. */
-    SetupEdit(Supplier<String> nameSource, int gestureId, Runnable undoAction, Runnable redoAction) {
-        this(nameSource, gestureId, undoAction, redoAction, List.of());
+    SetupEdit(Supplier<String> nameSource, int gestureId, SetupChange change) {
+        this(nameSource, gestureId, change, List.of());
     }
 
     @Override
@@ -39,13 +33,17 @@ record SetupEdit(
 
     @Override
     public void apply(UndoController controller, boolean redone) {
-        (redone ? redoAction : undoAction).run();
+        if (redone) {
+            change.redo();
+        } else {
+            change.undo();
+        }
     }
 
     /** Returns one edit that replaces this one and a later one of the same gesture. */
     SetupEdit mergedWith(SetupEdit later) {
         List<SensorRename> all = new ArrayList<>(renames);
         all.addAll(later.renames);
-        return new SetupEdit(later.nameSource, gestureId, undoAction, later.redoAction, all);
+        return new SetupEdit(later.nameSource, gestureId, change.mergedWith(later.change), all);
     }
 }

@@ -116,10 +116,10 @@ public final class UndoController {
      * Records a change of the setup that has been made. Changes with equal targets in quick succession form one edit.
      * The name is that in menus, in the current language.
      */
-    public void addSetupEdit(Supplier<String> name, Object target, Runnable undoAction, Runnable redoAction) {
+    public void addSetupEdit(Supplier<String> name, Object target, SetupChange change) {
         assert EventQueue.isDispatchThread();
         int id = gestures.idOf(List.of(new EditTarget(SETUP, target, true)));
-        addSetupEdit(new SetupEdit(name, id, undoAction, redoAction));
+        addSetupEdit(new SetupEdit(name, id, change));
     }
 
     private void addSetupEdit(SetupEdit edit) {
@@ -134,8 +134,7 @@ public final class UndoController {
         addSetupEdit(new SetupEdit(
                 () -> Messages.get("edit.renameSensor", rename.before(), rename.after()),
                 id,
-                () -> action.accept(rename.inverse()),
-                () -> action.accept(rename),
+                SetupChange.of(() -> action.accept(rename.inverse()), () -> action.accept(rename)),
                 List.of(rename)));
     }
 

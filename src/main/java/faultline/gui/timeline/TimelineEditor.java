@@ -6,6 +6,7 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.RunController;
 import faultline.gui.document.TimelineEvents;
 import faultline.gui.document.Workspace;
+import faultline.gui.edit.SetupChange;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.robot.RobotSpec;
@@ -79,18 +80,18 @@ public final class TimelineEditor {
 
     /** Adds an item; undo selects {@code before}, the item that was selected, which may be null. */
     void add(TimelineItem item, TimelineItem before) {
-        commit("timeline.add", item, model().with(item), new TimelineChange(item, before, item));
+        commit("timeline.add", item, model().with(item), item, new Selections(before, item));
     }
 
     /** Replaces an item, given its index; changes of the same item in quick succession are one edit. */
     void replace(int index, TimelineItem changed) {
         TimelineItem before = model().items().get(index);
-        commit("timeline.change", changed, model().with(index, changed), new TimelineChange(index, before, changed));
+        commit("timeline.change", changed, model().with(index, changed), index, new Selections(before, changed));
     }
 
     void remove(int index) {
         TimelineItem item = model().items().get(index);
-        commit("timeline.remove", item, model().without(index), new TimelineChange(item, item, null));
+        commit("timeline.remove", item, model().without(index), item, new Selections(item, null));
     }
 
     void copy(int index) {
@@ -117,20 +118,43 @@ public final class TimelineEditor {
         return workspace.hasSubjectOf(item.command());
     }
 
-    /**
-     * A change of the timeline, and the selections after an undo and a redo, null for none. Changes of one target may
-     * be merged.
-     */
-    private record TimelineChange(Object target, TimelineItem before, TimelineItem after) {}
+    /** The items that are selected after an undo and after a redo, null for none. */
+    private record Selections(TimelineItem afterUndo, TimelineItem afterRedo) {}
 
-    private void commit(String key, TimelineItem item, List<TimedCommand> after, TimelineChange change) {
+    /** A change of the timeline from one to another. */
+    private record TimelineChange(
+            TimelineEditor editor, List<TimedCommand> before, List<TimedCommand> after, Selections selections)
+            implements SetupChange {
+        @Override
+        public void undo() {
+            editor.restore(after, before, selections.afterUndo());
+        }
+
+        @Override
+        public void redo() {
+            editor.restore(before, after, selections.afterRedo());
+        }
+
+        @Override
+        public SetupChange mergedWith(SetupChange later) {
+            return later instanceof TimelineChange next
+                    ? new TimelineChange(
+                            editor,
+                            before,
+                            next.after,
+                            new Selections(selections.afterUndo(), next.selections.afterRedo()))
+                    : SetupChange.super.mergedWith(later);
+        }
+    }
+
+    /** Changes the timeline; changes of one target in quick succession are one edit. */
+    private void commit(String key, TimelineItem item, List<TimedCommand> after, Object target, Selections selections) {
         List<TimedCommand> before = model().commands();
         if (!after.equals(before)) {
             undo.addSetupEdit(
                     () -> Messages.get(key, TimelineText.title(item)),
-                    change.target(),
-                    () -> restore(after, before, change.before()),
-                    () -> restore(before, after, change.after()));
+                    target,
+                    new TimelineChange(this, before, after, selections));
             setTimeline(after);
         }
     }

@@ -16,6 +16,7 @@ import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.SetupChange;
 import faultline.gui.edit.StoppedClock;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
@@ -224,7 +225,7 @@ class SetupChangeTest {
     }
 
     private void edit(List<TimedCommand> from, List<TimedCommand> to) {
-        runOnEdt(() -> edits.addSetupEdit(() -> "Move", "one", () -> send(from), () -> send(to)));
+        runOnEdt(() -> edits.addSetupEdit(() -> "Move", "one", SetupChange.of(() -> send(from), () -> send(to))));
         setTimeline(to);
     }
 

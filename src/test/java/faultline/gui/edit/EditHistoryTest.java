@@ -26,7 +26,10 @@ class EditHistoryTest {
     private int nextGesture;
 
     private SetupEdit edit(int gesture) {
-        return new SetupEdit(() -> "edit " + gesture, gesture, () -> applied.add(-gesture), () -> applied.add(gesture));
+        return new SetupEdit(
+                () -> "edit " + gesture,
+                gesture,
+                SetupChange.of(() -> applied.add(-gesture), () -> applied.add(gesture)));
     }
 
     private int countUndoable() {
@@ -300,8 +303,7 @@ class EditHistoryTest {
         SetupEdit renamed = new SetupEdit(
                 () -> "rename",
                 nextGesture++,
-                () -> {},
-                () -> {},
+                SetupChange.of(() -> {}, () -> {}),
                 List.of(new SensorRename("left", "port"), new SensorRename("port", "larboard")));
         history.add(renamed);
         assertEquals(List.of("left"), sensors(ranged), "before it");

@@ -255,7 +255,7 @@ class UndoControllerTest {
         assertEquals(range.withNoise(0.01), world.snapshot().robot().sensors().get(0));
         runOnEdt(() -> {
             late.undo();
-            late.addSetupEdit(() -> "Setup", "setup", () -> {}, () -> {});
+            late.addSetupEdit(() -> "Setup", "setup", SetupChange.of(() -> {}, () -> {}));
         });
         assertEquals(1, answers.size(), "all edits have been answered, so the undo did not wait");
     }

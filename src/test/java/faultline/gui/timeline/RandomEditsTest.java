@@ -198,7 +198,7 @@ class RandomEditsTest {
         SessionFrame frame = SessionFrames.frame(workspace);
         Command command = command(frame, random);
         undo.endEdit();
-        switch (random.nextInt(12)) {
+        switch (random.nextInt(13)) {
             case 0 -> undo.undo();
             case 1 -> undo.redo();
             case 2, 3, 4 -> step(frame.snapshot().tick(), random.nextInt(20 * MAX_STEPS));
@@ -206,6 +206,7 @@ class RandomEditsTest {
             case 6 -> editSensors(frame, random);
             case 7 -> editProperties(random);
             case 8 -> run.restart();
+            case 9 -> moveItem(random);
             default -> {
                 if (SensorReference.in(command).isEmpty() || command instanceof Command.ConfigureSensor) {
                     sender.send(command);
@@ -263,6 +264,19 @@ class RandomEditsTest {
             }
         }
         return "tick " + tick;
+    }
+
+    /** Moves an item of the timeline in some steps, which are one edit. */
+    private void moveItem(Random random) {
+        int items = timeline.model().items().size();
+        if (items > 0) {
+            int index = random.nextInt(items);
+            for (int i = random.nextInt(3); i >= 0; i--) {
+                TimelineItem item = timeline.model().items().get(index);
+                double step = random.nextInt(5);
+                timeline.replace(index, item.withTimes(item.start() + step, item.end() + step));
+            }
+        }
     }
 
     private void editSensors(SessionFrame frame, Random random) {

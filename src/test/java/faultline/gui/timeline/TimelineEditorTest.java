@@ -13,6 +13,7 @@ import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.StoppedClock;
 import faultline.gui.edit.UndoController;
 import faultline.sensor.Fault;
 import faultline.world.Command;
@@ -41,7 +42,7 @@ class TimelineEditorTest {
         runOnEdt(() -> {
             workspace = new Workspace();
             run = new RunController(workspace);
-            sender = new CommandSender(run::send);
+            sender = StoppedClock.sender(run::send);
             undo = new UndoController(sender, () -> {});
             timeline = new TimelineEditor(workspace, run, undo);
             undo.follow(workspace, run);
@@ -96,5 +97,26 @@ class TimelineEditorTest {
         assertEquals(List.of(fault), commands());
         edit(undo::redo);
         assertEquals(List.of(fault, SWITCH), commands());
+    }
+
+    @Test
+    void repeatedChangesOfAnItemAreUndoneAndRedoneAtOnce() {
+        TimelineItem fault = new TimelineItem(FAULT, 20, 40);
+        edit(() -> timeline.add(fault, null));
+        List<TimedCommand> before = commands();
+        edit(() -> timeline.replace(0, fault.withTimes(20.2, 40.2)));
+        edit(() -> timeline.replace(0, fault.withTimes(20.4, 40.2)));
+        edit(() -> timeline.replace(0, fault.withTimes(20.4, Double.POSITIVE_INFINITY)));
+        List<TimedCommand> after = commands();
+        for (int i = 0; i < 2; i++) {
+            edit(undo::undo);
+            assertEquals(before, commands());
+            assertEquals(fault, callOnEdt(timeline::takeRestored).orElseThrow());
+            edit(undo::redo);
+            assertEquals(after, commands());
+        }
+        edit(undo::undo);
+        edit(undo::undo);
+        assertEquals(List.of(), commands());
     }
 }

@@ -1,0 +1,33 @@
+package faultline.gui.edit;
+
+/** A change of the scenario's setup that has been made, and can be undone and made again. */
+public interface SetupChange {
+    /** Undoes the change. */
+    void undo();
+
+    /** Makes the change again. */
+    void redo();
+
+    /** Returns the change that this one and a later one of the same gesture make together. */
+    default SetupChange mergedWith(SetupChange later) {
+        return of(this::undo, later::redo);
+    }
+
+    /**
+     * Returns a change, given actions that set what it changes to the value before and after it, whatever the value is
+     * now.
+     */
+    static SetupChange of(Runnable undo, Runnable redo) {
+        return new SetupChange() {
+            @Override
+            public void undo() {
+                undo.run();
+            }
+
+            @Override
+            public void redo() {
+                redo.run();
+            }
+        };
+    }
+}
