@@ -97,8 +97,13 @@ public final class EventLogView extends JPanel {
                                 return !hidden.contains(EventGroup.of(events.eventAt(entry.getIdentifier())));
                             }
                         });
-        int shown = table.getSelectedRow() < 0 ? table.getRowCount() - 1 : table.getSelectedRow();
-        table.scrollRectToVisible(table.getCellRect(shown, 0, true));
+        scrollTo(table.getSelectedRow() < 0 ? table.getRowCount() - 1 : table.getSelectedRow());
+    }
+
+    private void scrollTo(int row) {
+        // The viewport would convert the place of the row with the height that the table had before.
+        scroll.validate();
+        table.scrollRectToVisible(table.getCellRect(row, 0, true));
     }
 
     /** Shows whole rows only; a row that is cut off at the bottom would look like a defect. */
@@ -109,7 +114,7 @@ public final class EventLogView extends JPanel {
         int outside = border.top + table.getTableHeader().getPreferredSize().height + border.bottom;
         int whole = (scroll.getHeight() - outside) / table.getRowHeight();
         if (whole > 0) {
-            scroll.setSize(getWidth(), outside + whole * table.getRowHeight());
+            scroll.setSize(scroll.getWidth(), outside + whole * table.getRowHeight());
         }
     }
 
@@ -159,7 +164,7 @@ public final class EventLogView extends JPanel {
         if (table.getSelectedRow() >= 0) {
             scrollByRows(table.getSelectedRow() - chosen);
         } else if (added && table.getRowCount() > 0) {
-            table.scrollRectToVisible(table.getCellRect(table.getRowCount() - 1, 0, true));
+            scrollTo(table.getRowCount() - 1);
         }
     }
 

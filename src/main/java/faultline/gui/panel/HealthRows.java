@@ -15,6 +15,8 @@ import javax.swing.JPanel;
 final class HealthRows extends JPanel {
 
     private static final double PERCENT = 100;
+    private static final String LONGEST_SINCE = "0000.00 s";
+    private static final double MAX_EXACT_SECONDS = 9999.995;
 
     private record HealthRow(JLabel name, ValueLabel finding, ValueLabel evidence, ValueLabel since) {
 
@@ -54,9 +56,13 @@ final class HealthRows extends JPanel {
                     sensor.evidence() > 0
                             ? NumberText.format("%.0f %%", PERCENT * sensor.evidence())
                             : ValueLabel.NONE);
-            row.since.setValue(
-                    sensor.isTrusted() ? ValueLabel.NONE : NumberText.format("%.2f s", sensor.sinceTick() * dt));
+            row.since.setValue(sensor.isTrusted() ? ValueLabel.NONE : sinceText(sensor.sinceTick() * dt));
         }
+    }
+
+    /** Returns a time, in whole seconds if it would be longer than {@link #LONGEST_SINCE} with hundredths. */
+    private static String sinceText(double seconds) {
+        return NumberText.format(seconds < MAX_EXACT_SECONDS ? "%.2f s" : "%.0f s", seconds);
     }
 
     private static String name(SensorFinding finding) {
@@ -90,7 +96,7 @@ final class HealthRows extends JPanel {
                         .map(HealthRows::name)
                         .toList()),
                 value(id, "health.evidence", () -> List.of("100 %")),
-                value(id, "health.since", () -> List.of("0000.00 s")));
+                value(id, "health.since", () -> List.of(LONGEST_SINCE)));
         int y = rows.size() + 1;
         add(new SensorBadge(rows.size()), FormConstraints.centredCell(0, y));
         add(row.name, FormConstraints.fillCell(1, y));

@@ -19,7 +19,7 @@ public final class ChartPainter {
     private static final double LABEL_SIZE = 12;
     private static final double TICK_SIZE = 11;
     private static final double LEFT_MARGIN = 62;
-    private static final double RIGHT_MARGIN = 16;
+    private static final double MIN_RIGHT_MARGIN = 16;
     private static final double BOTTOM_MARGIN = 46;
     private static final double TITLE_HEIGHT = 26;
     /** Above the plot of a chart without a title, for half a label of the vertical axis. */
@@ -47,8 +47,9 @@ public final class ChartPainter {
         double left =
                 chart.y().rows().isEmpty() ? LEFT_MARGIN : leftMargin(chart.y().rows());
         double top = chart.title().isEmpty() ? TOP_MARGIN : TITLE_HEIGHT;
-        this.legend = new Legend(chart.series(), style, area.width() - left - RIGHT_MARGIN);
-        this.plotArea = area.inset(left, top + legend.height(), RIGHT_MARGIN, BOTTOM_MARGIN);
+        double right = rightMargin(chart.x(), area.width() - left);
+        this.legend = new Legend(chart.series(), style, area.width() - left - right);
+        this.plotArea = area.inset(left, top + legend.height(), right, BOTTOM_MARGIN);
         this.painter = new PlotPainter(surface, new Plot(plotArea, chart.x(), chart.y()));
     }
 
@@ -62,6 +63,15 @@ public final class ChartPainter {
         TextStyle text = TextStyle.plain(TICK_SIZE, Color.BLACK);
         return 2 * LABEL_DISTANCE
                 + rows.stream().mapToDouble(text::estimateWidth).max().orElse(0);
+    }
+
+    /** Returns the width beside the plot, pixels, for the half of the last label that may be there. */
+    private static double rightMargin(Axis axis, double width) {
+        List<Double> ticks = axis.ticks();
+        double last = ticks.get(ticks.size() - 1);
+        double half = TextStyle.plain(TICK_SIZE, Color.BLACK).estimateWidth(Axis.formatTick(last)) / 2;
+        double beforeEnd = (1 - axis.fractionOf(last)) * (width - MIN_RIGHT_MARGIN);
+        return Math.max(MIN_RIGHT_MARGIN, half - beforeEnd);
     }
 
     private void paint() {

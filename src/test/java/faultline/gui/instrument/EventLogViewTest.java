@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.recording.RunEvent;
@@ -79,6 +80,20 @@ class EventLogViewTest {
         int top = callOnEdt(() -> view.table().getVisibleRect().y);
         assertTrue(top > 0, "it is scrolled");
         assertEquals(0, top % row);
+    }
+
+    /** Swing paints components that overlap as if they did not. */
+    @Test
+    void theFilterIsBesideTheTable() {
+        runOnEdt(() -> {
+            view.setSize(700, 131);
+            ComponentFinder.layOut(view);
+        });
+        assertFalse(
+                callOnEdt(() -> view.getComponent(0)
+                        .getBounds()
+                        .intersects(view.getComponent(1).getBounds())),
+                "they overlap");
     }
 
     private void show(String group, boolean shown) {

@@ -17,11 +17,13 @@ import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
+import javax.swing.JDialog;
 import javax.swing.JTable;
 import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AfterEach;
@@ -106,6 +108,29 @@ class InstrumentsRobotTest {
         driver.waitForFrame(
                 "the run is at that moment", frame -> Math.abs(frame.snapshot().time() - time) < 1e-9);
         assertTrue(callOnEdt(() -> !driver.isRunning()));
+    }
+
+    /** Enters a time, given its digits. */
+    private void goTo(int... digits) {
+        driver.chooseLater("goToTime");
+        JDialog dialog = driver.dialog("Jump to time");
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        Arrays.stream(digits).forEach(digit -> driver.robot().pressKeys(digit));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the end of the dialog", () -> !dialog.isShowing());
+    }
+
+    @Test
+    void theNewestEventIsInViewAfterAMoveBack() {
+        runOnEdt(() -> dock().setSelectedIndex(2));
+        JTable table = ComponentFinder.find(driver.window(), JTable.class, "Event log");
+        goTo(KeyEvent.VK_1, KeyEvent.VK_7, KeyEvent.VK_0);
+        driver.robot().waitFor("the log is long", () -> table.isShowing() && table.getRowCount() > 30);
+        int later = callOnEdt(table::getRowCount);
+        goTo(KeyEvent.VK_1, KeyEvent.VK_0, KeyEvent.VK_0);
+        driver.robot().waitFor("later events are gone", () -> table.getRowCount() < later - 10);
+        driver.robot().waitFor("the newest event is in view", () -> table.getVisibleRect()
+                .contains(table.getCellRect(table.getRowCount() - 1, 0, false)));
     }
 
     /** The robot has so many sensors that the menu, with two lines for each, is higher than the screen. */

@@ -17,6 +17,8 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -178,6 +180,19 @@ class ChartPainterTest {
                         .contains(">t<tspan dy=\"3\" font-size=\"9\">D</tspan><tspan dy=\"-3\" "
                                 + "dx=\"3.84\">= 1</tspan></text>"),
                 surface.toSvg(SvgTheme.LIGHT));
+    }
+
+    @Test
+    void aLongLastLabelIsNotCutOff() {
+        SvgSurface surface = new SvgSurface(462, 200);
+        Chart chart = new Chart("", Axis.linear("", 1_576_100, 1_576_108), Axis.linear("", 0, 1), List.of());
+        ChartPainter.paint(surface, chart, new PixelRectangle(0, 0, 462, 200), ChartStyle.LIGHT);
+        Matcher last =
+                Pattern.compile("<text x=\"([0-9.]+)\"[^>]*>1576108</text>").matcher(surface.toSvg());
+        assertTrue(last.find(), surface::toSvg);
+        double right = Double.parseDouble(last.group(1))
+                + TextStyle.plain(11, Color.BLACK).estimateWidth("1576108") / 2;
+        assertTrue(right <= 462, () -> "it ends at " + right);
     }
 
     @Test
