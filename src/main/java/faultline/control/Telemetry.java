@@ -28,8 +28,8 @@ public record Telemetry(
      *
      * @param wantedDistance the distance that it maintains, metres
      * @param measuredDistance the distance that it measures, metres; positive infinity if nothing is within range
-     * @param proportional the PD controller's P term, radians per second
-     * @param derivative the PD controller's D term, radians per second
+     * @param proportional the PD controller's P term, radians per second, positive towards the followed wall
+     * @param derivative the PD controller's D term, radians per second, positive towards the followed wall
      */
     public record WallControl(double wantedDistance, double measuredDistance, double proportional, double derivative) {
 

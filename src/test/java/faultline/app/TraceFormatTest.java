@@ -19,8 +19,10 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
@@ -153,6 +155,28 @@ class TraceFormatTest {
             double turnRate = 0.1 * (number(rows, row, "right_volts") - number(rows, row, "left_volts")) / 0.18;
             assertEquals(turnRate, number(rows, row, "p_rad_s") + number(rows, row, "d_rad_s"), 1e-9);
         }
+    }
+
+    @Test
+    void theTermsAreEmptyWhereTheDistanceIsNotControlled() throws IOException {
+        List<String[]> rows = trace("two.csv", "--trace-format", "2");
+        List<String> empty = List.of("SEARCH", "TURN", "MEASURE", "ALIGN");
+        Set<String> afterFollow = new HashSet<>();
+        for (String[] row : rows.subList(2, rows.size())) {
+            String state = row[column(rows, "state")];
+            for (String term : List.of("p_rad_s", "d_rad_s")) {
+                String value = row[column(rows, term)];
+                if (empty.contains(state)) {
+                    assertEquals("", value, state);
+                } else if (state.equals("FOLLOW") && row[column(rows, "rung")].equals("ALL")) {
+                    assertFalse(value.isEmpty(), term);
+                }
+            }
+            if (state.equals("FOLLOW") || !afterFollow.isEmpty()) {
+                afterFollow.add(state);
+            }
+        }
+        assertTrue(afterFollow.contains("TURN"), afterFollow::toString);
     }
 
     @Test

@@ -196,6 +196,7 @@ public final class WallFollower implements Controller {
                 break;
             }
         }
+        wall.clearTerms();
         Velocity velocity = behaviour.nextVelocity();
         return Decision.ofVelocity(estimate.robot(), spec.side(), velocity, telemetry(diagnosis));
     }

@@ -120,6 +120,12 @@ final class WallStates {
         return proportional + derivative;
     }
 
+    /** Forgets the terms of the last decision; one that does not correct the distance has none. */
+    void clearTerms() {
+        proportional = Double.NaN;
+        derivative = Double.NaN;
+    }
+
     /** Returns the turn rate around a corner, radians per second: that of the circle about it, corrected. */
     double cornerTurnRate() {
         return estimate.robot().speed() / radius() + correctingTurnRate();
@@ -165,12 +171,12 @@ final class WallStates {
         return estimate.left();
     }
 
-    /** Returns the P term of the last decision, radians per second; not a number before the first. */
+    /** Returns the P term of the last decision, radians per second; not a number if it has none. */
     double proportional() {
         return proportional;
     }
 
-    /** Returns the D term of the last decision, radians per second; not a number before the first. */
+    /** Returns the D term of the last decision, radians per second; not a number if it has none. */
     double derivative() {
         return derivative;
     }
