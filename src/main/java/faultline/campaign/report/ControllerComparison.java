@@ -106,8 +106,7 @@ public final class ControllerComparison {
                         : " and " + controller.broken().size() + " broken");
         return Stream.concat(
                         Stream.of(controller.controller(), runs),
-                        Arrays.stream(Metric.values())
-                                .map(metric -> metric.summary(metric.values(controller.countedRuns()))))
+                        Arrays.stream(Metric.values()).map(metric -> metric.summary(controller.countedRuns())))
                 .toList();
     }
 
@@ -157,7 +156,8 @@ public final class ControllerComparison {
                 .toList();
         return Html.section(
                 "Numbers",
-                Html.paragraph("Means over the seeds with their 95 % confidence intervals."
+                Html.paragraph("Means over the seeds with their 95 % confidence intervals;"
+                                + " n: the runs that have the number, if not all do."
                                 + (truth ? " Controllers in child processes were given the ground truth." : "")
                                 + seedSentences())
                         + Html.table("numbers", header(), rows)

@@ -70,19 +70,29 @@ enum Metric {
         return Interval.mean(mean, Math.sqrt(squares / Math.max(1, values.length - 1)), values.length);
     }
 
-    /** Returns the mean of some values, with its interval if there are at least two; "none" if there are none. */
-    String summary(double[] values) {
+    /**
+     * Returns the mean of the runs that have a value, with its interval if there are at least two, and their number if
+     * it is not that of all runs; "none" if there are none.
+     */
+    String summary(List<ControllerRuns.ComparedRun> runs) {
+        return summary(values(runs), runs.size());
+    }
+
+    String summary(double[] values, int runs) {
         if (values.length == 0) {
             return "none";
         }
         double mean = Arrays.stream(values).average().orElseThrow();
-        if (values.length == 1) {
-            return format(mean);
-        }
-        return text(mean, interval(values));
+        String text = values.length == 1 ? format(mean) : text(mean, interval(values));
+        return text + share(values.length, runs);
     }
 
-    /** Returns the mean difference of pairs of runs with its interval, as {@link #summary} does for one controller. */
+    /** Returns the number of runs that a mean is over, empty if it is that of all runs. */
+    private static String share(int counted, int all) {
+        return counted == all ? "" : " (n = " + counted + ")";
+    }
+
+    /** Returns the mean difference of pairs of runs with its interval, as {@code summary} does for one controller. */
     String difference(List<ControllerRuns.RunPair> pairs) {
         List<ControllerRuns.RunPair> complete = pairs.stream()
                 .filter(pair -> of(pair.own()).isPresent() && of(pair.other()).isPresent())
@@ -93,7 +103,7 @@ enum Metric {
                 .toArray();
         return this == COLLISION && differences.length > 1
                 ? text(Arrays.stream(differences).average().orElseThrow(), pairedInterval(complete))
-                : summary(differences);
+                : summary(differences, pairs.size());
     }
 
     private Interval pairedInterval(List<ControllerRuns.RunPair> pairs) {

@@ -105,12 +105,19 @@ final class VariantSections {
         String value = scale == 100
                 ? signedPoints(scale * difference.value())
                 : (difference.value() > 0 ? "+" : "") + Html.number(difference.value());
-        String range = scale == 100
-                ? signedPoints(low) + " to " + signedPoints(high)
-                : Html.number(low) + " to " + Html.number(high);
         boolean clear = low > 0 || high < 0;
-        return (clear ? "<b>" + value + "</b>" : value) + "<br><small>" + range + "; "
+        return (clear ? "<b>" + value + "</b>" : value) + "<br><small>" + range(low, high, scale)
                 + Html.count(difference.pairs(), "pair") + "</small>";
+    }
+
+    /** Returns an interval and a separator; empty for that of a single world, which is unbounded. */
+    private static String range(double low, double high, double scale) {
+        if (Double.isInfinite(low) || Double.isInfinite(high)) {
+            return "";
+        }
+        return scale == 100
+                ? signedPoints(low) + " to " + signedPoints(high) + "; "
+                : Html.number(low) + " to " + Html.number(high) + "; ";
     }
 
     /** Returns whole percentage points, with a sign unless they are zero. */

@@ -124,7 +124,8 @@ public final class ResultColumns {
             new ResultColumn(
                     "detection_error_m",
                     "m",
-                    "largest error of a reading of the sensor from the tick of the fault to that of its detection",
+                    "largest error of a reading of the sensor from the tick of the fault to that of its detection,"
+                            + " 0 if it gave none",
                     run -> fixed(run.diagnosis().errorBeforeDetection().orElse(Double.NaN), 4)),
             new ResultColumn("failure", "", "why the run failed, empty if it did not", run -> ""));
 

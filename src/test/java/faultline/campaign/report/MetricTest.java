@@ -33,17 +33,25 @@ class MetricTest {
 
     @Test
     void aShareHasTheIntervalOfWilson() {
-        assertEquals("0.67 [0.21, 0.94]", Metric.COLLISION.summary(new double[] {1, 0, 1}));
+        assertEquals("0.67 [0.21, 0.94]", Metric.COLLISION.summary(new double[] {1, 0, 1}, 3));
     }
 
     /** The deviation of 1 and 3 is the square root of 2, so half the interval is Student's quantile itself, 12.706. */
     @Test
     void aMeanHasTheIntervalOfStudent() {
-        assertEquals("2.00 [-10.71, 14.71]", Metric.PATH.summary(new double[] {1, 3}));
+        assertEquals("2.00 [-10.71, 14.71]", Metric.PATH.summary(new double[] {1, 3}, 2));
         // The deviation is 1, and half the interval is 4.303 divided by the square root of 3.
-        assertEquals("2.00 [-0.48, 4.48]", Metric.PATH.summary(new double[] {1, 2, 3}));
-        assertEquals("3.00", Metric.PATH.summary(new double[] {3}));
-        assertEquals("none", Metric.PATH.summary(new double[] {}));
+        assertEquals("2.00 [-0.48, 4.48]", Metric.PATH.summary(new double[] {1, 2, 3}, 3));
+        assertEquals("3.00", Metric.PATH.summary(new double[] {3}, 1));
+        assertEquals("none", Metric.PATH.summary(new double[] {}, 0));
+    }
+
+    /** A run that followed no wall has no coverage, and a mean without it is that of the better runs. */
+    @Test
+    void aMeanOfSomeOfTheRunsNamesTheirNumber() {
+        assertEquals("0.377 (n = 1)", Metric.COVERAGE.summary(new double[] {0.377}, 2));
+        assertEquals("2.00 [-10.71, 14.71] (n = 2)", Metric.PATH.summary(new double[] {1, 3}, 8));
+        assertEquals("none", Metric.COVERAGE.summary(List.of(RESTING, COLLIDING)));
     }
 
     @Test
@@ -59,7 +67,7 @@ class MetricTest {
 
     @Test
     void aDifferenceThatIsRoundedToZeroHasNoSign() {
-        assertEquals("0.00 [0.00, 0.00]", Metric.PATH.summary(new double[] {-0.001, -0.001}));
+        assertEquals("0.00 [0.00, 0.00]", Metric.PATH.summary(new double[] {-0.001, -0.001}, 2));
     }
 
     @Test
@@ -69,7 +77,7 @@ class MetricTest {
             ControllerRuns resting = new ControllerRuns("rest", List.of(RESTING, RESTING), failed);
             assertTrue(resting.areAllEqual());
             assertEquals(List.of(RESTING), resting.countedRuns());
-            assertEquals("0.00", Metric.COLLISION.summary(Metric.COLLISION.values(resting.countedRuns())));
+            assertEquals("0.00", Metric.COLLISION.summary(resting.countedRuns()));
         }
         ControllerRuns varying = new ControllerRuns("vary", List.of(RESTING, COLLIDING), List.of());
         assertEquals(varying.runs(), varying.countedRuns());

@@ -75,6 +75,16 @@ class VariantSectionsTest {
         assertTrue(section.contains("<td>0<br><small>-0.754 to 0.754; 10 pairs</small></td>"), section);
     }
 
+    @Test
+    void aDifferenceInASingleWorldHasNoInterval() throws ScenarioException {
+        lines.add(List.of("run", "block", "world", "speed", "carried_on", "coverage"));
+        addRun(0, "0.2", "1", "0.5");
+        addRun(0, "0.3", "1", "0.8");
+        CampaignPlan plan = plan("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
+        String section = new VariantSections(new CampaignRuns(plan, lines)).comparisons();
+        assertTrue(section.contains("<td>+0.3<br><small>1 pair</small></td>"), section);
+    }
+
     /** Of ten parts of the range from 0 to 0.8, runs are in the first two; the greatest value is in the last one. */
     @Test
     void theGreatestValueBelongsToTheLastPartOfItsRange() throws ScenarioException {
