@@ -9,6 +9,12 @@ final class TickWatch {
     /** The time for which a tick may keep somebody waiting, milliseconds. */
     private static final long PATIENCE = 1000;
 
+    /**
+     * The number of checks in this time. Each counts the same, however late it is, so that time in which the program
+     * does not run is not counted.
+     */
+    private static final int CHECKS = 20;
+
     private final Thread thread;
     private long begun;
     private boolean isTicking;
@@ -41,18 +47,24 @@ final class TickWatch {
 
     /** Interrupts a tick that takes a second from now, or from its later start, unless a request is answered before. */
     synchronized void limit(CompletableFuture<Void> answered) {
-        long watched = begun;
-        CompletableFuture.delayedExecutor(PATIENCE, TimeUnit.MILLISECONDS).execute(() -> check(watched, answered));
+        checkLater(begun, CHECKS, answered);
     }
 
-    private synchronized void check(long watched, CompletableFuture<Void> answered) {
+    private void checkLater(long watched, int checks, CompletableFuture<Void> answered) {
+        CompletableFuture.delayedExecutor(PATIENCE / CHECKS, TimeUnit.MILLISECONDS)
+                .execute(() -> check(watched, checks - 1, answered));
+    }
+
+    private synchronized void check(long watched, int checksLeft, CompletableFuture<Void> answered) {
         if (answered.isDone() || !thread.isAlive()) {
             return;
         }
-        if (isTicking && begun == watched) {
-            thread.interrupt();
-        } else {
+        if (!isTicking || begun != watched) {
             limit(answered);
+        } else if (checksLeft > 0) {
+            checkLater(watched, checksLeft, answered);
+        } else {
+            thread.interrupt();
         }
     }
 }
