@@ -1,17 +1,19 @@
 package faultline.external;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.List;
+import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * The descendants of a child that are no longer below it because the process that started them has ended. On Linux they
@@ -25,7 +27,7 @@ final class DetachedProcesses {
     static final String VARIABLE = "FAULTLINE_CHILD";
 
     /** The time for which processes are searched again because new ones were found, nanoseconds. */
-    private static final long LONGEST_SEARCH = TimeUnit.SECONDS.toNanos(2);
+    private static final long LONGEST_SEARCH = TimeUnit.SECONDS.toNanos(5);
 
     /** What searches in a row that find nothing must count together. */
     private static final int ENOUGH = 9;
@@ -37,6 +39,10 @@ final class DetachedProcesses {
     private static final int UNSURE = 1;
 
     private static final int STANDARD_STREAMS = 3;
+
+    /** The index of the size of a process's memory among the fields of its status after its name. */
+    private static final int MEMORY_FIELD = 20;
+
     private static final AtomicLong SEQUENCE = new AtomicLong();
 
     private final String mark;
@@ -80,16 +86,55 @@ final class DetachedProcesses {
     /** Ends the processes, and those that they start meanwhile. */
     void killAll() {
         long start = System.nanoTime();
+        Set<ProcessHandle> others = new HashSet<>(earlier);
         int evidence = 0;
         while (evidence < ENOUGH && System.nanoTime() - start < LONGEST_SEARCH) {
-            List<ProcessHandle> later = ProcessHandle.allProcesses()
-                    .filter(process -> !earlier.contains(process))
-                    .toList();
-            long found = later.stream()
-                    .filter(process -> belongs(process) && process.destroyForcibly())
-                    .count();
-            boolean ended = !later.stream().allMatch(ProcessHandle::isAlive);
-            evidence = found > 0 ? 0 : evidence + (ended ? UNSURE : SURE);
+            int found = 0;
+            boolean isSure = true;
+            for (long id : newestFirst()) {
+                Optional<ProcessHandle> process = ProcessHandle.of(id).filter(each -> !others.contains(each));
+                if (process.isPresent()
+                        && belongs(process.get())
+                        && process.get().destroyForcibly()) {
+                    found++;
+                } else if (process.isPresent() && hasEnded(process.get())) {
+                    // What it has started is listed by the next search.
+                    others.add(process.get());
+                    isSure = false;
+                }
+            }
+            evidence = found > 0 ? 0 : evidence + (isSure ? SURE : UNSURE);
+        }
+    }
+
+    /**
+     * Returns the ids of all processes; those that have just started come first, because they may soon start others.
+     */
+    private static long[] newestFirst() {
+        String[] names = new File("/proc").list((folder, name) -> Character.isDigit(name.charAt(0)));
+        return names == null
+                ? new long[0]
+                : Stream.of(names)
+                        .mapToLong(Long::parseLong)
+                        .map(id -> -id)
+                        .sorted()
+                        .map(id -> -id)
+                        .toArray();
+    }
+
+    /**
+     * Returns whether a process has ended. On Linux, it is alive until its parent, or the first process of the system,
+     * has noticed its end, but it has no memory any more and shows neither its environment nor its streams.
+     */
+    static boolean hasEnded(ProcessHandle process) {
+        try {
+            String status = Files.readString(
+                    Path.of("/proc", Long.toString(process.pid()), "stat"), StandardCharsets.ISO_8859_1);
+            // The name in parentheses may contain blanks.
+            String[] fields = status.substring(status.lastIndexOf(')') + 2).split(" ");
+            return fields[MEMORY_FIELD].equals("0");
+        } catch (IOException notThere) {
+            return !process.isAlive();
         }
     }
 
