@@ -38,11 +38,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 @EnabledOnOs(
         value = {OS.LINUX, OS.MAC},
         disabledReason = "the children of this test are shell scripts")
-@Timeout(60)
+@Timeout(300)
 class ExternalControllerTest {
 
     private static final String READY = "{\"type\":\"ready\",\"protocol\":1,\"name\":\"child\"}";
+    /** The time limit of a child that does not answer, seconds. */
     private static final double PATIENCE = 0.5;
+
+    /** The time limit of one that does, so that a machine on which programs start slowly changes no result, seconds. */
+    private static final double LONG = 50;
 
     /** A window manager, for one, may be a child of the process that runs the tests. */
     private final Set<ProcessHandle> runningBefore =
@@ -70,7 +74,7 @@ class ExternalControllerTest {
                     HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()).trajectoryHash();
             assertEquals(
                     expected,
-                    run(javaChild("controller '" + file + "'"), setup, 10).trajectoryHash(),
+                    run(javaChild("controller '" + file + "'"), setup, LONG).trajectoryHash(),
                     file::toString);
         }
     }
@@ -98,7 +102,7 @@ class ExternalControllerTest {
                 + "echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"v_m_s\\\":0.1,"
                 + "\\\"omega_rad_s\\\":0}\"; i=$((i+1)); done; "
                 + "read end; echo \"$end\" >&2";
-        RunResult result = run(shell(child), office(), PATIENCE);
+        RunResult result = run(shell(child), office(), LONG);
         assertEquals(50, result.ticks());
         assertEquals(1, errors.size(), errors::toString);
         assertTrue(errors.get(0).contains("\"type\":\"end\""), errors::toString);
@@ -129,14 +133,17 @@ class ExternalControllerTest {
             read l; echo R; read l; head -c 2000000 /dev/zero 2>&-; sleep 60 | wrote a line of more than 1000000 bytes at tick 0; expected shorter ones
             read l; echo '{"type":"ready","protocol":2}'                   | speaks protocol 2 before the first tick; expected 1
             read l; echo R; read l; exec 0<&-; sleep 60                    | has not answered for 0.5 s at tick 0
-            read l; echo R; exec 0<&-; sleep 60                            | closed its standard input at tick 0
+            read l; exec 0<&-; echo R; sleep 60                            | closed its standard input at tick 0
             read l; echo R; read l; sleep 0.2; echo '{"type":"drive","tick":0,"left_v":NaN,"right_v":1}' | wrote no JSON at tick 0: "{"type":"drive","tick":0,"left_v":NaN,"right_v":1}" (NaN is no number in JSON at character 35); write messages for people to standard error
             sleep 60                                                       | has not answered for 0.5 s before the first tick
             exit 3                                                         | ended with exit code 3 before the first tick
             """)
     void aBadChildEndsTheRunInOneSentence(String script, String sentence) {
         String command = shell(script.replace("echo R;", "echo '" + READY + "';"));
-        RunFailedException e = assertThrows(RunFailedException.class, () -> run(command, office(), PATIENCE));
+        double patience = sentence.contains(" 0.5 s ") ? PATIENCE : LONG;
+        double start = sentence.endsWith(" 0.5 s before the first tick") ? PATIENCE : LONG;
+        RunFailedException e =
+                assertThrows(RunFailedException.class, () -> run(command, office(), start, patience, errors::add));
         assertEquals("the controller \"" + command + "\" " + sentence, e.getMessage());
         Translations.assertTranslated(e.reason());
         assertEquals(List.of(), childrenStillRunning());
@@ -199,7 +206,7 @@ class ExternalControllerTest {
         String slow = "read l; echo '" + READY + "'; read l; sleep 1.5; " + drive("0")
                 + " read l; printf '{\"type\":'; sleep 1.5; echo '\"drive\",\"tick\":1,\"left_v\":1,\"right_v\":1}'; "
                 + "read l; " + drive("2") + " read l";
-        assertEquals(3, run(shell(slow), office().withDuration(0.03), 30).ticks());
+        assertEquals(3, run(shell(slow), office().withDuration(0.03), LONG).ticks());
     }
 
     @Test
@@ -207,14 +214,14 @@ class ExternalControllerTest {
         String twice =
                 "read l; echo '" + READY + "'; read l; A='{\"type\":\"drive\",\"tick\":0,\"left_v\":1,\"right_v\":1}'; "
                         + "echo $A; echo $A; sleep 60";
-        RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(twice), office(), PATIENCE));
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(twice), office(), LONG));
         assertTrue(e.getMessage().contains("answered tick 0 at tick 1"), e.getMessage());
     }
 
     @Test
     void theLastLinesOnStandardErrorAreKeptWithTheFailure() {
         String flood = "read l; for i in $(seq 3000); do echo line $i >&2; done; exit 1";
-        RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(flood), office(), PATIENCE));
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(flood), office(), LONG));
         assertTrue(
                 e.getMessage().contains("; its last line on standard error: line 3000; the lines before: line 2981 | "),
                 e.getMessage());
@@ -236,7 +243,7 @@ class ExternalControllerTest {
     @Test
     void descendantsEndWithTheChild() {
         String script = "sleep 1000 & read l; exit 1";
-        assertThrows(RunFailedException.class, () -> run(shell(script), office(), PATIENCE));
+        assertThrows(RunFailedException.class, () -> run(shell(script), office(), LONG));
         assertEquals(List.of(), childrenStillRunning());
     }
 
@@ -258,7 +265,7 @@ class ExternalControllerTest {
     @Test
     void processesThatStartOthersMeanwhileEndToo() {
         String token = "chain-" + ProcessHandle.current().pid();
-        String link = "sleep 0.01; [ $n -lt 1000 ] && n=$((n+1)) sh -c \"$link\" " + token + " &";
+        String link = "sleep 0.03; [ $n -lt 1000 ] && n=$((n+1)) sh -c \"$link\" " + token + " &";
         String script = "export n=0 link='" + link + "'; for i in 1 2 3 4 5 6 7 8; do (setsid sh -c \"$link\" " + token
                 + " &); done; read l; sleep 0.2; exit 1";
         assertEquals(List.of(), leftWith(token, script));
@@ -267,7 +274,7 @@ class ExternalControllerTest {
     /** Runs a child that breaks the run, and returns the processes that are left and whose last argument is given. */
     private List<String> leftWith(String ending, String script) {
         assumeTrue(OS.current() == OS.LINUX, "found by /proc");
-        assertThrows(RunFailedException.class, () -> run(shell(script), office(), PATIENCE));
+        assertThrows(RunFailedException.class, () -> run(shell(script), office(), LONG));
         return ProcessHandle.allProcesses()
                 .map(process -> process.info().commandLine().orElse(""))
                 .filter(command -> command.endsWith(ending))
@@ -279,24 +286,24 @@ class ExternalControllerTest {
         String flood = "read hello; echo '" + READY + "'; i=0; while [ $i -lt 50 ]; do read line; "
                 + "seq 2000 >&2; echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"v_m_s\\\":0.1,"
                 + "\\\"omega_rad_s\\\":0}\"; i=$((i+1)); done; read end";
-        assertEquals(50, run(shell(flood), office(), 10).ticks());
+        assertEquals(50, run(shell(flood), office(), LONG).ticks());
         assertEquals(100_000, errors.size());
     }
 
     @Test
     void aProgramThatIsNotThereIsReported() {
         ControllerStartException e =
-                assertThrows(ControllerStartException.class, () -> run("no-such-program --x", office(), PATIENCE));
+                assertThrows(ControllerStartException.class, () -> run("no-such-program --x", office(), LONG));
         assertEquals(
                 "the controller \"no-such-program --x\" cannot be started: there is no such program", e.getMessage());
     }
 
     @Test
     void aWordThatNoProgramHasNamesTheControllersOfTheProgram() {
-        String message = assertThrows(ControllerStartException.class, () -> run("built-in", office(), PATIENCE))
+        String message = assertThrows(ControllerStartException.class, () -> run("built-in", office(), LONG))
                 .getMessage();
         assertTrue(message.endsWith("; controllers in Java are wall-follower, none"), message);
-        String path = assertThrows(ControllerStartException.class, () -> run("/no/built-in", office(), PATIENCE))
+        String path = assertThrows(ControllerStartException.class, () -> run("/no/built-in", office(), LONG))
                 .getMessage();
         assertFalse(path.contains("wall-follower"), path);
     }
@@ -309,7 +316,7 @@ class ExternalControllerTest {
                         + "i=0; while [ $i -lt 50 ]; do read line; echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,"
                         + "\\\"v_m_s\\\":0.1,\\\"omega_rad_s\\\":0}\"; i=$((i+1)); done; read end";
         AtomicInteger lines = new AtomicInteger();
-        RunResult result = run(shell(child), office(), 5, line -> {
+        RunResult result = run(shell(child), office(), LONG, LONG, line -> {
             lines.incrementAndGet();
             throw new IllegalStateException("full");
         });
@@ -340,14 +347,15 @@ class ExternalControllerTest {
     }
 
     private RunResult run(String command, SimulationSetup setup, double patience) throws IOException {
-        return run(command, setup, patience, errors::add);
+        return run(command, setup, LONG, patience, errors::add);
     }
 
-    private static RunResult run(String command, SimulationSetup setup, double patience, Consumer<String> errors)
+    private static RunResult run(
+            String command, SimulationSetup setup, double start, double patience, Consumer<String> errors)
             throws IOException {
         RunDescription run = RunDescription.of("faultline test", "Office", setup, 1);
-        try (ExternalController child = new ExternalController(
-                command, run, new ExternalController.Timeouts(patience, patience), false, errors)) {
+        try (ExternalController child =
+                new ExternalController(command, run, new ExternalController.Timeouts(start, patience), false, errors)) {
             RunResult result = HeadlessRun.run(setup, child, ControllerMode.DIRECT, List.of());
             child.finish("duration", "0", Map.of());
             return result;
