@@ -31,6 +31,9 @@ public final class RefusalNote {
     /** Null while nothing is shown. */
     private Popup popup;
 
+    /** The number of sentences shown so far; the same popup may show several. */
+    private int opened;
+
     private String text = "";
 
     /** Creates the note of a field, not yet visible. */
@@ -46,9 +49,9 @@ public final class RefusalNote {
             @Override
             public void ancestorRemoved(AncestorEvent event) {
                 // Not now, because a window that is disposed removes its components, which may include the note.
-                Popup shown = popup;
+                int shown = opened;
                 EventQueue.invokeLater(() -> {
-                    if (popup == shown) {
+                    if (opened == shown) {
                         hide();
                     }
                 });
@@ -82,6 +85,7 @@ public final class RefusalNote {
         if (place == null) {
             return;
         }
+        opened++;
         text = sentence;
         field.getAccessibleContext().setAccessibleDescription(sentence);
         JToolTip tip = field.createToolTip();

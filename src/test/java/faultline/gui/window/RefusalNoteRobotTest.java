@@ -8,10 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.panel.RefusalNote;
 import faultline.gui.theme.Theme;
 import java.awt.AWTException;
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.EventQueue;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
@@ -81,6 +83,25 @@ class RefusalNoteRobotTest {
         driver.robot().waitFor("the note", () -> notes().anyMatch(note ->
                 note.getTipText().startsWith("Linear velocity: 50 is not allowed. Allowed: 0.01 to 0.6")));
         assertEquals(before, callOnEdt(speed::getText));
+    }
+
+    /** Swing shows the second sentence with the object that has shown the first. */
+    @Test
+    void aSentenceThatFollowsTheEndOfItsFieldsTabStays() {
+        JTextField speed = ComponentFinder.find(driver.window(), JTextField.class, "Linear velocity");
+        JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
+        RefusalNote note = callOnEdt(() -> new RefusalNote(speed));
+        runOnEdt(() -> note.showBriefly("first"));
+        runOnEdt(() -> {
+            tabs.setSelectedIndex(1);
+            tabs.validate();
+            EventQueue.invokeLater(() -> note.showBriefly("second"));
+        });
+        runOnEdt(() -> assertFalse(speed.isShowing()));
+        // The event that the field has gone has been handled by now, and what it has left for later is handled before
+        // this.
+        assertEquals(List.of("second"), callOnEdt(() -> notes().map(JToolTip::getTipText)
+                .toList()));
     }
 
     @Test
