@@ -8,6 +8,7 @@ import java.awt.event.ContainerEvent;
 import java.awt.event.ContainerListener;
 import java.awt.event.InputEvent;
 import java.util.Arrays;
+import javax.swing.CellRendererPane;
 import javax.swing.JComponent;
 import javax.swing.TransferHandler;
 import javax.swing.text.JTextComponent;
@@ -37,7 +38,9 @@ final class TextDropHandler extends TransferHandler {
         if (component instanceof JTextComponent field && !(field.getTransferHandler() instanceof TextDropHandler)) {
             field.setTransferHandler(new TextDropHandler(field.getTransferHandler(), files));
         }
+        // The renderers in such a pane take no drops, and lists of other windows may share them.
         if (component instanceof Container container
+                && !(component instanceof CellRendererPane)
                 && !Arrays.asList(container.getContainerListeners()).contains(onAdded)) {
             container.addContainerListener(onAdded);
             for (Component child : container.getComponents()) {

@@ -1,0 +1,71 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+
+import faultline.gui.Await;
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import java.awt.event.KeyEvent;
+import java.lang.ref.WeakReference;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JDialog;
+import javax.swing.JTabbedPane;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** Windows that are closed can be reclaimed, with their runs: nothing that outlives them refers to them. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
+class ClosedWindowsRobotTest {
+
+    private static final int WINDOWS = 4;
+    private static final Map<String, String> DIALOGS = Map.of(
+            "examples", "Examples",
+            "preferences", "Preferences",
+            "shortcuts", "Keyboard and mouse",
+            "saveAs", "Save scenario",
+            "chooseController", "Choose a controller");
+
+    @Test
+    void closedWindowsAreReclaimed() {
+        List<WeakReference<MainWindow>> windows = new ArrayList<>();
+        for (int i = 0; i < WINDOWS; i++) {
+            windows.add(useAndClose());
+        }
+        Await.until("all but the one that Swing painted last are reclaimed", () -> {
+            System.gc();
+            return windows.stream().filter(window -> window.get() != null).count() <= 1;
+        });
+    }
+
+    private static WeakReference<MainWindow> useAndClose() {
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/office.xml"))) {
+            List<JTabbedPane> panes = callOnEdt(() ->
+                    ComponentFinder.findAll(driver.window(), JTabbedPane.class).toList());
+            for (JTabbedPane tabs : panes) {
+                for (int i = 0; i < callOnEdt(tabs::getTabCount); i++) {
+                    int tab = i;
+                    runOnEdt(() -> tabs.setSelectedIndex(tab));
+                    driver.robot().waitForPaint();
+                }
+            }
+            DIALOGS.forEach((action, title) -> {
+                driver.chooseLater(action);
+                JDialog dialog = driver.dialog(title);
+                driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+                driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+            });
+            driver.choose("run");
+            driver.waitForFrame("the run begins", frame -> frame.snapshot().tick() > 10);
+            return new WeakReference<>(driver.window());
+        }
+    }
+}
