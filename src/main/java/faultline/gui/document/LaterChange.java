@@ -35,6 +35,11 @@ public record LaterChange(Command inRun, CommandResult inScenario) {
         return others.isEmpty() ? Optional.empty() : Optional.of(new LaterChange(inRun, edit));
     }
 
+    /** Returns the result in the scenario, given that in the run. */
+    public CommandResult resultInScenario(CommandResult result) {
+        return inScenario == null || result.refusal().isPresent() ? result : inScenario;
+    }
+
     private static boolean isAboutSame(Command other, Command command) {
         Optional<String> obstacle = ObstacleOrigins.subject(command);
         return obstacle.isPresent()

@@ -187,6 +187,38 @@ public final class RunController implements WorkspaceListener {
         });
     }
 
+    /**
+     * Redoes or undoes changes of an earlier run in the setup at the start, as soon as the run has answered all
+     * commands, and calls {@code onChanged}. The run is then simulated again as by {@link #change}, without the
+     * commands that it was sent, except for events.
+     *
+     * @param changes what redoes or undoes the changes, in order, as if executed at their ticks, with its inverse
+     */
+    public void changeStart(List<CommandResult> changes, boolean redone, Runnable onChanged) {
+        workspace.openDocument().ifPresent(open -> {
+            pendingChanges++;
+            reportDeferredEdits();
+            open.session()
+                    .journal()
+                    .whenCompleteAsync(
+                            (journal, ended) -> changeStart(open, changes, redone, onChanged), EventQueue::invokeLater);
+        });
+    }
+
+    private void changeStart(OpenDocument open, List<CommandResult> changes, boolean redone, Runnable onChanged) {
+        pendingChanges--;
+        open.document().changeStart(changes, redone);
+        if (isDocumentOpen(open)) {
+            onChanged.run();
+            workspace.fire(WorkspaceListener::titleChanged);
+            // A restart or a move that has been requested since includes the change.
+            if (!isRepositioning()) {
+                navigator.resimulate();
+            }
+        }
+        reportDeferredEdits();
+    }
+
     /** Returns whether a change would change the edited scenario. */
     public boolean isChangedBy(UnaryOperator<Scenario> change) {
         return workspace
@@ -298,8 +330,7 @@ public final class RunController implements WorkspaceListener {
                         : open.inTicksOfScenario(executedAt(tick, change.inScenario()));
                 results.add(result);
                 if (result.refusal().isEmpty()) {
-                    CommandResult inScenario = change.inScenario() == null ? result : change.inScenario();
-                    document.changedLater(result.tick(), inScenario, sent ? result : null);
+                    document.changedLater(result.tick(), change.resultInScenario(result), sent ? result : null);
                 }
             }
         });
@@ -307,17 +338,6 @@ public final class RunController implements WorkspaceListener {
             discardFuture(open);
         }
         return results;
-    }
-
-    /**
-     * Returns the tick at which the timeline has placed the obstacle that a command of an earlier run was about, -1 if
-     * it was there from the start. What the timeline has done before does not matter for the command.
-     */
-    public long originTick(CommandResult result) {
-        return workspace
-                .openDocument()
-                .map(open -> PlannedCommands.originTick(open.session().setup(), result))
-                .orElse(-1L);
     }
 
     /**

@@ -105,6 +105,16 @@ final class ScenarioDocument {
         edited = null;
     }
 
+    /**
+     * Redoes or undoes changes of an earlier run in the setup at the start. The document then has no commands of the
+     * run any more, except for events.
+     */
+    void changeStart(List<CommandResult> changes, boolean redone) {
+        editor = editor.withEarlierChanges(changes, redone);
+        initial = withRecord(initial.withSetup(editor.initialSetup()));
+        edited = null;
+    }
+
     /** Changes the id of a sensor in the edited scenario and in the commands of the run. */
     void rename(SensorRename rename) {
         renames.add(rename);

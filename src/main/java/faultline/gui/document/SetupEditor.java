@@ -46,9 +46,7 @@ final class SetupEditor {
     /** What a command restores that undoes the last command with this inverse. */
     private final Map<UndoCommand, Consumer<SetupEditor>> reversals = new HashMap<>();
     /** The same for edits that are part of the base, whose ticks are those of an earlier run. */
-    private final Map<Command, Consumer<SetupEditor>> baseReversals;
-    /** The same for all edits, for a run in which the present ones are part of the base. */
-    private final Map<Command, Consumer<SetupEditor>> lastReversals = new HashMap<>();
+    private final Map<UndoCommand, Consumer<SetupEditor>> baseReversals;
     /** The number of entries that the run has executed. */
     private int position;
     /**
@@ -83,7 +81,7 @@ final class SetupEditor {
             SimulationSetup setup,
             SortedMap<Integer, TimedCommand> lacking,
             EditedObstacles before,
-            Map<Command, Consumer<SetupEditor>> reversals) {
+            Map<UndoCommand, Consumer<SetupEditor>> reversals) {
         List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
         Set<TimedCommand> present = lacking.isEmpty() ? Set.of() : new HashSet<>(timeline);
         Set<Integer> hiddenBefore = before.hidden().keySet();
@@ -118,8 +116,6 @@ final class SetupEditor {
         controller = base.controller();
         obstacles = baseObstacles.copy();
         reversals.clear();
-        lastReversals.clear();
-        lastReversals.putAll(baseReversals);
     }
 
     /**
@@ -197,9 +193,45 @@ final class SetupEditor {
         return baseObstacles.timeline();
     }
 
+    /** Returns the setup before the executed commands, without what was hidden then. */
+    SimulationSetup initialSetup() {
+        return base.withTimeline(initialTimeline());
+    }
+
     /** Returns an editor of the edited setup, without edits, that hides the same commands and can undo the edits. */
     SetupEditor restarted(SimulationSetup edited) {
-        return new SetupEditor(edited, obstacles.hidden(), obstacles, lastReversals);
+        Map<UndoCommand, Consumer<SetupEditor>> all = new HashMap<>(baseReversals);
+        all.putAll(reversals);
+        return new SetupEditor(edited, obstacles.hidden(), obstacles, all);
+    }
+
+    /**
+     * Returns an editor of a setup with the executed commands and changes that redo or undo edits of an earlier run. It
+     * has no executed commands, except for events.
+     */
+    SetupEditor withEarlierChanges(List<CommandResult> changes, boolean redone) {
+        SetupEditor earlier = new SetupEditor(this);
+        earlier.reset();
+        // These undo each other, except for those about a sensor that has been deleted and restored in between.
+        entries.subList(0, position).forEach(entry -> earlier.apply(entry.change()));
+        earlier.reversals.clear();
+        if (!redone) {
+            earlier.reversals.putAll(baseReversals);
+        }
+        changes.stream().filter(earlier::hasSubjectOf).forEach(earlier::apply);
+        if (!redone) {
+            // The command that redoes an edit may be the same as one that undoes another.
+            earlier.reversals.clear();
+        }
+        SetupEditor result = earlier.restarted(earlier.setup());
+        result.lastRemovedEvent = lastRemovedEvent;
+        for (int i = 0; i < entries.size(); i++) {
+            if (TimelineEvents.isEvent(entries.get(i).change().command())) {
+                result.entries.add(entries.get(i));
+                result.position += i < position ? 1 : 0;
+            }
+        }
+        return result;
     }
 
     /**
@@ -316,13 +348,11 @@ final class SetupEditor {
         }
         Consumer<SetupEditor> reversal = reversal(result);
         Command command = result.command();
-        Optional.ofNullable(reversals.getOrDefault(undoCommand(result.tick(), command), baseReversals.get(command)))
+        Optional.ofNullable(reversals.get(undoCommand(result.tick(), command)))
                 .orElseGet(() -> change(result))
                 .accept(this);
         if (result.inverse().size() == 1) {
-            Command undo = result.inverse().get(0);
-            reversals.put(undoCommand(result.tick(), undo), reversal);
-            lastReversals.put(undo, reversal);
+            reversals.put(undoCommand(result.tick(), result.inverse().get(0)), reversal);
         }
         return true;
     }

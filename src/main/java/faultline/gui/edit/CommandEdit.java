@@ -7,12 +7,11 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.function.LongFunction;
+import java.util.stream.Stream;
 
 /** An edit made by commands. All commands of one gesture form one edit. */
 final class CommandEdit implements Edit {
@@ -20,8 +19,8 @@ final class CommandEdit implements Edit {
     private final int gestureId;
     private final Map<EditTarget, CommandResult> results = new LinkedHashMap<>();
     private boolean ahead;
-    /** Whether the run has the edit from its start, because it was made in an earlier one. */
-    private boolean fromStart;
+    /** Whether the edit was made in an earlier run. */
+    private boolean earlier;
 
     /** Creates an edit of executed commands. */
     CommandEdit(int gestureId, List<CommandResult> results) {
@@ -80,46 +79,49 @@ final class CommandEdit implements Edit {
         ahead = newAhead;
     }
 
-    boolean isFromStart() {
-        return fromStart;
+    /** Returns whether the edit was made in an earlier run and acts from the start: it is undone and redone there. */
+    boolean actsFromStart() {
+        return earlier && !hasOnlyEvents();
     }
 
-    /** Sets whether the edit is part of a new run from its start. */
-    void setFromStart(boolean newFromStart) {
-        fromStart = newFromStart;
+    /** Follows the start of another run, given the results when the edit was first executed in the one before. */
+    void runStarted(List<CommandResult> firsts) {
+        earlier = true;
+        firsts.forEach(result -> results.put(EditTarget.of(result.command()), result));
     }
 
     /**
-     * Returns the changes that undo the edit, given the results of its last and of its first execution, what returns
-     * the commands of the timeline since a tick, and what returns those since the result of a command that changes the
-     * setup.
+     * Returns the changes that undo the edit, given the results of its last and of its first execution in this run, and
+     * what returns the commands of the timeline since a tick.
      */
     List<LaterChange> undoChanges(
-            List<CommandResult> executed,
-            List<CommandResult> firsts,
-            LongFunction<List<Command>> plannedSince,
-            Function<CommandResult, List<Command>> plannedAfter) {
-        Map<EditTarget, CommandResult> first = new HashMap<>();
-        firsts.forEach(result -> first.putIfAbsent(EditTarget.of(result.command()), result));
-        List<CommandResult> backwards = new ArrayList<>(executed);
-        Collections.reverse(backwards);
-        return backwards.stream()
-                .flatMap(result -> undo(
-                        result, first.getOrDefault(EditTarget.of(result.command()), result), plannedSince, plannedAfter)
-                        .stream())
+            List<CommandResult> executed, List<CommandResult> firsts, LongFunction<List<Command>> plannedSince) {
+        return backwards(executed)
+                .flatMap(result -> undo(result, first(firsts, result), plannedSince).stream())
                 .toList();
     }
 
+    private static Stream<CommandResult> backwards(List<CommandResult> results) {
+        List<CommandResult> backwards = new ArrayList<>(results);
+        Collections.reverse(backwards);
+        return backwards.stream();
+    }
+
+    private static CommandResult first(List<CommandResult> firsts, CommandResult result) {
+        EditTarget target = EditTarget.of(result.command());
+        return firsts.stream()
+                .filter(first -> EditTarget.of(first.command()).equals(target))
+                .findFirst()
+                .orElse(result);
+    }
+
     private static List<LaterChange> undo(
-            CommandResult result,
-            CommandResult first,
-            LongFunction<List<Command>> plannedSince,
-            Function<CommandResult, List<Command>> plannedAfter) {
+            CommandResult result, CommandResult first, LongFunction<List<Command>> plannedSince) {
         if (TimelineEvents.isEvent(result.command())) {
             return same(TimelineEvents.undo(result, plannedSince.apply(result.tick())));
         }
         return first.inverse().size() == 1
-                ? LaterChange.after(plannedAfter.apply(first), inverse(first))
+                ? LaterChange.after(plannedSince.apply(first.tick()), inverse(first))
                         .map(List::of)
                         .orElseGet(() -> same(result.inverse()))
                 : same(result.inverse());
@@ -129,22 +131,31 @@ final class CommandEdit implements Edit {
         return new CommandResult.Executed(result.tick(), result.inverse().get(0), List.of(result.command()));
     }
 
+    /** Returns the changes of the start that redo or undo the edit, which was made in an earlier run. */
+    List<CommandResult> startChanges(boolean redone) {
+        List<CommandResult> changes = results();
+        return redone ? changes : backwards(changes).map(CommandEdit::inverse).toList();
+    }
+
     private static List<LaterChange> same(List<Command> commands) {
         return commands.stream().map(LaterChange::same).toList();
     }
 
-    /** Returns the changes that redo the edit, given what returns the commands of the timeline since a result. */
-    List<LaterChange> redoChanges(Function<CommandResult, List<Command>> plannedAfter) {
+    /**
+     * Returns the changes that redo the edit, given the results of its first execution in this run, and what returns
+     * the commands of the timeline since a tick.
+     */
+    List<LaterChange> redoChanges(List<CommandResult> firsts, LongFunction<List<Command>> plannedSince) {
         return results.values().stream()
-                .map(result -> redo(result, plannedAfter))
+                .map(result -> redo(first(firsts, result), plannedSince))
                 .toList();
     }
 
-    private static LaterChange redo(CommandResult result, Function<CommandResult, List<Command>> plannedAfter) {
-        return TimelineEvents.isEvent(result.command()) || result.inverse().size() != 1
-                ? LaterChange.same(result.command())
-                : LaterChange.after(plannedAfter.apply(result), result)
-                        .orElseGet(() -> LaterChange.same(result.command()));
+    private static LaterChange redo(CommandResult first, LongFunction<List<Command>> plannedSince) {
+        return TimelineEvents.isEvent(first.command()) || first.inverse().size() != 1
+                ? LaterChange.same(first.command())
+                : LaterChange.after(plannedSince.apply(first.tick()), first)
+                        .orElseGet(() -> LaterChange.same(first.command()));
     }
 
     @Override

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
-import java.util.function.ToLongFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -35,15 +34,10 @@ final class EditHistory {
     private final EditLog log = new EditLog();
 
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
-    private ToLongFunction<CommandResult> originTick = CommandResult::tick;
 
-    /**
-     * Sets what returns the commands of the timeline that were executed after a tick, and the tick from which on a run
-     * has an edit of an earlier one, given the result of its command.
-     */
-    void setPlan(LongFunction<List<Command>> newPlannedSince, ToLongFunction<CommandResult> newOriginTick) {
+    /** Sets what returns the commands of the timeline that were executed after a tick. */
+    void setPlan(LongFunction<List<Command>> newPlannedSince) {
         plannedSince = newPlannedSince;
-        originTick = newOriginTick;
     }
 
     /**
@@ -158,7 +152,9 @@ final class EditHistory {
     }
 
     private boolean isEffective(Edit edit) {
-        return edit instanceof CommandEdit command ? !undoChanges(command).isEmpty() : edit.isEffective();
+        return edit instanceof CommandEdit command
+                ? command.actsFromStart() || !undoChanges(command).isEmpty()
+                : edit.isEffective();
     }
 
     /** Returns what undoes an edit as it was done last; nothing if the timeline has ended what it did. */
@@ -168,31 +164,17 @@ final class EditHistory {
                 .reduce((earlier, later) -> later)
                 .map(EditChange::executed)
                 .orElseGet(edit::results);
-        return edit.undoChanges(executed, firstResults(edit), plannedSince, result -> plannedAfter(edit, result));
+        return edit.undoChanges(executed, firstResults(edit), plannedSince);
     }
 
     /** Returns the results of an edit when it was first executed before the present tick; it may be redone earlier. */
     private List<CommandResult> firstResults(CommandEdit edit) {
-        return edit.isFromStart()
-                ? edit.results()
-                : log.passed(edit).findFirst().map(EditChange::executed).orElseGet(edit::results);
+        return log.passed(edit).findFirst().map(EditChange::executed).orElseGet(edit::results);
     }
 
     /** Returns what redoes an edit. */
     List<LaterChange> redoChanges(CommandEdit edit) {
-        return edit.redoChanges(result -> plannedAfter(edit, result));
-    }
-
-    /** Returns the commands of the timeline after a command of an edit was first executed in this run. */
-    private List<Command> plannedAfter(CommandEdit edit, CommandResult result) {
-        return plannedSince.apply(
-                edit.isFromStart()
-                        ? originTick.applyAsLong(result)
-                        : log.passed(edit)
-                                .findFirst()
-                                .filter(change -> !change.isFirst())
-                                .map(EditChange::tick)
-                                .orElse(result.tick()));
+        return edit.redoChanges(firstResults(edit), plannedSince);
     }
 
     /** Returns the edit that is redone next. */
@@ -291,7 +273,6 @@ final class EditHistory {
             replaceEvents(replacement);
             log.removeIf(IS_EVENT);
         }
-        runStarted();
         boolean reverted = log.retreatTo(tick, change -> mark(change.edit(), !change.done(), change.done()));
         return advanceTo(tick) || reverted;
     }
@@ -302,23 +283,29 @@ final class EditHistory {
     }
 
     /**
-     * Includes all edits in a restarted run, also those that were ahead, without their ticks. Edits of events that are
-     * done are replaced, as by {@link #moveTo}.
+     * Includes all edits in the start of another run, also those that were ahead, without their ticks. Edits of events
+     * that are done are replaced, as by {@link #moveTo}.
      */
     void restart(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
         advanceTo(Long.MAX_VALUE);
         replaceEvents(replacement);
+        for (Edit edit : edits) {
+            if (edit instanceof CommandEdit command) {
+                command.runStarted(firstResults(command));
+            }
+        }
         log.clear();
     }
 
-    /** Follows the start of another run: it has all edits that are done, except for those that it executes. */
-    void runStarted() {
-        for (int i = 0; i < edits.size(); i++) {
-            Edit edit = edits.get(i);
-            if (edit instanceof CommandEdit command && !log.contains(edit)) {
-                command.setFromStart(i < cursor);
-            }
-        }
+    /**
+     * Forgets when edits of this run were done and undone, except for events: the run is simulated without them.
+     * Returns the number of edits that are no longer redone automatically.
+     */
+    int startChanged() {
+        List<EditChange> all = log.changes();
+        boolean ahead = all.subList(log.passed().size(), all.size()).stream().anyMatch(IS_EVENT.negate());
+        log.removeIf(IS_EVENT.negate());
+        return ahead ? editsAhead().size() : 0;
     }
 
     /** Replaces the edits of events that are done, given what was executed for them in this run. */

@@ -21,10 +21,6 @@ final class EditLog {
         return changes.stream().map(EditChange::edit).distinct();
     }
 
-    boolean contains(Edit edit) {
-        return changes.stream().anyMatch(change -> change.edit() == edit);
-    }
-
     /** Returns all changes, also those that the run has not passed. */
     List<EditChange> changes() {
         return List.copyOf(changes);

@@ -49,7 +49,14 @@ public final class UndoController {
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
     private BiConsumer<List<LaterChange>, Consumer<List<CommandResult>>> laterChanges = (changes, onExecuted) -> {};
+    private StartChange startChange = (changes, redone, onChanged) -> {};
     private long advancedTo;
+
+    /** Redoes or undoes changes of an earlier run at the start of the present one. */
+    @FunctionalInterface
+    private interface StartChange {
+        void make(List<CommandResult> changes, boolean redone, Runnable onChanged);
+    }
 
     /** Creates a controller without edits, which records the results of what a sender sends. */
     public UndoController(CommandSender sender, Runnable onStateChange) {
@@ -71,8 +78,9 @@ public final class UndoController {
 
     /** Follows the run of a workspace, however it is moved and restarted. */
     public void follow(Workspace workspace, RunController run) {
-        history.setPlan(run::plannedSince, run::originTick);
+        history.setPlan(run::plannedSince);
         laterChanges = run::changeLater;
+        startChange = run::changeStart;
         requests.setRun(run);
         workspace.addListener(new RunFollower(run));
     }
@@ -102,10 +110,20 @@ public final class UndoController {
     }
 
     private void checkFork(List<CommandResult> results) {
-        int later = isAnyExecuted(results) ? history.fork(results.get(0).tick()) : 0;
-        if (later > 0) {
-            forkListener.accept(later);
+        if (isAnyExecuted(results)) {
+            reportFork(history.fork(results.get(0).tick()));
         }
+    }
+
+    private void reportFork(int laterEdits) {
+        if (laterEdits > 0) {
+            forkListener.accept(laterEdits);
+        }
+    }
+
+    private void startChanged() {
+        reportFork(history.startChanged());
+        onStateChange.run();
     }
 
     private static boolean isAnyExecuted(List<CommandResult> results) {
@@ -160,8 +178,12 @@ public final class UndoController {
         onStateChange.run();
     }
 
-    /** Sends the commands that redo or undo an edit. */
+    /** Sends the commands that redo or undo an edit, or changes the start of the run if the edit acts from there. */
     void submit(CommandEdit edit, boolean done) {
+        if (edit.actsFromStart()) {
+            startChange.make(edit.startChanges(done), done, this::startChanged);
+            return;
+        }
         List<LaterChange> changes = done ? history.redoChanges(edit) : history.undoChanges(edit);
         if (changes.isEmpty()) {
             return;
@@ -193,7 +215,10 @@ public final class UndoController {
             onStateChange.run();
             return;
         }
-        history.addChange(results.get(0).tick(), edit, done, results);
+        List<CommandResult> inScenario = IntStream.range(0, results.size())
+                .mapToObj(i -> changes.get(i).resultInScenario(results.get(i)))
+                .toList();
+        history.addChange(results.get(0).tick(), edit, done, inScenario);
     }
 
     /**
@@ -279,7 +304,6 @@ public final class UndoController {
         @Override
         public void scenarioRestarted(SimulationSetup before) {
             includeEdits(before);
-            history.runStarted();
         }
 
         private void includeEdits(SimulationSetup before) {

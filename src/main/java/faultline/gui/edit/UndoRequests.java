@@ -7,8 +7,9 @@ import java.util.Optional;
 
 /**
  * Undoes and redoes edits on request. A request waits until the run has answered the edits before it, since one that is
- * refused is not undone, and until a run that is being restarted or moved has its events on the timeline. A new edit
- * drops the requests that wait, because it was made without their effects. Event dispatch thread only.
+ * refused is not undone, and until a run that is being restarted or moved has its events on the timeline and its other
+ * edits at the start. A new edit drops the requests that wait, because it was made without their effects. Event
+ * dispatch thread only.
  */
 final class UndoRequests {
 
@@ -98,7 +99,7 @@ final class UndoRequests {
     }
 
     private boolean mustWait(Edit edit) {
-        return run != null && edit instanceof CommandEdit commands && commands.hasOnlyEvents() && run.isRepositioning();
+        return run != null && edit instanceof CommandEdit && run.isRepositioning();
     }
 
     private void processLater() {

@@ -165,13 +165,13 @@ class ScenarioDocumentTest {
                 new Command.ConfigureSensor(
                         visitors.setup().robot().sensors().get(0).withRange(0.4)),
                 new Command.SetPlatform(0.2, 0.15, 0.1));
-        List<List<Command>> inverses = new ArrayList<>();
+        List<CommandResult> inverses = new ArrayList<>();
         try (Simulation run = new Simulation(visitors.setup(), ControllerMode.DIRECT)) {
             tickUntil(run, 900);
             for (Command command : edits) {
                 CommandResult result = run.execute(command);
                 document.commandsExecuted(List.of(result));
-                inverses.add(0, result.inverse());
+                inverses.add(0, inverse(result));
             }
         }
         ScenarioDocument restarted = new ScenarioDocument(null, null, document.edited());
@@ -181,12 +181,9 @@ class ScenarioDocumentTest {
                 restarted.edited().setup().world().obstacles().stream()
                         .map(Obstacle::id)
                         .toList());
-        try (Simulation run = new Simulation(restarted.initial().setup(), ControllerMode.DIRECT)) {
-            tickUntil(run, 100);
-            inverses.forEach(
-                    commands -> commands.forEach(command -> restarted.commandsExecuted(List.of(run.execute(command)))));
-        }
+        restarted.changeStart(inverses, false);
         assertEquals(visitors, restarted.edited());
+        assertEquals(visitors, restarted.initial());
     }
 
     /** The parcel is moved; then the run is restarted, and a command is added before that which places the parcel. */
@@ -194,17 +191,23 @@ class ScenarioDocumentTest {
     void undoAfterARestartFindsAnObstacleWhoseCommandHasAnotherIndex() throws ScenarioException {
         Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
         ScenarioDocument document = new ScenarioDocument(null, visitors, visitors);
-        Command moveBack = new Command.MoveObstacle("parcel", new Pose(4, 2, 0));
-        document.commandsExecuted(List.of(new CommandResult.Executed(
-                2500, new Command.MoveObstacle("parcel", new Pose(1, 1, 0)), List.of(moveBack))));
+        CommandResult move = new CommandResult.Executed(
+                2500,
+                new Command.MoveObstacle("parcel", new Pose(1, 1, 0)),
+                List.of(new Command.MoveObstacle("parcel", new Pose(4, 2, 0))));
+        document.commandsExecuted(List.of(move));
         ScenarioDocument restarted = new ScenarioDocument(null, null, document.edited());
         restarted.continueFrom(document);
         TimedCommand added = new TimedCommand(1, new Command.RemoveObstacle("visitor-1"));
         restarted.change(open -> withTimeline(open, with(added, open.setup().timeline())));
-        restarted.commandsExecuted(List.of(executed(2600, moveBack)));
+        restarted.changeStart(List.of(inverse(move)), false);
         assertEquals(
                 with(added, visitors.setup().timeline()),
                 restarted.edited().setup().timeline());
+    }
+
+    private static CommandResult inverse(CommandResult result) {
+        return new CommandResult.Executed(result.tick(), result.inverse().get(0), List.of(result.command()));
     }
 
     private static List<TimedCommand> with(TimedCommand first, List<TimedCommand> others) {

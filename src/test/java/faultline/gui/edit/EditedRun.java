@@ -2,8 +2,11 @@ package faultline.gui.edit;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.engine.Journal;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.session.Session;
 import faultline.gui.Await;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
@@ -12,7 +15,9 @@ import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
+import faultline.world.Obstacle;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 
@@ -69,6 +74,35 @@ final class EditedRun {
 
     List<TimedCommand> timeline() {
         return scenario().setup().timeline();
+    }
+
+    /** Replaces the timeline of the scenario. */
+    void plan(List<TimedCommand> timeline) {
+        runOnEdt(() -> controller.change(now -> now.withSetup(now.setup().withTimeline(timeline))));
+        rest();
+    }
+
+    /** Returns the obstacle of an id in the run. */
+    Optional<Obstacle> shown(String id) {
+        return find(SessionFrames.frame(workspace).snapshot().obstacles(), id);
+    }
+
+    /** Returns the obstacle of an id at the start of the scenario. */
+    Optional<Obstacle> atStart(String id) {
+        return find(scenario().setup().world().obstacles(), id);
+    }
+
+    private static Optional<Obstacle> find(Collection<Obstacle> obstacles, String id) {
+        return obstacles.stream().filter(obstacle -> obstacle.id().equals(id)).findFirst();
+    }
+
+    /** Checks that a run of the edited scenario has the same obstacles at the present tick. */
+    void assertSameObstacles() {
+        try (Session replayed = Session.replay(new Journal(scenario().setup(), List.of(), 0), tick(), tick -> true)) {
+            assertEquals(
+                    List.copyOf(replayed.frame().snapshot().obstacles()),
+                    SessionFrames.frame(workspace).snapshot().obstacles());
+        }
     }
 
     long tick() {

@@ -1,19 +1,14 @@
 package faultline.gui.edit;
 
 import static faultline.gui.GuiRobot.callOnEdt;
-import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import faultline.engine.Journal;
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.engine.session.Session;
 import faultline.geometry.Pose;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.SessionFrames;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
-import faultline.world.Snapshot;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
@@ -32,6 +27,7 @@ class LaterObstacleUndoTest {
     private static final Pose EDITED = new Pose(5.4, 4.6, 0);
     private static final Pose PLANNED = new Pose(6.4, 3.6, 0);
     private static final Command EDIT = new Command.MoveObstacle(STAND, EDITED);
+    private static final Command OTHER_EDIT = new Command.MoveObstacle("chair-1", new Pose(3.3, 4.4, 0));
     private static final Command PLAN = new Command.MoveObstacle(STAND, PLANNED);
 
     private EditedRun run;
@@ -40,7 +36,7 @@ class LaterObstacleUndoTest {
     @BeforeEach
     void open() {
         run = new EditedRun();
-        stand = find(run.scenario().setup().world().obstacles(), STAND).orElseThrow();
+        stand = run.atStart(STAND).orElseThrow();
     }
 
     @AfterEach
@@ -48,13 +44,8 @@ class LaterObstacleUndoTest {
         run.close();
     }
 
-    private static Optional<Obstacle> find(List<Obstacle> obstacles, String id) {
-        return obstacles.stream().filter(obstacle -> obstacle.id().equals(id)).findFirst();
-    }
-
     private void plan(TimedCommand... timeline) {
-        runOnEdt(() -> run.controller().change(now -> now.withSetup(now.setup().withTimeline(List.of(timeline)))));
-        run.rest();
+        run.plan(List.of(timeline));
     }
 
     private static TimedCommand at(double seconds, Command command) {
@@ -69,27 +60,16 @@ class LaterObstacleUndoTest {
     }
 
     private Optional<Obstacle> shown(String id) {
-        return find(SessionFrames.frame(run.workspace()).snapshot().obstacles(), id);
+        return run.shown(id);
     }
 
     private Optional<Obstacle> atStart(String id) {
-        return find(run.scenario().setup().world().obstacles(), id);
+        return run.atStart(id);
     }
 
     private void assertShown(Obstacle expected) {
         assertEquals(Optional.ofNullable(expected), shown(STAND));
-        assertSameObstacles();
-    }
-
-    /** Checks that a run of the edited scenario has the same obstacles at the present tick. */
-    private void assertSameObstacles() {
-        try (Session replayed =
-                Session.replay(new Journal(run.scenario().setup(), List.of(), 0), run.tick(), tick -> true)) {
-            Snapshot expected = replayed.frame().snapshot();
-            assertEquals(
-                    List.copyOf(expected.obstacles()),
-                    SessionFrames.frame(run.workspace()).snapshot().obstacles());
-        }
+        run.assertSameObstacles();
     }
 
     @Test
@@ -318,53 +298,52 @@ class LaterObstacleUndoTest {
         assertEquals(Optional.of(chair), shown("chair-1"));
     }
 
+    /** The edit is done again when the run has passed the timeline's move, unlike the first time. */
     @Test
-    void anEditOfTheRunBeforeIsUndoneAsTheTimelineSays() {
-        plan(at(0.2, PLAN));
-        run.advanceTo(15);
-        run.send(EDIT);
-        run.restart();
-        run.advanceTo(10);
-        run.undo();
-        assertShown(stand);
-        run.redo();
-        assertShown(stand.withPose(EDITED));
-        run.advanceTo(30);
-        run.undo();
-        assertShown(stand.withPose(PLANNED));
-        assertEquals(Optional.of(stand), atStart(STAND));
-    }
-
-    /** A restart that is cancelled leaves the run with the edit at its tick. */
-    @Test
-    void anEditIsUndoneInTheRunAfterACancelledRestart() {
-        plan(at(0.2, PLAN));
-        run.advanceTo(30);
-        run.send(EDIT);
-        runOnEdt(() -> {
-            run.controller()
-                    .restartAt(run.workspace().scenario().orElseThrow().setup().start());
-            run.workspace().cancelTask();
-        });
-        run.rest();
+    void aSizeThatIsRedoneAfterAnEarlierEditReturnsWhereTheTimelineHasMovedTheObstacle() {
+        plan(at(0.3, PLAN));
+        run.advanceTo(20);
+        run.send(new Command.PlaceObstacle(new Obstacle(STAND, new ObstacleShape.CircleShape(0.1), stand.pose())));
+        run.seek(10);
+        run.send(OTHER_EDIT);
         run.advanceTo(40);
+        run.redo();
         run.undo();
-        assertShown(stand.withPose(PLANNED));
         assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand.withPose(PLANNED)), shown(STAND));
     }
 
-    /** The timeline puts the obstacle where the edit has moved it. */
+    /** The edit was made when the timeline had placed another obstacle of this id. */
     @Test
-    void anObstacleThatTheTimelineHasPlacedBeforeTheEditReturns() {
-        Obstacle placed = new Obstacle("placed", new ObstacleShape.CircleShape(0.1), PLANNED);
-        plan(at(0.05, new Command.PlaceObstacle(placed)));
-        run.advanceTo(10);
-        run.send(new Command.MoveObstacle("placed", EDITED));
-        run.restart();
-        run.advanceTo(30);
-        assertEquals(Optional.of(placed.withPose(EDITED)), shown("placed"));
+    void anEditIsRedoneForTheObstacleOfItsFirstExecutionInTheRun() {
+        plan(at(0.3, new Command.PlaceObstacle(stand.withPose(PLANNED))));
+        List<TimedCommand> planned = run.timeline();
+        run.advanceTo(40);
+        run.send(EDIT);
+        run.seek(10);
+        run.redo();
         run.undo();
-        assertEquals(Optional.of(placed), shown("placed"));
-        assertSameObstacles();
+        run.advanceTo(50);
+        run.redo();
+        assertEquals(planned, run.timeline());
+        assertShown(stand.withPose(PLANNED));
+        run.undo();
+        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(planned, run.timeline());
+        assertShown(stand.withPose(PLANNED));
+    }
+
+    @Test
+    void aRemovalIsRedoneAfterTheTimelineHasPlacedAndRemovedAnotherObstacle() {
+        plan(at(0.1, new Command.PlaceObstacle(stand.withPose(PLANNED))), at(0.2, new Command.RemoveObstacle(STAND)));
+        run.advanceTo(5);
+        run.send(new Command.RemoveObstacle(STAND));
+        run.seek(2);
+        run.send(OTHER_EDIT);
+        run.advanceTo(30);
+        run.redo();
+        run.undo();
+        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.empty(), shown(STAND));
     }
 }

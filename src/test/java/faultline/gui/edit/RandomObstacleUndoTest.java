@@ -32,8 +32,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Random moves, new sizes and removals of obstacles that the timeline moves, replaces and removes as well, with undo,
- * redo and moves of the run. When everything is undone, the scenario is the first one, and the run is a run of it. The
- * system property {@code faultline.edits} sets the number of sequences.
+ * redo, moves of the run and restarts. When everything is undone, the scenario is the first one, and the run is a run
+ * of it. The system property {@code faultline.edits} sets the number of sequences.
  */
 @ExtendWith(EdtChecker.class)
 class RandomObstacleUndoTest {
@@ -73,8 +73,7 @@ class RandomObstacleUndoTest {
                 .mapToObj(i -> new TimedCommand((1 + random.nextInt(PLANNED_TICKS)) / 100.0, plannedCommand(random)))
                 .sorted(Comparator.comparingDouble(TimedCommand::time))
                 .toList();
-        runOnEdt(() -> run.controller().change(now -> now.withSetup(now.setup().withTimeline(timeline))));
-        run.rest();
+        run.plan(timeline);
         return run.scenario().setup();
     }
 
@@ -88,11 +87,13 @@ class RandomObstacleUndoTest {
     }
 
     private void step(Random random) {
-        int kind = random.nextInt(14);
+        int kind = random.nextInt(15);
         if (kind < 4) {
             edit(random);
-        } else if (kind < 7) {
+        } else if (kind < 6) {
             undo();
+        } else if (kind == 6) {
+            undoTwiceAtOnce();
         } else if (kind < 9) {
             note("redo " + callOnEdt(run.edits()::redoName));
             run.redo();
@@ -100,6 +101,9 @@ class RandomObstacleUndoTest {
             int ticks = 1 + random.nextInt(31);
             note("advance by " + ticks);
             run.advance(ticks);
+        } else if (kind == 12) {
+            note("restart");
+            run.restart();
         } else {
             long tick = random.nextInt((int) run.tick() + 20);
             note("move to " + tick);
@@ -130,6 +134,15 @@ class RandomObstacleUndoTest {
     private void undo() {
         note("undo " + callOnEdt(run.edits()::undoName));
         run.undo();
+    }
+
+    private void undoTwiceAtOnce() {
+        note("undo twice");
+        runOnEdt(() -> {
+            run.edits().undo();
+            run.edits().undo();
+        });
+        run.rest();
     }
 
     private void undoAll() {
