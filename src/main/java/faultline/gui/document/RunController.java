@@ -7,18 +7,17 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
-import java.util.stream.Stream;
 
 /** Controls the run of the workspace. Event dispatch thread only. */
 public final class RunController implements WorkspaceListener {
 
     private final Workspace workspace;
     private final RunNavigator navigator;
+    private final EditSender edits;
     private final List<DeferredRequest> deferredRequests = new ArrayList<>();
     /** The number of changes that are made when the run has answered the commands before them. */
     private int pendingChanges;
@@ -32,6 +31,7 @@ public final class RunController implements WorkspaceListener {
     public RunController(Workspace workspace) {
         this.workspace = workspace;
         navigator = new RunNavigator(workspace);
+        edits = new EditSender(workspace, navigator);
         workspace.addListener(navigator);
         workspace.addListener(this);
     }
@@ -245,43 +245,7 @@ public final class RunController implements WorkspaceListener {
      * sensors by earlier ids or by those of the edited scenario, which the results have.
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
-        submitEdit(open -> sendNow(open, commands, onExecuted), onExecuted);
-    }
-
-    /** Sends an edit to the session; if the run has ended, {@code onExecuted} receives no results instead. */
-    private void submitEdit(Consumer<OpenDocument> edit, Consumer<List<CommandResult>> onExecuted) {
-        Consumer<OpenDocument> action = open -> {
-            if (open.session().hasEnded()) {
-                EventQueue.invokeLater(() -> onExecuted.accept(List.of()));
-            } else {
-                open.document().commandsSent();
-                edit.accept(open);
-            }
-        };
-        submit(new DeferredRequest(action, true));
-    }
-
-    /** Sends commands with the ids that the run's sensors have; {@code onResults} is called on the run's thread. */
-    private static void send(OpenDocument open, Stream<Command> commands, Consumer<List<CommandResult>> onResults) {
-        List<String> ids = open.sensorIds();
-        open.session()
-                .send(
-                        commands.map(command -> open.document().named(command, ids))
-                                .toList(),
-                        onResults);
-    }
-
-    private void sendNow(OpenDocument open, List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
-        send(
-                open,
-                commands.stream(),
-                results -> EventQueue.invokeLater(() -> {
-                    List<CommandResult> named = results.stream()
-                            .map(result -> open.document().named(open.inTicksOfScenario(result)))
-                            .toList();
-                    commandsExecuted(open, named);
-                    onExecuted.accept(named);
-                }));
+        submit(new DeferredRequest(open -> edits.send(open, commands, onExecuted), true));
     }
 
     /**
@@ -290,54 +254,7 @@ public final class RunController implements WorkspaceListener {
      * stays as it is. Later commands of the run remain in this case.
      */
     public void changeLater(List<LaterChange> changes, Consumer<List<CommandResult>> onExecuted) {
-        submitEdit(open -> changeLaterNow(open, changes, onExecuted), onExecuted);
-    }
-
-    private void changeLaterNow(
-            OpenDocument open, List<LaterChange> changes, Consumer<List<CommandResult>> onExecuted) {
-        CompletableFuture<List<CommandResult>> executed = new CompletableFuture<>();
-        send(open, changes.stream().flatMap(change -> Stream.ofNullable(change.inRun())), executed::complete);
-        // The session answers in order, so the results are there.
-        open.session()
-                .journal()
-                .whenCompleteAsync(
-                        (journal, ended) -> {
-                            long ticks = journal == null ? navigator.currentTick() : journal.ticks();
-                            onExecuted.accept(changedLater(open, changes, executed.getNow(List.of()), ticks + 1));
-                        },
-                        EventQueue::invokeLater);
-    }
-
-    private static CommandResult executedAt(long tick, CommandResult result) {
-        return new CommandResult.Executed(tick, result.command(), result.inverse());
-    }
-
-    /** Applies the results of later changes, given those of the run, and returns them. */
-    private List<CommandResult> changedLater(
-            OpenDocument open, List<LaterChange> changes, List<CommandResult> executed, long tick) {
-        ScenarioDocument document = open.document();
-        Iterator<CommandResult> ofRun = executed.iterator();
-        List<CommandResult> results = new ArrayList<>();
-        answered(open, () -> {
-            for (LaterChange change : changes) {
-                boolean sent = change.inRun() != null;
-                if (sent && !ofRun.hasNext()) {
-                    // The run has died.
-                    return;
-                }
-                CommandResult result = sent
-                        ? document.named(open.inTicksOfScenario(ofRun.next()))
-                        : open.inTicksOfScenario(executedAt(tick, change.inScenario()));
-                results.add(result);
-                if (result.refusal().isEmpty()) {
-                    document.changedLater(result.tick(), change.resultInScenario(result), sent ? result : null);
-                }
-            }
-        });
-        if (isAnyExecuted(executed)) {
-            discardFuture(open);
-        }
-        return results;
+        submit(new DeferredRequest(open -> edits.changeLater(open, changes, onExecuted), true));
     }
 
     /**
@@ -357,38 +274,6 @@ public final class RunController implements WorkspaceListener {
                 .openDocument()
                 .map(open -> open.session().setup().timeOf(tick))
                 .orElse(0.0);
-    }
-
-    private void commandsExecuted(OpenDocument open, List<CommandResult> results) {
-        boolean executed = isAnyExecuted(results);
-        answered(open, () -> {
-            if (executed) {
-                open.document().commandsExecuted(results);
-            }
-        });
-        if (executed) {
-            discardFuture(open);
-        }
-    }
-
-    private static boolean isAnyExecuted(List<CommandResult> results) {
-        return results.stream().anyMatch(result -> result.refusal().isEmpty());
-    }
-
-    /** Notes that commands have been answered, given what makes the changes of the scenario. */
-    private void answered(OpenDocument open, Runnable changes) {
-        open.document().commandsAnswered();
-        boolean changedBefore = open.document().isChanged();
-        changes.run();
-        if (open.document().isChanged() != changedBefore) {
-            workspace.fire(WorkspaceListener::titleChanged);
-        }
-    }
-
-    private void discardFuture(OpenDocument open) {
-        if (workspace.openDocument().filter(open::equals).isPresent()) {
-            navigator.discardFuture();
-        }
     }
 
     /** Resumes or pauses the run. */

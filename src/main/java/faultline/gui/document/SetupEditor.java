@@ -1,14 +1,9 @@
 package faultline.gui.document;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.robot.RobotSpec;
-import faultline.sensor.SensorSpec;
-import faultline.world.Clearance;
 import faultline.world.Command;
-import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -34,8 +29,6 @@ import java.util.stream.Stream;
  */
 final class SetupEditor {
 
-    private static final Consumer<SetupEditor> NOTHING = editor -> {};
-
     /** The setup before the commands, with the hidden commands in its timeline. */
     private final SimulationSetup base;
 
@@ -44,9 +37,9 @@ final class SetupEditor {
 
     private final List<ExecutedChange> entries = new ArrayList<>();
     /** What a command restores that undoes the last command with this inverse. */
-    private final Map<UndoCommand, Consumer<SetupEditor>> reversals = new HashMap<>();
+    private final Map<UndoCommand, Consumer<EditedSetup>> reversals = new HashMap<>();
     /** The same for edits that are part of the base, whose ticks are those of an earlier run. */
-    private final Map<UndoCommand, Consumer<SetupEditor>> baseReversals;
+    private final Map<UndoCommand, Consumer<EditedSetup>> baseReversals;
     /** The number of entries that the run has executed. */
     private int position;
     /**
@@ -54,9 +47,7 @@ final class SetupEditor {
      */
     private long lastRemovedEvent = Long.MIN_VALUE;
 
-    private EditedObstacles obstacles;
-    private RobotSpec robot;
-    private ControllerSpec controller;
+    private EditedSetup edited;
 
     /** A command that undoes another one; the origin of its obstacle, null if it is about something else. */
     private record UndoCommand(Command command, ObstacleOrigins.Origin origin) {}
@@ -81,7 +72,7 @@ final class SetupEditor {
             SimulationSetup setup,
             SortedMap<Integer, TimedCommand> lacking,
             EditedObstacles before,
-            Map<UndoCommand, Consumer<SetupEditor>> reversals) {
+            Map<UndoCommand, Consumer<EditedSetup>> reversals) {
         List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
         Set<TimedCommand> present = lacking.isEmpty() ? Set.of() : new HashSet<>(timeline);
         Set<Integer> hiddenBefore = before.hidden().keySet();
@@ -105,16 +96,12 @@ final class SetupEditor {
         this.base = other.base;
         this.baseObstacles = other.baseObstacles;
         this.baseReversals = other.baseReversals;
-        this.obstacles = other.obstacles.copy();
-        this.robot = other.robot;
-        this.controller = other.controller;
+        this.edited = other.edited.copy();
         this.lastRemovedEvent = other.lastRemovedEvent;
     }
 
     private void reset() {
-        robot = base.robot();
-        controller = base.controller();
-        obstacles = baseObstacles.copy();
+        edited = new EditedSetup(base, baseObstacles);
         reversals.clear();
     }
 
@@ -132,7 +119,7 @@ final class SetupEditor {
      * redoes the same change there without the run.
      */
     void add(long tick, CommandResult change, CommandResult executed) {
-        if (!SensorReference.isOn(robot, change.command())) {
+        if (!SensorReference.isOn(edited.robot(), change.command())) {
             return;
         }
         moveTo(tick - 1, position);
@@ -162,12 +149,7 @@ final class SetupEditor {
 
     /** Returns the edited setup. Changes that leave no room for the robot at its start pose are omitted. */
     SimulationSetup setup() {
-        SetupEditor result = new SetupEditor(this);
-        result.clearStartPose();
-        return base.withWorld(result.obstacles.world())
-                .withRobot(result.robot)
-                .withController(controller)
-                .withTimeline(timeline());
+        return edited.withTimeline(timeline());
     }
 
     /**
@@ -175,7 +157,7 @@ final class SetupEditor {
      * one tick that cancel each other, and the hidden commands.
      */
     List<TimedCommand> timeline() {
-        List<TimedCommand> result = new ArrayList<>(obstacles.timeline());
+        List<TimedCommand> result = new ArrayList<>(edited.obstacles().timeline());
         events().forEach(event -> result.add(timedCommand(event)));
         return result;
     }
@@ -199,10 +181,10 @@ final class SetupEditor {
     }
 
     /** Returns an editor of the edited setup, without edits, that hides the same commands and can undo the edits. */
-    SetupEditor restarted(SimulationSetup edited) {
-        Map<UndoCommand, Consumer<SetupEditor>> all = new HashMap<>(baseReversals);
+    SetupEditor restarted(SimulationSetup newSetup) {
+        Map<UndoCommand, Consumer<EditedSetup>> all = new HashMap<>(baseReversals);
         all.putAll(reversals);
-        return new SetupEditor(edited, obstacles.hidden(), obstacles, all);
+        return new SetupEditor(newSetup, edited.obstacles().hidden(), edited.obstacles(), all);
     }
 
     /**
@@ -218,7 +200,7 @@ final class SetupEditor {
         if (!redone) {
             earlier.reversals.putAll(baseReversals);
         }
-        changes.stream().filter(earlier::hasSubjectOf).forEach(earlier::apply);
+        changes.stream().filter(earlier.edited::hasSubjectOf).forEach(earlier::apply);
         if (!redone) {
             // The command that redoes an edit may be the same as one that undoes another.
             earlier.reversals.clear();
@@ -239,7 +221,7 @@ final class SetupEditor {
      * the other setup lacks, what undoes or redoes these, and events that are not on its timeline.
      */
     SetupEditor rebased(SimulationSetup newSetup) {
-        List<TimedCommand> timeline = new ArrayList<>(obstacles.withoutEdits(newSetup.timeline()));
+        List<TimedCommand> timeline = new ArrayList<>(edited.obstacles().withoutEdits(newSetup.timeline()));
         Set<CommandResult> events = takeEvents(timeline);
         SetupEditor result = rebased(newSetup, timeline, events);
         result.lastRemovedEvent = events().stream()
@@ -256,17 +238,17 @@ final class SetupEditor {
 
     /** Returns an editor of the same setup in which all events of the run are commands of the timeline. */
     SetupEditor withEventsOnTimeline() {
-        return rebased(base, obstacles.withoutEdits(timeline()), Set.of());
+        return rebased(base, edited.obstacles().withoutEdits(timeline()), Set.of());
     }
 
     /** Returns an editor of another setup and timeline, with the executed commands and some of the events. */
     private SetupEditor rebased(SimulationSetup newSetup, List<TimedCommand> timeline, Set<CommandResult> events) {
-        SetupEditor result =
-                new SetupEditor(newSetup.withTimeline(timeline), obstacles.hidden(), baseObstacles, baseReversals);
+        SetupEditor result = new SetupEditor(
+                newSetup.withTimeline(timeline), edited.obstacles().hidden(), baseObstacles, baseReversals);
         Set<Command> reversalsOfOmitted = new HashSet<>();
         for (int i = 0; i < entries.size(); i++) {
             CommandResult change = entries.get(i).change();
-            if (!result.hasSubjectOf(change) || reversalsOfOmitted.remove(change.command())) {
+            if (!result.edited.hasSubjectOf(change) || reversalsOfOmitted.remove(change.command())) {
                 reversalsOfOmitted.addAll(change.inverse());
             } else if (events.contains(change) || result.apply(change)) {
                 result.entries.add(entries.get(i));
@@ -297,44 +279,12 @@ final class SetupEditor {
         return result;
     }
 
-    private boolean hasSubjectOf(CommandResult entry) {
-        boolean places = entry.command() instanceof Command.PlaceObstacle;
-        return SensorReference.isOn(robot, entry.command())
-                && (places
-                        || ObstacleOrigins.subject(entry.command())
-                                .filter(id -> !obstacles.contains(entry.tick(), id))
-                                .isEmpty());
-    }
-
     /** Returns the executed commands, including those that are later than the tick of a moved run. */
     List<Journal.Entry> entries() {
         return entries.stream()
                 .flatMap(entry -> Stream.ofNullable(entry.executed()))
                 .map(result -> new Journal.Entry(result.tick(), result.command()))
                 .toList();
-    }
-
-    /** Reverts, one by one, the changes that obstruct the start pose. */
-    private void clearStartPose() {
-        Optional<String> obstruction = findObstruction();
-        while (obstruction.isPresent() && revertChange(obstruction.get())) {
-            obstruction = findObstruction();
-        }
-    }
-
-    private Optional<String> findObstruction() {
-        return Clearance.findObstruction(obstacles.world(), robot, base.start());
-    }
-
-    private boolean revertChange(String id) {
-        if (obstacles.revertAtStart(id)) {
-            return true;
-        }
-        RobotSpec smaller =
-                robot.withPlatform(base.robot().length(), base.robot().width(), robot.speed());
-        boolean changed = !smaller.equals(robot);
-        robot = smaller;
-        return changed;
     }
 
     /**
@@ -346,11 +296,11 @@ final class SetupEditor {
         if (TimelineEvents.isEvent(result.command())) {
             return false;
         }
-        Consumer<SetupEditor> reversal = reversal(result);
+        Consumer<EditedSetup> reversal = edited.reversal(result);
         Command command = result.command();
         Optional.ofNullable(reversals.get(undoCommand(result.tick(), command)))
-                .orElseGet(() -> change(result))
-                .accept(this);
+                .orElseGet(() -> EditedSetup.change(result))
+                .accept(edited);
         if (result.inverse().size() == 1) {
             reversals.put(undoCommand(result.tick(), result.inverse().get(0)), reversal);
         }
@@ -362,51 +312,7 @@ final class SetupEditor {
         return new UndoCommand(
                 command,
                 ObstacleOrigins.subject(command)
-                        .map(id -> obstacles.originAt(tick, id))
+                        .map(id -> edited.obstacles().originAt(tick, id))
                         .orElse(null));
-    }
-
-    /** Returns what makes the change of a command. */
-    private static Consumer<SetupEditor> change(CommandResult result) {
-        return result.command()
-                .match(CommandCases.ofSetup(
-                        timed -> NOTHING,
-                        configureSensor -> editor -> editor.setSensor(configureSensor.sensor()),
-                        move -> editor -> editor.obstacles.move(result.tick(), move.obstacle(), move.pose()),
-                        place -> editor -> editor.obstacles.place(result.tick(), place.obstacle()),
-                        remove -> editor -> editor.obstacles.remove(result.tick(), remove.obstacle()),
-                        setPlatform -> editor -> editor.robot = setPlatform.appliedTo(editor.robot),
-                        configure -> editor -> editor.controller = configure.controller()));
-    }
-
-    private void setSensor(SensorSpec sensor) {
-        SensorSpec before = robot.sensor(sensor.id()).orElseThrow();
-        robot = robot.withSensor(sensor.withOn(before.on()));
-    }
-
-    /** Returns what restores, after a command, what the setup has now. */
-    private Consumer<SetupEditor> reversal(CommandResult result) {
-        RobotSpec robotNow = robot;
-        ControllerSpec controllerNow = controller;
-        return result.command()
-                .match(CommandCases.ofSetup(
-                        timed -> NOTHING,
-                        configureSensor -> {
-                            SensorSpec sensor = robotNow.sensor(
-                                            configureSensor.sensor().id())
-                                    .orElseThrow();
-                            return editor -> editor.setSensor(sensor);
-                        },
-                        move -> restoring(obstacles.moveBack(result.tick(), move.obstacle())),
-                        place -> restoring(obstacles.reversal(
-                                result.tick(), place.obstacle().id())),
-                        remove -> restoring(obstacles.reversal(result.tick(), remove.obstacle())),
-                        setPlatform -> editor -> editor.robot =
-                                editor.robot.withPlatform(robotNow.length(), robotNow.width(), robotNow.speed()),
-                        configure -> editor -> editor.controller = controllerNow));
-    }
-
-    private static Consumer<SetupEditor> restoring(Consumer<EditedObstacles> reversal) {
-        return editor -> reversal.accept(editor.obstacles);
     }
 }

@@ -1,0 +1,138 @@
+package faultline.gui.document;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import faultline.world.Clearance;
+import faultline.world.Command;
+import faultline.world.Command.CommandCases;
+import faultline.world.CommandResult;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/** What executed commands change in a setup: its obstacles, its robot and its controller. */
+final class EditedSetup {
+
+    private static final Consumer<EditedSetup> NOTHING = setup -> {};
+
+    private final SimulationSetup base;
+    private final EditedObstacles obstacles;
+    private RobotSpec robot;
+    private ControllerSpec controller;
+
+    private EditedSetup(SimulationSetup base, EditedObstacles obstacles, RobotSpec robot, ControllerSpec controller) {
+        this.base = base;
+        this.obstacles = obstacles.copy();
+        this.robot = robot;
+        this.controller = controller;
+    }
+
+    /** Takes the robot and the controller of a setup, and a copy of its obstacles. */
+    EditedSetup(SimulationSetup base, EditedObstacles obstacles) {
+        this(base, obstacles, base.robot(), base.controller());
+    }
+
+    EditedSetup copy() {
+        return new EditedSetup(base, obstacles, robot, controller);
+    }
+
+    EditedObstacles obstacles() {
+        return obstacles;
+    }
+
+    RobotSpec robot() {
+        return robot;
+    }
+
+    /**
+     * Returns the edited setup with a timeline. Changes that leave no room for the robot at its start pose are omitted.
+     */
+    SimulationSetup withTimeline(List<TimedCommand> timeline) {
+        EditedSetup result = copy();
+        result.clearStartPose();
+        return base.withWorld(result.obstacles.world())
+                .withRobot(result.robot)
+                .withController(controller)
+                .withTimeline(timeline);
+    }
+
+    /** Reverts, one by one, the changes that obstruct the start pose. */
+    private void clearStartPose() {
+        Optional<String> obstruction = findObstruction();
+        while (obstruction.isPresent() && revertChange(obstruction.get())) {
+            obstruction = findObstruction();
+        }
+    }
+
+    private Optional<String> findObstruction() {
+        return Clearance.findObstruction(obstacles.world(), robot, base.start());
+    }
+
+    private boolean revertChange(String id) {
+        if (obstacles.revertAtStart(id)) {
+            return true;
+        }
+        RobotSpec smaller =
+                robot.withPlatform(base.robot().length(), base.robot().width(), robot.speed());
+        boolean changed = !smaller.equals(robot);
+        robot = smaller;
+        return changed;
+    }
+
+    /** Returns whether the setup has what a command is about. */
+    boolean hasSubjectOf(CommandResult result) {
+        boolean places = result.command() instanceof Command.PlaceObstacle;
+        return SensorReference.isOn(robot, result.command())
+                && (places
+                        || ObstacleOrigins.subject(result.command())
+                                .filter(id -> !obstacles.contains(result.tick(), id))
+                                .isEmpty());
+    }
+
+    /** Returns what makes the change of a command. */
+    static Consumer<EditedSetup> change(CommandResult result) {
+        return result.command()
+                .match(CommandCases.ofSetup(
+                        timed -> NOTHING,
+                        configureSensor -> setup -> setup.setSensor(configureSensor.sensor()),
+                        move -> setup -> setup.obstacles.move(result.tick(), move.obstacle(), move.pose()),
+                        place -> setup -> setup.obstacles.place(result.tick(), place.obstacle()),
+                        remove -> setup -> setup.obstacles.remove(result.tick(), remove.obstacle()),
+                        setPlatform -> setup -> setup.robot = setPlatform.appliedTo(setup.robot),
+                        configure -> setup -> setup.controller = configure.controller()));
+    }
+
+    private void setSensor(SensorSpec sensor) {
+        SensorSpec before = robot.sensor(sensor.id()).orElseThrow();
+        robot = robot.withSensor(sensor.withOn(before.on()));
+    }
+
+    /** Returns what restores, after a command, what the setup has now. */
+    Consumer<EditedSetup> reversal(CommandResult result) {
+        RobotSpec robotNow = robot;
+        ControllerSpec controllerNow = controller;
+        return result.command()
+                .match(CommandCases.ofSetup(
+                        timed -> NOTHING,
+                        configureSensor -> {
+                            SensorSpec sensor = robotNow.sensor(
+                                            configureSensor.sensor().id())
+                                    .orElseThrow();
+                            return setup -> setup.setSensor(sensor);
+                        },
+                        move -> restoring(obstacles.moveBack(result.tick(), move.obstacle())),
+                        place -> restoring(obstacles.reversal(
+                                result.tick(), place.obstacle().id())),
+                        remove -> restoring(obstacles.reversal(result.tick(), remove.obstacle())),
+                        setPlatform -> setup -> setup.robot =
+                                setup.robot.withPlatform(robotNow.length(), robotNow.width(), robotNow.speed()),
+                        configure -> setup -> setup.controller = controllerNow));
+    }
+
+    private static Consumer<EditedSetup> restoring(Consumer<EditedObstacles> reversal) {
+        return setup -> reversal.accept(setup.obstacles);
+    }
+}
