@@ -48,6 +48,7 @@ public final class UndoController {
     private final UndoRequests requests = new UndoRequests(history, this::apply);
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
+    private BiConsumer<String, Boolean> scenarioListener = (name, redone) -> {};
     private BiConsumer<List<LaterChange>, Consumer<List<CommandResult>>> laterChanges = (changes, onExecuted) -> {};
     private StartChange startChange = (changes, redone, onChanged) -> {};
     private long advancedTo;
@@ -74,6 +75,14 @@ public final class UndoController {
     /** Sets the listener that is called when an edit is undone, with the tick at which it was first done. */
     public void setUndoListener(LongConsumer listener) {
         undoListener = listener;
+    }
+
+    /**
+     * Sets the listener that is called when an edit is undone or redone in the scenario only, because its timeline has
+     * changed the same thing in this run since, with the name of the edit and whether it is redone.
+     */
+    public void setScenarioListener(BiConsumer<String, Boolean> listener) {
+        scenarioListener = listener;
     }
 
     /** Follows the run of a workspace, however it is moved and restarted. */
@@ -206,7 +215,9 @@ public final class UndoController {
                     .filter(i -> changes.get(i).inRun() != null)
                     .mapToObj(results::get)
                     .toList());
-            if (!done) {
+            if (changes.stream().allMatch(change -> change.inRun() == null)) {
+                scenarioListener.accept(edit.name(), done);
+            } else if (!done) {
                 undoListener.accept(history.firstTick(edit));
             }
         } else if (results.isEmpty() || !results.stream().allMatch(UndoController::isAboutNothing)) {

@@ -23,6 +23,11 @@ final class EditNotifier {
         notifier.accept(Messages.get("edit.forked", Integer.toString(later)));
     }
 
+    /** Explains why the run does not show that an edit has been undone or redone. */
+    void editChangedScenario(String name, boolean redone) {
+        notifier.accept(Messages.get(redone ? "edit.redoneInScenario" : "edit.undoneInScenario", name));
+    }
+
     /** Explains that undoing an edit does not undo a collision that happened after it. */
     void editUndone(long since) {
         workspace

@@ -193,6 +193,7 @@ public final class MainWindow extends JFrame {
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.follow(workspace, runController);
         undoController.setUndoListener(editNotifier::editUndone);
+        undoController.setScenarioListener(editNotifier::editChangedScenario);
     }
 
     private MainPanel.Editors createEditors() {

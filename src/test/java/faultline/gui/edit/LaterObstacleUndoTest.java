@@ -1,6 +1,7 @@
 package faultline.gui.edit;
 
 import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -9,6 +10,7 @@ import faultline.gui.EdtChecker;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
@@ -91,6 +93,21 @@ class LaterObstacleUndoTest {
     }
 
     /** The edit was made at the planned place, and is redone at the place of the start. */
+    @Test
+    void anUndoThatTheRunDoesNotShowIsReported() {
+        List<String> notes = new ArrayList<>();
+        runOnEdt(() -> run.edits().setScenarioListener((name, redone) -> notes.add(name + " " + redone)));
+        plan(at(0.2, PLAN));
+        editBeforeThePlan(EDIT);
+        String name = callOnEdt(run.edits()::undoName).orElseThrow();
+        run.undo();
+        run.redo();
+        assertEquals(List.of(name + " false", name + " true"), notes);
+        run.seek(15);
+        run.undo();
+        assertEquals(2, notes.size(), "the run shows this undo");
+    }
+
     @Test
     void anEditThatIsRedoneBeforeTheTimelineIsUndoneToItsStart() {
         plan(at(0.2, PLAN));
