@@ -82,9 +82,9 @@ public final class SensorActions {
         sensorEditor.duplicate(id).ifPresent(tools::selectSensorWhenPresent);
     }
 
-    /** Removes a sensor. */
+    /** Removes a sensor; an undo of this selects it. */
     public void remove(String id) {
-        sensorEditor.remove(id);
+        sensorEditor.remove(id, () -> tools.selectSensorWhenPresent(id));
     }
 
     /** Gives a sensor another id; returns why it is refused, empty if it is not. */

@@ -33,7 +33,21 @@ public final class ScenarioEditor {
      * that reverts only this change. Changes with equal targets in quick succession form one edit.
      */
     void edit(Supplier<String> name, Object target, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
-        undo.addSetupEdit(name, target, SetupChange.of(() -> run.change(inverse), () -> run.change(change)));
+        edit(name, target, change, inverse, () -> {});
+    }
+
+    /** Changes the scenario; {@code onUndone} is called when that has been undone. */
+    void edit(
+            Supplier<String> name,
+            Object target,
+            UnaryOperator<Scenario> change,
+            UnaryOperator<Scenario> inverse,
+            Runnable onUndone) {
+        Runnable undoAction = () -> {
+            run.change(inverse);
+            onUndone.run();
+        };
+        undo.addSetupEdit(name, target, SetupChange.of(undoAction, () -> run.change(change)));
         run.change(change);
     }
 

@@ -95,13 +95,21 @@ public final class SensorEditor {
         return Optional.empty();
     }
 
-    /** Removes a sensor and the commands of the timeline about it, whose number is reported. */
-    public void remove(String id) {
+    /**
+     * Removes a sensor and the commands of the timeline about it, whose number is reported. {@code onRestored} is
+     * called when that has been undone, before the run has the sensor again.
+     */
+    public void remove(String id, Runnable onRestored) {
         workspace
                 .scenario()
                 .flatMap(scenario -> PlacedSensor.find(scenario, id))
                 .ifPresent(removed -> {
-                    editor.edit(() -> Messages.get("edit.remove", id), removed, removed::removedFrom, removed::addedTo);
+                    editor.edit(
+                            () -> Messages.get("edit.remove", id),
+                            removed,
+                            removed::removedFrom,
+                            removed::addedTo,
+                            onRestored);
                     int commands = removed.commands().size();
                     if (commands > 0) {
                         notes.accept(Messages.get("note.sensorCommands", id, Integer.toString(commands)));

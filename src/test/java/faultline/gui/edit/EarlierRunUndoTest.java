@@ -181,7 +181,7 @@ class EarlierRunUndoTest {
         run.send(new Command.ConfigureSensor(
                 first.setup().robot().sensor("left").orElseThrow().withRange(0.5)));
         runOnEdt(() -> new SensorEditor(run.workspace(), new ScenarioEditor(run.controller(), run.edits()), note -> {})
-                .remove("left"));
+                .remove("left", () -> {}));
         run.rest();
         for (int i = 0; i < 3; i++) {
             run.undo();

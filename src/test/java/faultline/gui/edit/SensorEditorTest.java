@@ -51,6 +51,7 @@ class SensorEditorTest {
     private Path folder;
 
     private final List<String> notes = new ArrayList<>();
+    private final List<String> restored = new ArrayList<>();
     private final AtomicBoolean journalSaved = new AtomicBoolean();
     private Workspace workspace;
     private RunController run;
@@ -113,7 +114,7 @@ class SensorEditorTest {
     }
 
     private void remove(String id) {
-        runOnEdt(() -> sensors.remove(id));
+        runOnEdt(() -> sensors.remove(id, () -> restored.add(id)));
         waitForRun();
     }
 
@@ -193,7 +194,9 @@ class SensorEditorTest {
         assertEquals(List.of(timeline.get(0), timeline.get(2), timeline.get(4)), setup().timeline());
         assertEquals(7, setup().robot().sensors().size());
         assertRunIsThatOf(setup());
+        assertEquals(List.of(), restored);
         undo();
+        assertEquals(List.of("left"), restored);
         assertEquals(before, setup());
         assertRunIsThatOf(before);
     }
@@ -219,7 +222,7 @@ class SensorEditorTest {
         SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
         runOnEdt(() -> {
             sender.send(List.of(FAULT, new Command.ConfigureSensor(farther)));
-            sensors.remove("left");
+            sensors.remove("left", () -> {});
         });
         waitForRun();
         Await.until("the results of the commands", () -> edits.undoName().equals(Optional.of("2 changes")));

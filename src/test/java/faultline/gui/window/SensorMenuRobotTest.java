@@ -130,6 +130,8 @@ class SensorMenuRobotTest {
                 .waitFor("the menu lists seven sensors", () -> shownSwitches().equals(named));
         driver.choose("undo");
         driver.waitForFrame("left again", frame -> ids(frame).indexOf("left") == 2);
+        driver.robot().waitFor("the restored sensor is selected", () -> selectedSensor()
+                .equals(Optional.of("left")));
         driver.choose("undo");
         driver.waitForFrame("the copy again", frame -> ids(frame).indexOf("left-2") == 8);
         driver.choose("undo");
