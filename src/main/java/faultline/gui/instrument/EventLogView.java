@@ -12,6 +12,7 @@ import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
 import faultline.gui.timeline.EventGroup;
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.GridLayout;
@@ -45,6 +46,7 @@ public final class EventLogView extends JPanel {
     private final EventTableModel events = new EventTableModel();
     private final RowTable table = new RowTable(events);
     private final JScrollPane scroll = new JScrollPane(table);
+    private final JScrollPane filter = createFilter();
     private final transient TableRowSorter<EventTableModel> rows = new TableRowSorter<>(events);
     private final transient Set<EventGroup> hidden = EnumSet.noneOf(EventGroup.class);
 
@@ -58,7 +60,7 @@ public final class EventLogView extends JPanel {
         CopyableRows.install(table);
         scroll.setColumnHeaderView(table.getTableHeader());
         scroll.setBorder(new FocusRing.FocusBorder(false));
-        add(createFilter(), BorderLayout.LINE_END);
+        add(filter, BorderLayout.LINE_END);
         add(scroll, BorderLayout.CENTER);
     }
 
@@ -68,9 +70,9 @@ public final class EventLogView extends JPanel {
         JPanel top = new JPanel(new BorderLayout());
         top.setBorder(BorderFactory.createEmptyBorder(2, 8, 2, 8));
         top.add(boxes, BorderLayout.NORTH);
-        JScrollPane filter = ScreenFit.scrolling(top);
-        filter.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        return filter;
+        JScrollPane pane = ScreenFit.scrolling(top);
+        pane.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        return pane;
     }
 
     private JCheckBox createBox(EventGroup group) {
@@ -106,9 +108,16 @@ public final class EventLogView extends JPanel {
         table.scrollRectToVisible(table.getCellRect(row, 0, true));
     }
 
-    /** Shows whole rows only; a row that is cut off at the bottom would look like a defect. */
+    /**
+     * Shows whole rows only; a row that is cut off at the bottom would look like a defect. The scroll bar of the filter
+     * is beside its boxes.
+     */
     @Override
     public void doLayout() {
+        Dimension boxes = filter.getViewport().getView().getPreferredSize();
+        boolean scrolled = boxes.height > getHeight();
+        int bar = scrolled ? filter.getVerticalScrollBar().getPreferredSize().width : 0;
+        filter.setPreferredSize(new Dimension(boxes.width + bar, boxes.height));
         super.doLayout();
         Insets border = scroll.getInsets();
         int outside = border.top + table.getTableHeader().getPreferredSize().height + border.bottom;

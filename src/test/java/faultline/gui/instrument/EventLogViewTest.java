@@ -20,6 +20,7 @@ import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import java.awt.Component;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -28,6 +29,8 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import javax.swing.JCheckBox;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The event log without a display: its texts, and going to an event. */
 class EventLogViewTest {
@@ -94,6 +97,19 @@ class EventLogViewTest {
                         .getBounds()
                         .intersects(view.getComponent(1).getBounds())),
                 "they overlap");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {60, 131, 400})
+    void theBoxesOfTheFilterAreNotCutOff(int height) {
+        runOnEdt(() -> view.setSize(700, height));
+        for (int pass = 0; pass < 2; pass++) {
+            runOnEdt(() -> ComponentFinder.layOut(view));
+        }
+        JCheckBox box = ComponentFinder.find(view, JCheckBox.class, "Commands");
+        Component boxes = box.getParent().getParent();
+        assertEquals(boxes.getPreferredSize().width, callOnEdt(() -> boxes.getParent()
+                .getWidth()));
     }
 
     private void show(String group, boolean shown) {
