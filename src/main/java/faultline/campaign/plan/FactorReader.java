@@ -176,9 +176,10 @@ final class FactorReader {
                         new AttributeValue.FixedValue(String.valueOf(on.contains(sensor))),
                         node.location()))
                 .toList();
-        String text = on.isEmpty() ? "none" : ValueSyntax.formatIdList(on);
         return new Factor.Level(
-                List.of(new AttributeValue.FixedValue(text), new AttributeValue.FixedValue(String.valueOf(on.size()))),
+                List.of(
+                        new AttributeValue.FixedValue(ValueSyntax.formatSensorSet(on)),
+                        new AttributeValue.FixedValue(String.valueOf(on.size()))),
                 edits);
     }
 

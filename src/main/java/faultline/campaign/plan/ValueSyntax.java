@@ -26,6 +26,9 @@ import java.util.stream.Stream;
  */
 public final class ValueSyntax {
 
+    /** A set without sensors, in results. */
+    private static final String NO_SENSOR = "none";
+
     /** The maximum number of values in one list. */
     static final int MAX_VALUES = 100_000;
 
@@ -142,8 +145,8 @@ public final class ValueSyntax {
             "ids with blanks between them, with whole ids in double quotes; at most " + MAX_VALUES + " of them";
 
     /**
-     * {@return a set of ids as it is written in a plan and in results, with blanks between the ids} Only ids that
-     * contain blanks are in quotes.
+     * {@return a list of ids as it is written in a plan, with blanks between the ids} Only ids that contain blanks are
+     * in quotes.
      *
      * @param ids the ids, without double quotes
      */
@@ -157,10 +160,30 @@ public final class ValueSyntax {
      * {@return the different ids of a list of ids, which may be empty; no result if the list has too many of them, or
      * quotes that are not around whole ids}
      *
-     * @param text the text in the plan or in results
+     * @param text the text in the plan
      */
-    public static Optional<List<String>> parseIdList(String text) {
+    static Optional<List<String>> parseIdList(String text) {
         return ids(text.strip());
+    }
+
+    /**
+     * {@return a set of sensors as it is written in results: the word none for no sensor} A sensor whose id is that
+     * word is in quotes if it is the only one.
+     */
+    static String formatSensorSet(List<String> sensors) {
+        String list = formatIdList(sensors);
+        return sensors.isEmpty() ? NO_SENSOR : list.equals(NO_SENSOR) ? '"' + list + '"' : list;
+    }
+
+    /**
+     * {@return the sensors of a set, empty for a text that is no set}
+     *
+     * @param text the text in results
+     */
+    public static Set<String> parseSensorSet(String text) {
+        return text.equals(NO_SENSOR)
+                ? Set.of()
+                : new LinkedHashSet<>(parseIdList(text).orElse(List.of()));
     }
 
     /** Returns the different ids of a text; empty if it has too many, or quotes that are not around whole ids. */

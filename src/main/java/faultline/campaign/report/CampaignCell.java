@@ -9,6 +9,7 @@ import java.util.List;
  * The runs of a campaign with one combination of levels, or with one of several.
  *
  * @param labels the values that the runs have in common, in the order of {@link #labelColumns}; {@link #ALL} for a sum
+ * @param sum whether the cell is a sum over all faults or sensors
  * @param runs the numbers of the runs
  * @param carriedOn the share of those in which the robot carried on
  * @param withoutContact the share of those in which it touched nothing
@@ -17,6 +18,7 @@ import java.util.List;
  */
 public record CampaignCell(
         List<String> labels,
+        boolean sum,
         List<Long> runs,
         Survival carriedOn,
         Survival withoutContact,
@@ -31,6 +33,7 @@ public record CampaignCell(
      *
      * @param labels the values that the runs have in common, in the order of {@link #labelColumns}; {@link #ALL} for a
      *     sum
+     * @param sum whether the cell is a sum over all faults or sensors
      * @param runs the numbers of the runs
      * @param carriedOn the share of those in which the robot carried on
      * @param withoutContact the share of those in which it touched nothing
@@ -59,10 +62,12 @@ public record CampaignCell(
      */
     public static List<CampaignCell> allOf(CampaignPlan plan, List<List<String>> lines) {
         List<CampaignCell> cells = new ArrayList<>();
-        new CellTable(new CampaignRuns(plan, lines)).groups().forEach((key, rows) -> {
+        CellTable table = new CellTable(new CampaignRuns(plan, lines));
+        table.groups().forEach((key, rows) -> {
             int rung = key.size() - 1;
             if (key.get(rung).equals(ALL)) {
-                cells.add(of(key.subList(0, rung), rows));
+                List<String> labels = key.subList(0, rung);
+                cells.add(of(labels, table.isSum(labels), rows));
             }
         });
         return cells;
@@ -79,9 +84,10 @@ public record CampaignCell(
         return new CampaignRuns(plan, lines).repeatCount();
     }
 
-    private static CampaignCell of(List<String> labels, List<RunRow> rows) {
+    private static CampaignCell of(List<String> labels, boolean sum, List<RunRow> rows) {
         return new CampaignCell(
                 labels,
+                sum,
                 rows.stream().map(row -> Long.parseLong(row.text("run"))).toList(),
                 Survival.of(rows),
                 Survival.of(rows, RunRow::withoutContact),

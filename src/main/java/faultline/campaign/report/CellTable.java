@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.regex.Pattern;
 
 /**
  * The cells of a campaign as CSV: one row for each combination of levels, and additional rows for all faults, all
@@ -20,6 +21,8 @@ final class CellTable {
 
     /** The label of a cell that is a sum over all faults, sensors or rungs. */
     static final String ALL = "all";
+
+    private static final Pattern QUOTED_TOTAL = Pattern.compile("\"*" + ALL + "\"*");
 
     private final CampaignRuns campaign;
     private final List<FactorSummary> levels;
@@ -82,10 +85,25 @@ final class CellTable {
                 add(groups, level, fault, ALL, row);
             }
             if (!row.text("final_rung").isEmpty()) {
-                add(groups, level, pooled(row), row.text("final_rung"), row);
+                add(groups, level, pooled(row), quotedIfTotal(row.text("final_rung")), row);
             }
         }
         return groups;
+    }
+
+    /**
+     * Returns whether the labels of a cell are those of a sum over faults or sensors. Other levels are never summed.
+     */
+    boolean isSum(List<String> labels) {
+        return labels.subList(levels.size(), labels.size()).contains(ALL);
+    }
+
+    /**
+     * Returns a name of the user as a label. If it is the word for totals, with or without quotes, it is put in quotes,
+     * so that different cells have different labels.
+     */
+    private static String quotedIfTotal(String name) {
+        return QUOTED_TOTAL.matcher(name).matches() ? '"' + name + '"' : name;
     }
 
     private static void add(
@@ -103,8 +121,8 @@ final class CellTable {
     private List<List<String>> faultKeys(RunRow row) {
         List<String> own = new ArrayList<>();
         faults.forEach(columns -> {
-            own.add(row.text(columns.fault()));
-            own.add(columns.failingPart(row));
+            own.add(quotedIfTotal(row.text(columns.fault())));
+            own.add(quotedIfTotal(columns.failingPart(row)));
         });
         if (faults.isEmpty() || pooled(row).equals(own)) {
             return List.of(own);
@@ -119,7 +137,7 @@ final class CellTable {
     private List<String> kinds(RunRow row) {
         List<String> keys = new ArrayList<>();
         faults.forEach(columns -> {
-            keys.add(row.text(columns.fault()));
+            keys.add(quotedIfTotal(row.text(columns.fault())));
             keys.add(columns.isFailing(row) ? ALL : "");
         });
         return keys;

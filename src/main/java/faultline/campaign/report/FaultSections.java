@@ -6,7 +6,6 @@ import faultline.campaign.plan.ValueSyntax;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -169,9 +168,7 @@ final class FaultSections {
     }
 
     private static Set<String> sensors(String set) {
-        return set.equals("none")
-                ? Set.of()
-                : new LinkedHashSet<>(ValueSyntax.parseIdList(set).orElse(List.of()));
+        return ValueSyntax.parseSensorSet(set);
     }
 
     private static String minimumTable(Map<String, Survival> sets) {

@@ -106,20 +106,16 @@ final class BatchResults {
     static List<CampaignCell> cellsOf(CampaignPlan plan, List<List<String>> lines) {
         List<CampaignCell> all = CampaignCell.allOf(plan, lines);
         List<CampaignCell> ordered = new ArrayList<>(
-                all.stream().filter(Predicate.not(BatchResults::isSum)).toList());
+                all.stream().filter(Predicate.not(CampaignCell::sum)).toList());
         if (lines.size() > plan.cellCount()) {
             Set<List<Long>> known = new HashSet<>();
             ordered.forEach(cell -> known.add(cell.runs()));
             all.stream()
-                    .filter(BatchResults::isSum)
+                    .filter(CampaignCell::sum)
                     .filter(cell -> known.add(cell.runs()))
                     .forEach(ordered::add);
         }
         return ordered;
-    }
-
-    private static boolean isSum(CampaignCell cell) {
-        return cell.labels().contains(CampaignCell.ALL);
     }
 
     /** Returns the columns of the table of cells. */

@@ -215,6 +215,22 @@ class CampaignPlanTest {
         assertFalse(robot.sensor("left").orElseThrow().on());
     }
 
+    /** "none" is a legal id. */
+    @Test
+    void theSetOfASensorThatIsCalledNoneIsNotThatOfNoSensors() throws ScenarioException {
+        String room = SamplePlan.ROOM.replace(
+                "y=\"1.2\"/>",
+                "y=\"1.2\"><sensor id=\"none\" x=\"0.1\" y=\"0\" bearing=\"0\"/>"
+                        + "<sensor id=\"left\" x=\"0\" y=\"0.1\" bearing=\"90\"/></robot>");
+        CampaignPlan plan = SamplePlan.read(
+                SamplePlan.text("", "<worlds><scenario file=\"a.xml\"/></worlds><masks sensors=\"none left\"/>"), room);
+        assertEquals(
+                List.of("none", "\"none\"", "left", "none left"),
+                LongStream.range(0, 4)
+                        .mapToObj(run -> plan.run(run).cells().get(0))
+                        .toList());
+    }
+
     @Test
     void masksAreAllSubsetsOfTheSensors() throws ScenarioException {
         CampaignPlan plan = plan("<masks/>");

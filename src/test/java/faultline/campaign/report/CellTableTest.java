@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
+import faultline.campaign.run.Csv;
 import faultline.scenario.xml.ScenarioException;
 import java.util.ArrayList;
 import java.util.List;
@@ -123,6 +124,69 @@ class CellTableTest {
                 .filter(row -> !row.split(",")[2].equals("all"))
                 .toList();
         assertEquals(List.of("none,,ALL,1,1", "all,all,THREE,2,1"), rungs);
+    }
+
+    /**
+     * Returns the labels and the numbers of runs of all rows, given a plan's faults and the labels of two faulty runs.
+     */
+    private List<String> cellsOf(String faults, List<String> first, List<String> second) throws ScenarioException {
+        plan = SamplePlan.read(
+                SamplePlan.text("", "<worlds><scenario file=\"a.xml\"/></worlds>" + faults),
+                SamplePlan.ROOM.replace(
+                        "y=\"1.2\"/>",
+                        "y=\"1.2\"><sensor id=\"all\" x=\"0.1\" y=\"0\" bearing=\"0\"/>"
+                                + "<sensor id=\"left\" x=\"0\" y=\"0.1\" bearing=\"90\"/></robot>"));
+        lines.clear();
+        lines.add(List.of("run", "block", "world", "fault_kind", "fault_sensor", "fault_label", "carried_on"));
+        lines.add(List.of("0", "0", "a", "none", "", "none", "1"));
+        lines.add(List.of("1", "0", "a", "off", first.get(0), first.get(1), "0"));
+        lines.add(List.of("2", "0", "a", "off", second.get(0), second.get(1), "1"));
+        return new CellTable(campaign())
+                .csv()
+                .lines()
+                .skip(1)
+                .map(row -> String.join(",", Csv.cells(row).subList(0, 4)))
+                .toList();
+    }
+
+    @Test
+    void aFaultThatIsLabelledAllIsNoTotal() throws ScenarioException {
+        String faults =
+                """
+                <faults>
+                  <healthy/>
+                  <fault kind="off" sensor="left" at="1" label="all"/>
+                  <fault kind="off" sensor="left" at="2" label="&quot;all&quot;"/>
+                </faults>
+                """;
+        assertEquals(
+                List.of(
+                        "none,,all,1",
+                        "\"all\",left,all,1",
+                        "\"all\",all,all,1",
+                        "all,left,all,2",
+                        "all,all,all,2",
+                        "\"\"all\"\",left,all,1",
+                        "\"\"all\"\",all,all,1"),
+                cellsOf(faults, List.of("left", "all"), List.of("left", "\"all\"")));
+    }
+
+    @Test
+    void aSensorThatIsCalledAllIsNoTotal() throws ScenarioException {
+        String faults =
+                """
+                <faults><healthy/><fault kind="off" sensor="all left" at="1" label="out"/></faults>
+                """;
+        assertEquals(
+                List.of(
+                        "none,,all,1",
+                        "out,\"all\",all,1",
+                        "out,all,all,2",
+                        "all,\"all\",all,1",
+                        "all,all,all,2",
+                        "out,left,all,1",
+                        "all,left,all,1"),
+                cellsOf(faults, List.of("all", "out"), List.of("left", "out")));
     }
 
     @Test

@@ -88,6 +88,15 @@ class SensorSetsTest {
                 section().contains(row("2") + "<td>1</td><td>1</td><td>&quot;front nose&quot; left</td>"), section());
     }
 
+    /** "none" is a legal id; the set of no sensors has the same name without quotes. */
+    @Test
+    void aSensorThatIsCalledNoneIsOneSensor() {
+        addRuns("none", 0, 20);
+        addRuns("\"none\"", 20, 20);
+        assertTrue(section().contains(row("&quot;none&quot;") + "<td>1</td>"), section());
+        assertTrue(section().contains(" 1 of 2 sets are sufficient."), section());
+    }
+
     @Test
     void aSetWithoutDecidedRunsIsNotTheBestOne() {
         lines.add(List.of("0", "0", "a", "front", ""));

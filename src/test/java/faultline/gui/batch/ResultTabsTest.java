@@ -4,6 +4,9 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.SamplePlan;
+import faultline.campaign.report.CampaignCell;
 import faultline.gui.ComponentFinder;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -58,6 +61,29 @@ class ResultTabsTest {
                 1);
         assertEquals(2, run.make().made());
         return run;
+    }
+
+    /** Totals come after the first block of runs; a variant may have the word for them as its name. */
+    @Test
+    void aVariantThatIsCalledAllIsNoTotal() throws Exception {
+        CampaignPlan plan = SamplePlan.read(
+                SamplePlan.text(
+                        "",
+                        """
+                <worlds><scenario file="a.xml"/></worlds>
+                <seeds count="2"/>
+                <variants><variant name="all"/><variant name="few"/></variants>
+                """));
+        List<CampaignCell> cells = BatchResults.cellsOf(
+                plan,
+                List.of(
+                        List.of("run", "block", "world", "variant", "carried_on"),
+                        List.of("0", "0", "a", "all", "1"),
+                        List.of("1", "0", "a", "few", "1"),
+                        List.of("2", "1", "a", "all", "1")));
+        assertEquals(
+                List.of(List.of("all"), List.of("few")),
+                cells.stream().map(CampaignCell::labels).toList());
     }
 
     @Test
