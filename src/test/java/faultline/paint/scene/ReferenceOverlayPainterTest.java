@@ -1,18 +1,30 @@
 package faultline.paint.scene;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.engine.Journal;
 import faultline.engine.SampleFrames;
+import faultline.engine.SimulationSetup;
+import faultline.engine.session.ReferenceRun;
+import faultline.engine.session.Session;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.robot.RobotSpec;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.world.Snapshot;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
 class ReferenceOverlayPainterTest {
@@ -40,6 +52,85 @@ class ReferenceOverlayPainterTest {
         graphics.dispose();
         assertArrayEquals(before, pixels(image, bar));
         assertFalse(Arrays.equals(above, pixels(image, aboveOf(bar))), "the caption is above the bar");
+    }
+
+    /** Returns a ghost of the office, whose robot has another length and width in metres. */
+    private static ReferenceOverlay ghostOf(double size, long ticks) throws ScenarioException {
+        SimulationSetup office = Scenario.loadShipped("office.xml").setup();
+        RobotSpec robot = office.robot().withPlatform(size, size, office.robot().speed());
+        Journal journal = new Journal(office.withRobot(robot), List.of(), ticks);
+        return new ReferenceOverlay(ReferenceRun.replay(journal, tick -> true), List.of("Ghost"), List.of());
+    }
+
+    private static Snapshot officeAt(long tick) throws ScenarioException {
+        Journal journal = new Journal(Scenario.loadShipped("office.xml").setup(), List.of(), tick);
+        try (Session session = Session.replay(journal, tick, reached -> true)) {
+            return session.frame().snapshot();
+        }
+    }
+
+    /** Returns the pixels that a painter changes in an empty picture. */
+    private static Rectangle painted(Camera camera, Consumer<DrawContext> painter) {
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        DrawContext context = new DrawContext(graphics, camera, Palette.LIGHT);
+        context.fill(PICTURE, Palette.LIGHT.canvas());
+        painter.accept(context);
+        graphics.dispose();
+        Rectangle area = new Rectangle(-1, -1);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                if (image.getRGB(x, y) != Palette.LIGHT.canvas().getRGB()) {
+                    area.add(new Rectangle(x, y, 1, 1));
+                }
+            }
+        }
+        return area;
+    }
+
+    @Test
+    void theGhostHasTheSizeOfItsOwnRobot() throws ScenarioException {
+        ReferenceOverlay ghost = ghostOf(0.1, 0);
+        Snapshot world = officeAt(0);
+        Camera camera = new Camera(world.pose().x(), world.pose().y(), 300, WIDTH, HEIGHT);
+        Rectangle area = painted(camera, context -> ReferenceOverlayPainter.paintRobot(context, ghost, world));
+        double heading = world.pose().heading();
+        double turned = 30 * (Math.abs(Math.cos(heading)) + Math.abs(Math.sin(heading)));
+        assertEquals(turned, area.width, 5, "0.1 m at 300 pixels per metre, and the width of the line");
+    }
+
+    @Test
+    void theGhostMovesWithTheTimeOfTheRun() throws ScenarioException {
+        ReferenceOverlay ghost = ghostOf(0.2, 300);
+        for (long tick : new long[] {0, 300}) {
+            Snapshot world = officeAt(tick);
+            Vector2 position = ghost.run().pose(tick).position();
+            Camera camera = new Camera(position.x(), position.y(), 200, WIDTH, HEIGHT);
+            Rectangle area = painted(camera, context -> ReferenceOverlayPainter.paintRobot(context, ghost, world));
+            assertEquals(WIDTH / 2.0, area.getCenterX(), 2, "at tick " + tick);
+            assertEquals(HEIGHT / 2.0, area.getCenterY(), 2, "at tick " + tick);
+        }
+        assertTrue(
+                ghost.run().pose(300).position().distanceTo(ghost.run().pose(0).position()) > 0.3,
+                "the robot has moved");
+    }
+
+    /**
+     * The ghost stands 300 pixels from the middle of the picture, so only a ghost of more than a metre is in a corner.
+     */
+    @Test
+    void theCaptionLeavesTheWholeGhostVisible() throws ScenarioException {
+        Snapshot world = officeAt(0);
+        Camera camera = new Camera(world.pose().x() + 1, world.pose().y() + 1.2, 100, WIDTH, HEIGHT);
+        Rectangle corner = new Rectangle(0, HEIGHT - 60, 200, 60);
+        for (double size : new double[] {0.2, 2}) {
+            ReferenceOverlay ghost = ghostOf(size, 0);
+            Rectangle caption = painted(
+                    camera,
+                    context -> ReferenceOverlayPainter.paintAnnotations(
+                            context, ghost, world, ReferenceOverlayPainter.createCornerChoice(), List.of()));
+            assertEquals(size < 1, caption.intersects(corner), "a ghost of " + size + " m: " + caption);
+        }
     }
 
     private static Rectangle aboveOf(Rectangle bar) {
