@@ -25,10 +25,10 @@ import java.util.stream.Stream;
 /**
  * The end of a run: a collision, with a failure, or at the scenario's duration.
  *
- * @param success whether nothing is wrong
+ * @param success whether all expectations hold and there is no collision that is not expected
  * @param title the event, in a few words
  * @param detail why, empty if there is nothing to add
- * @param event the tick of what went wrong, -1 if nothing did
+ * @param event the tick of the failure or the collision, -1 if there is neither
  */
 public record RunVerdict(boolean success, String title, String detail, long event) {
 
@@ -89,16 +89,24 @@ public record RunVerdict(boolean success, String title, String detail, long even
                         Integer.toString(unmet.size()),
                         Integer.toString(required.size()));
         return new RunVerdict(
-                unmet.isEmpty(), title, detail, collision.map(Collision::tick).orElse(NONE));
+                unmet.isEmpty() && (collision.isEmpty() || isCollisionExpected(required)),
+                title,
+                detail,
+                collision.map(Collision::tick).orElse(NONE));
     }
 
     private static RunVerdict atCollision(Collision collision, List<Expectation.Condition> required) {
-        boolean expected = required.contains(new Expectation.Collides(true));
+        boolean expected = isCollisionExpected(required);
         return new RunVerdict(
                 expected,
                 collisionText(collision),
                 (expected ? Messages.get("verdict.asExpected") + " " : "") + faultText(collision),
                 collision.tick());
+    }
+
+    /** Returns whether a collision is no failure, neither when it happens nor at the end of the run. */
+    private static boolean isCollisionExpected(List<Expectation.Condition> required) {
+        return required.contains(new Expectation.Collides(true));
     }
 
     private static String collisionText(Collision collision) {

@@ -91,6 +91,24 @@ class RunVerdictTest {
         assertFalse(verdict.success());
     }
 
+    /** The time passes, and nothing else changes: a robot that has collided stands still. */
+    @Test
+    void theEndOfTheRunIsNoSuccessAfterACollisionThatIsNotExpected() throws ScenarioException {
+        Scenario file = Scenario.loadShipped("collision-on-purpose.xml");
+        Expectation state = new Expectation(List.of(new Expectation.MinCoverage(0)));
+        Expectation collision = new Expectation(List.of(new Expectation.Collides(true)));
+        for (Expectation expectation : List.of(Expectation.NONE, state, collision)) {
+            Scenario crash = with(file, 10, expectation);
+            RunVerdict after =
+                    RunVerdict.of(frameAt(crash.setup(), 999), PAUSED, crash).orElseThrow();
+            RunVerdict end =
+                    RunVerdict.of(frameAt(crash.setup(), 1000), PAUSED, crash).orElseThrow();
+            assertEquals(expectation.equals(collision), after.success(), after.toString());
+            assertEquals(after.success(), end.success(), end.toString());
+            assertEquals(after.event(), end.event());
+        }
+    }
+
     @Test
     void aFailureIsQuotedAsASentence() throws ScenarioException {
         Scenario office = Scenario.loadShipped("office.xml");
