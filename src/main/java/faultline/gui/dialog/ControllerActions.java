@@ -243,7 +243,8 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
         return watch.isRunning();
     }
 
-    private void checkFiles() {
+    /** Checks in the background whether a file of the session's controller has changed. */
+    void checkFiles() {
         ControllerChoice chosen = started;
         BackgroundTasks.compute(() -> times(chosen.files()), this::compare, failure -> {});
     }

@@ -3,12 +3,15 @@ package faultline.paint.surface;
 /** Chooses nice numbers and lengths: 1, 2 or 5 times a power of ten. */
 public final class NiceSteps {
 
+    private static final double ROUNDING = 1e-12;
+
     private NiceSteps() {}
 
-    /** Returns the least nice number not below a positive one. */
+    /** Returns the least nice number not below a positive one, except for rounding errors. */
     public static double atLeast(double number) {
         double power = powerOfTen(number);
-        double leading = number / power;
+        // Divided by their powers of ten, some nice numbers such as 5e-6 are slightly more than 5.
+        double leading = number / power * (1 - ROUNDING);
         return power * (leading <= 1 ? 1 : leading <= 2 ? 2 : leading <= 5 ? 5 : 10);
     }
 

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.external.ControllerChoice;
+import faultline.external.ShellWords;
 import faultline.gui.Await;
 import faultline.gui.BackgroundThreads;
 import faultline.gui.EdtChecker;
@@ -25,10 +26,12 @@ import faultline.gui.settings.WindowPreferences.PreferenceStore;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -47,6 +50,7 @@ class ControllerActionsTest {
     private static final ControllerChoice MISSING = ControllerChoice.of("no-such-controller");
 
     private final List<TaskKind> failures = new ArrayList<>();
+    private final List<String> notes = new CopyOnWriteArrayList<>();
     private final Map<String, String> stored = new HashMap<>();
     private final WindowPreferences preferences =
             new WindowPreferences(new PreferenceStore(key -> stored.getOrDefault(key, ""), stored::put));
@@ -80,7 +84,12 @@ class ControllerActionsTest {
             });
             comparison = new ComparisonController(workspace, run.navigator());
             controllers = new ControllerActions(
-                    null, workspace, run, comparison, new Notes(text -> {}, text -> {}), preferences.recentCommands());
+                    null,
+                    workspace,
+                    run,
+                    comparison,
+                    new Notes(notes::add, notes::remove),
+                    preferences.recentCommands());
             store.open(OFFICE);
         });
         SessionFrames.awaitScenario(workspace);
@@ -194,6 +203,32 @@ class ControllerActionsTest {
         runOnEdt(controllers::sessionStarted);
         BackgroundThreads.awaitEnd();
         assertEquals(List.of(), callOnEdt(() -> preferences.recentCommands().texts()));
+    }
+
+    /** A command whose program need not run: its file is only watched. */
+    @Test
+    void aNoteSaysOnceThatAFileOfTheControllerHasChanged(@TempDir Path folder) throws IOException {
+        Path program = Files.writeString(folder.resolve("follower.py"), "");
+        runOnEdt(() -> {
+            controllers.select(ControllerChoice.of(ShellWords.quoted(program.toString())));
+            controllers.sessionStarted();
+        });
+        BackgroundThreads.awaitEnd();
+        checkFiles();
+        assertEquals(List.of(), notes);
+        Files.setLastModifiedTime(program, FileTime.fromMillis(1_000_000));
+        checkFiles();
+        checkFiles();
+        String note = "follower.py has changed; restart the run to load it";
+        assertEquals(List.of(note), notes);
+        runOnEdt(controllers::sessionStarted);
+        assertEquals(List.of(), notes, "after a restart");
+    }
+
+    private void checkFiles() {
+        runOnEdt(controllers::checkFiles);
+        BackgroundThreads.awaitEnd();
+        runOnEdt(() -> {});
     }
 
     @Test

@@ -14,6 +14,7 @@ import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
@@ -136,6 +137,14 @@ class CommandRoleTest {
         assertTrue(kinds.size() > 1);
         ROWS.forEach(row -> kinds.remove(row.command().getClass()));
         assertEquals(Set.of(), kinds);
+    }
+
+    @Test
+    void theLabelOfSettingsOfASensorHasItsRangeAndItsCone() {
+        SensorSpec front = RobotSpec.DEFAULT.sensor("front").orElseThrow();
+        SensorSpec changed =
+                front.withRange(0.62).withCone(Degrees.toRadians(12.5)).withNoise(0.03);
+        assertEquals("front set to 0.62 m and 12.5°", CommandText.format(new Command.ConfigureSensor(changed)));
     }
 
     @Test

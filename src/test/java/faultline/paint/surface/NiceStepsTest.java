@@ -2,6 +2,7 @@ package faultline.paint.surface;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -10,7 +11,18 @@ class NiceStepsTest {
     @ParameterizedTest
     @CsvSource({"1, 1", "1.01, 2", "2, 2", "3, 5", "5, 5", "5.5, 10", "7, 10", "0.3, 0.5", "0.012, 0.02", "130, 200"})
     void aStepIsTheNextNiceLength(double metres, double round) {
-        assertEquals(round, NiceSteps.atLeast(metres), 1e-12);
+        assertEquals(round, NiceSteps.atLeast(metres), 1e-12 * round);
+    }
+
+    /** Divided by their power of ten, some of them are slightly more than 2 or 5. */
+    @Test
+    void aNiceLengthIsItsOwnStep() {
+        for (int power = -12; power <= 12; power++) {
+            for (int leading : new int[] {1, 2, 5}) {
+                double nice = Double.parseDouble(leading + "e" + power);
+                assertEquals(nice, NiceSteps.atLeast(nice), 1e-12 * nice);
+            }
+        }
     }
 
     @ParameterizedTest
