@@ -10,6 +10,7 @@ import faultline.engine.session.SessionStatus;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
@@ -18,7 +19,6 @@ import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.BoxLayout;
@@ -120,18 +120,13 @@ public final class RunPanel extends JPanel {
         Velocity velocity = frame.snapshot().velocity();
         RunMeasures measures = frame.measures();
         state.setValue(StateText.name(frame.telemetry().state()));
-        linear.setValue(signed("%.3f m/s", velocity.linear(), 1000));
-        angular.setValue(signed("%.1f °/s", Math.toDegrees(velocity.angular()), 10));
+        linear.setValue(NumberText.format("%.3f m/s", velocity.linear()));
+        angular.setValue(NumberText.format("%.1f °/s", Math.toDegrees(velocity.angular())));
         coverage.setValue(ExpectationText.percent(measures.coverage()));
         laps.setValue(ExpectationText.number("%.2f", measures.laps()));
         straightRms.setValue(ExpectationText.millimetres(measures.distanceRms()));
         followRms.setValue(ExpectationText.millimetres(measures.followRms()));
         rung.setValue(rungText(frame.telemetry().diagnosis().rung()));
-    }
-
-    /** Rounds first: -0.0004 would be formatted as -0.000. */
-    private static String signed(String format, double value, double steps) {
-        return String.format(Locale.ROOT, format, Math.round(value * steps) / steps);
     }
 
     private static String rungText(String rung) {

@@ -1,6 +1,7 @@
 package faultline.paint.scene;
 
 import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Shapes;
 import faultline.robot.MotorSide;
@@ -10,7 +11,6 @@ import java.awt.Color;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
 /**
  * Paints rings at contacts, a cross in a ring at the first collision, and a badge with its position, its time and the
@@ -80,13 +80,10 @@ final class CollisionPainter {
     static List<String> badgeLines(Collision collision, SceneLabels labels) {
         List<String> lines = new ArrayList<>();
         lines.add(labels.collision()
-                + String.format(
-                        Locale.ROOT,
-                        "   x %.3f m   y %.3f m   t %.3f s   %s",
-                        collision.point().x(),
-                        collision.point().y(),
-                        collision.time(),
-                        collision.obstacle()));
+                + "   x " + DecimalText.formatFixed(collision.point().x(), 3)
+                + " m   y " + DecimalText.formatFixed(collision.point().y(), 3)
+                + " m   t " + DecimalText.formatFixed(collision.time(), 3)
+                + " s   " + collision.obstacle());
         List<String> broken = new ArrayList<>();
         collision
                 .faults()

@@ -6,15 +6,24 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.FollowerState;
+import faultline.control.Telemetry;
+import faultline.engine.Frame;
 import faultline.engine.Journal;
+import faultline.engine.SampleFrames;
 import faultline.engine.metrics.Expectation;
+import faultline.engine.recording.Recording;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
+import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
 import faultline.gui.theme.Theme;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.world.Snapshot;
 import java.awt.Component;
 import java.awt.Rectangle;
 import java.util.List;
@@ -72,6 +81,29 @@ class RunPanelTest {
         assertTrue(value("v").matches("-?\\d\\.\\d{3} m/s"), value("v"));
         assertTrue(value("Time left").endsWith(" s"), value("Time left"));
         assertTrue(value("Strategy").startsWith("1 of 6"), value("Strategy"));
+    }
+
+    @Test
+    void aVelocityThatIsZeroHasNoSign() {
+        Snapshot world = SampleFrames.frameOf(Pose.ORIGIN).snapshot();
+        Snapshot slow = new Snapshot(
+                1,
+                0.01,
+                world.width(),
+                world.height(),
+                world.enclosed(),
+                world.robot(),
+                world.pose(),
+                WheelSpeeds.of(new Velocity(-0.0004, -0.0004), world.robot().trueTrack()),
+                world.motorFaults(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of());
+        Frame frame = new Frame(slow, Telemetry.ofState(FollowerState.FOLLOW), 0, 0, SampleFrames.pathThrough(), 0);
+        runOnEdt(() -> panel.setRun(new SessionFrame(frame, Recording.EMPTY), PAUSED, scenario));
+        assertEquals("0.000 m/s", value("v"));
+        assertEquals("0.0 °/s", value("\u03c9"));
     }
 
     @Test

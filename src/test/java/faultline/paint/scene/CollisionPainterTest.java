@@ -42,6 +42,15 @@ class CollisionPainterTest {
     }
 
     @Test
+    void zeroHasNoSignInTheBadgeWhateverTheObstacleIsCalled() {
+        Vector2 point = new Vector2(-0.0004, 1.871);
+        Collision collision = new Collision(point, 12.48, 1248, "desk -0.0", Map.of(), List.of(), MotorFaults.NONE);
+        assertEquals(
+                List.of("First collision   x 0.000 m   y 1.871 m   t 12.480 s   desk -0.0"),
+                CollisionPainter.badgeLines(collision, SceneLabels.ENGLISH));
+    }
+
+    @Test
     void theBadgeIsBelowTheBanner() {
         Rectangle2D banner = new Rectangle2D.Double(0, 0, WIDTH, 54);
         Pose below = new Pose(4, 1, 0);
