@@ -163,7 +163,8 @@ final class InteractiveRun implements AutoCloseable {
                 recorder.view(),
                 meter.measures(),
                 simulation.controllerSpec(),
-                simulation.controllerName());
+                simulation.controllerName(),
+                simulation.setup().dt());
     }
 
     SessionStatus status() {

@@ -4,6 +4,7 @@ import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.Telemetry;
 import faultline.engine.Frame;
+import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.RunFacts;
 import faultline.engine.metrics.RunMeasures;
 import faultline.engine.recording.Recording;
@@ -22,19 +23,33 @@ import java.util.OptionalDouble;
  * @param measures the measures of the run up to that tick
  * @param controller the settings of the controller
  * @param controllerName the name that the controller gives itself, on one line; empty if it gives none
+ * @param dt the length of a tick, seconds
  */
 public record SessionFrame(
-        Frame frame, Recording recording, RunMeasures measures, ControllerSpec controller, String controllerName)
+        Frame frame,
+        Recording recording,
+        RunMeasures measures,
+        ControllerSpec controller,
+        String controllerName,
+        double dt)
         implements RunFacts {
 
     /**
      * Creates a frame of a run that is not measured.
      *
-     * @param frame the frame
+     * @param frame the frame, whose time gives the length of a tick; at tick 0 it is the default
      * @param recording the recording up to the frame
      */
     public SessionFrame(Frame frame, Recording recording) {
-        this(frame, recording, RunMeasures.NONE, new ControllerSpec.None(), "");
+        this(
+                frame,
+                recording,
+                RunMeasures.NONE,
+                new ControllerSpec.None(),
+                "",
+                frame.snapshot().tick() > 0
+                        ? frame.snapshot().time() / frame.snapshot().tick()
+                        : SimulationSetup.DEFAULT_TICK);
     }
 
     /** {@return the world at the end of the tick} */

@@ -114,7 +114,7 @@ record AlignmentTrace(
             samples.add(new AlignmentSample(
                     (headingAt(level, tick - 1) - start) / rate, level.min(TraceChannels.MEASURED_DISTANCE, tick)));
         }
-        double origin = (ticks.align() - 1) * dt(frame) - Math.abs(turnedBy / rate);
+        double origin = (ticks.align() - 1) * frame.dt() - Math.abs(turnedBy / rate);
         Telemetry.EdgeTimes shown = edges(frame, ticks, origin);
         double now = headingAt(level, ticks.end() - 1);
         return new AlignmentTrace(
@@ -159,10 +159,6 @@ record AlignmentTrace(
                         .map(timed -> new Telemetry.EdgeTimes(timed.f3() - origin, timed.f4() - origin, timed.tP()))
                         .orElse(reported)
                 : reported;
-    }
-
-    private static double dt(SessionFrame frame) {
-        return frame.snapshot().time() / Math.max(1, frame.snapshot().tick());
     }
 
     private static double headingAt(TraceLevel level, long tick) {

@@ -60,7 +60,6 @@ final class DiagramPainter {
     private final StateDiagramLayout layout;
     private final SessionFrame frame;
     private final StateTally tally;
-    private final double dt;
 
     DiagramPainter(Graphics2D g, StateDiagramLayout layout, Theme theme, SessionFrame frame) {
         this.g = g;
@@ -68,9 +67,6 @@ final class DiagramPainter {
         this.colours = theme.colours();
         this.frame = frame;
         this.tally = frame.recording().stateTally();
-        this.dt = frame.snapshot().tick() > 0
-                ? frame.snapshot().time() / frame.snapshot().tick()
-                : 0;
     }
 
     void paint(double width, double height) {
@@ -217,7 +213,8 @@ final class DiagramPainter {
     /** Returns the total duration and the number of visits of a state, or a dash if there are none. */
     private String visitText(FollowerState state) {
         return tally.visitsTo(state)
-                .map(interval -> String.format(Locale.ROOT, "%.1f s · %d×", interval.ticks() * dt, interval.visits()))
+                .map(interval ->
+                        String.format(Locale.ROOT, "%.1f s · %d×", interval.ticks() * frame.dt(), interval.visits()))
                 .orElse("–");
     }
 

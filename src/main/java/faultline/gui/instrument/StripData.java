@@ -26,11 +26,7 @@ record StripData(TraceLevel level, List<String> sensors, long from, long to, dou
 
     /** Returns the recorded data in a time span, for a chart of the given width. */
     static StripData of(SessionFrame frame, TimeSpan span, int pixels) {
-        // At tick 0 the length of a tick is not known and not needed.
-        double dt = frame.snapshot().tick() > 0
-                ? frame.snapshot().time() / frame.snapshot().tick()
-                : 1;
-        return of(frame.recording().trace(), frame.snapshot().robot().sensorIds(), dt, span, pixels);
+        return of(frame.recording().trace(), frame.snapshot().robot().sensorIds(), frame.dt(), span, pixels);
     }
 
     /** Returns the recorded data of a reference run in a time span, for a chart of the given width. */

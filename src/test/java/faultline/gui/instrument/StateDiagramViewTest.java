@@ -287,7 +287,7 @@ class StateDiagramViewTest {
     private static String sentence(long tick, ControllerState state, ControllerSpec spec, String name) {
         SessionFrame of = SampleRuns.frame(tick);
         Frame frame = frame(of.frame(), state, "");
-        return StateDiagramView.otherText(new SessionFrame(frame, of.recording(), of.measures(), spec, name));
+        return StateDiagramView.otherText(new SessionFrame(frame, of.recording(), of.measures(), spec, name, of.dt()));
     }
 
     @Test

@@ -258,8 +258,8 @@ class MainPanelTest {
                     ControllerSpec.WallFollowing.DEFAULT,
                     new ControllerSpec.Drive(1, 1),
                     new ControllerSpec.Extern(0))) {
-                SessionFrame frame =
-                        new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY, RunMeasures.NONE, controller, "");
+                SessionFrame frame = new SessionFrame(
+                        SampleFrames.fullFrame(), Recording.EMPTY, RunMeasures.NONE, controller, "", 0.01);
                 runOnEdt(() -> mainPanel.setRun(frame, PAUSED, office, 100));
                 assertEveryTabFits();
             }
