@@ -8,7 +8,6 @@ import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.CommandRole;
-import faultline.gui.timeline.Lane;
 import faultline.gui.timeline.TimelineItem;
 import faultline.paint.chart.PlotPainter;
 import faultline.paint.chart.TickStyle;
@@ -150,8 +149,7 @@ final class StripPainter {
     }
 
     private Color colour(TimelineItem item) {
-        int sensor = item.lane() instanceof Lane.SensorLane lane ? scale.sensorIndex(lane.id()) : 0;
-        return item.colours(theme.palette(), sensor).outline();
+        return item.colours(theme.palette(), content.frame().snapshot().robot()).outline();
     }
 
     /** Marks the start and the end of a fault in the colour of its sensor, or a moment. */

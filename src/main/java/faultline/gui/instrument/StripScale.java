@@ -89,11 +89,6 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, LegendPlace leg
         return shown.width() > width - LEFT_MARGIN ? LegendPlace.NONE : LegendPlace.above(shown, LEFT_MARGIN);
     }
 
-    /** Returns the index of a sensor in the robot's order, 0 if there is none. */
-    int sensorIndex(String id) {
-        return Math.max(0, data.sensors().indexOf(id));
-    }
-
     private static DoubleStream values(SignalGroup signal, StripData data) {
         return signal.lines().stream().flatMapToDouble(data::values);
     }

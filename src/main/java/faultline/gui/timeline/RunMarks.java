@@ -8,6 +8,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.SliderMark;
 import faultline.gui.theme.SliderMark.MarkShape;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,49 +20,57 @@ import java.util.stream.Stream;
 /**
  * The marks on the time slider: collisions, corners, changed settings, the starts of faults, and the end of the
  * scenario. Together with the items of the lanes, these are the events to which the run can be moved.
+ *
+ * @param frame the newest frame
+ * @param items the items of the timeline
+ * @param dt the length of a tick, seconds
  */
-final class RunMarks {
-
-    private final List<SliderMark> marks = new ArrayList<>();
-    private final SessionFrame frame;
-    private final double dt;
+record RunMarks(SessionFrame frame, List<TimelineItem> items, double dt) {
 
     /** A command and the tick at which it is executed. */
     private record Execution(Command command, long tick) {}
 
-    private RunMarks(SessionFrame frame, double dt) {
-        this.frame = frame;
-        this.dt = dt;
+    RunMarks {
+        items = List.copyOf(items);
     }
 
     /** Returns the marks of the newest frame, later ones over earlier ones, up to the last tick of the scenario. */
     static List<SliderMark> of(SessionFrame frame, List<TimelineItem> items, long end, double dt) {
-        RunMarks result = new RunMarks(frame, dt);
-        result.changes(items).forEach(result::addEvent);
+        return new RunMarks(frame, items, dt).marks(end);
+    }
+
+    /** Returns the marked events of the newest frame, and the starts and ends of all items. */
+    static List<EventStops.Stop> stops(SessionFrame frame, List<TimelineItem> items, double dt) {
+        return new RunMarks(frame, items, dt).stops();
+    }
+
+    private List<SliderMark> marks(long end) {
+        List<SliderMark> marks = new ArrayList<>();
+        changes().map(RunMarks::markOf).forEach(marks::add);
         items.stream()
                 .filter(item -> item.isInterval() || CommandRole.isSettingChange(item.command()))
-                .forEach(result::addItem);
+                .map(this::markOf)
+                .forEach(marks::add);
         if (end > 0) {
-            result.marks.add(new SliderMark(
+            marks.add(new SliderMark(
                     TimeBar.toSliderValue(end),
                     MarkShape.TICK,
                     theme -> theme.palette().text(),
                     Messages.get("time.end")));
         }
-        result.collisions()
-                .forEach(collided -> result.marks.add(new SliderMark(
+        collisions()
+                .map(collided -> new SliderMark(
                         TimeBar.toSliderValue(collided.tick()),
                         MarkShape.DISC,
                         theme -> theme.palette().collision(),
-                        EventText.sentence(collided))));
-        return List.copyOf(result.marks);
+                        EventText.sentence(collided)))
+                .forEach(marks::add);
+        return List.copyOf(marks);
     }
 
-    /** Returns the marked events of the newest frame, and the starts and ends of all items. */
-    static List<EventStops.Stop> stops(SessionFrame frame, List<TimelineItem> items, double dt) {
-        RunMarks run = new RunMarks(frame, dt);
+    private List<EventStops.Stop> stops() {
         List<EventStops.Stop> stops = new ArrayList<>();
-        Stream.concat(run.changes(items), run.collisions())
+        Stream.concat(changes(), collisions())
                 .map(event -> new EventStops.Stop(event.tick(), () -> EventText.sentence(event)))
                 .forEach(stops::add);
         for (TimelineItem item : items) {
@@ -74,8 +83,8 @@ final class RunMarks {
     }
 
     /** Returns the corners, and the changes of settings that are not items. */
-    private Stream<RunEvent> changes(List<TimelineItem> items) {
-        Set<Execution> planned = plannedChanges(items);
+    private Stream<RunEvent> changes() {
+        Set<Execution> planned = plannedChanges();
         return events().filter(
                         event -> event instanceof RunEvent.StateChanged change && change.to() == FollowerState.TURN
                                 || event instanceof RunEvent.CommandExecuted done
@@ -93,39 +102,29 @@ final class RunMarks {
     }
 
     /** Returns the changes of settings that are marked as items. */
-    private Set<Execution> plannedChanges(List<TimelineItem> items) {
+    private Set<Execution> plannedChanges() {
         return items.stream()
                 .filter(item -> CommandRole.isSettingChange(item.command()))
                 .map(item -> new Execution(item.command(), SimulationSetup.tickAt(item.start(), dt)))
                 .collect(Collectors.toSet());
     }
 
-    private void addEvent(RunEvent event) {
-        marks.add(new SliderMark(
+    private static SliderMark markOf(RunEvent event) {
+        return new SliderMark(
                 TimeBar.toSliderValue(event.tick()),
                 MarkShape.TICK,
                 theme -> theme.palette().muted(),
-                EventText.sentence(event)));
+                EventText.sentence(event));
     }
 
-    private void addItem(TimelineItem item) {
-        marks.add(new SliderMark(
+    private SliderMark markOf(TimelineItem item) {
+        RobotSpec robot = frame.snapshot().robot();
+        return new SliderMark(
                 TimeBar.toSliderValue(SimulationSetup.tickAt(item.start(), dt)),
                 MarkShape.TICK,
                 theme -> item.isInterval()
-                        ? item.colours(theme.palette(), sensorIndex(item)).outline()
+                        ? item.colours(theme.palette(), robot).outline()
                         : theme.palette().muted(),
-                TimelineText.description(item)));
-    }
-
-    private int sensorIndex(TimelineItem item) {
-        for (int i = 0; i < frame.snapshot().sensors().size(); i++) {
-            if (item.lane()
-                    .equals(new Lane.SensorLane(
-                            frame.snapshot().sensors().get(i).spec().id()))) {
-                return i;
-            }
-        }
-        return 0;
+                TimelineText.description(item));
     }
 }

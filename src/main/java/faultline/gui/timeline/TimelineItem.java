@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.paint.surface.Palette;
 import faultline.paint.surface.SensorColours;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.util.List;
 
@@ -40,13 +41,18 @@ public record TimelineItem(Command command, double start, double end) {
      * Returns the colours of this item's sensor, which has the given index, or motors; grey for a sensor that is
      * switched off.
      */
-    public SensorColours colours(Palette palette, int sensor) {
+    SensorColours colours(Palette palette, int sensor) {
         if (role().effect() == CommandRole.ChangedProperty.SWITCH) {
             return new SensorColours(palette.muted(), palette.muted());
         }
         return lane() instanceof Lane.SensorLane
                 ? palette.sensorColours(sensor)
                 : new SensorColours(palette.robot(), palette.robotOutline());
+    }
+
+    /** Returns the colours of this item on a robot; those of its first sensor for one that it lacks. */
+    public SensorColours colours(Palette palette, RobotSpec robot) {
+        return colours(palette, lane() instanceof Lane.SensorLane sensor ? Math.max(0, robot.indexOf(sensor.id())) : 0);
     }
 
     /** Returns this item with other times; those of a moment are equal. */
