@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 
 /**
  * Eq. (4) with all quantities varied at once: a Latin hypercube, in which the range of each quantity is divided into as
@@ -51,6 +52,14 @@ final class HypercubeStudy implements Figure {
         }
     }
 
+    /** The values of all quantities in a trial, in their units: metres, degrees, degrees per second, ticks, seconds. */
+    private record TrialDesign(double[] values) {
+
+        double get(VariedQuantity quantity) {
+            return values[quantity.ordinal()];
+        }
+    }
+
     @Override
     public void write(FigureFolder folder) throws IOException {
         CsvTable table = new CsvTable(
@@ -65,12 +74,12 @@ final class HypercubeStudy implements Figure {
                 "error_deg",
                 "theory_deg",
                 "spread_deg");
-        double[][] design = design();
+        List<TrialDesign> design = design();
         List<Series> series = new ArrayList<>();
         series.add(new Series.Line("theory", List.of(new Vector2(-18, -18), new Vector2(1, 1)), 2));
         for (TimingRule rule : TimingRule.values()) {
             List<Vector2> points = new ArrayList<>();
-            for (double[] values : design) {
+            for (TrialDesign values : design) {
                 measure(rule, values, table).ifPresent(points::add);
             }
             boolean range = rule == TimingRule.RANGE;
@@ -85,7 +94,7 @@ final class HypercubeStudy implements Figure {
     }
 
     /** Returns the values of all quantities for each trial. */
-    private static double[][] design() {
+    private static List<TrialDesign> design() {
         SplittableRandom random = new SplittableRandom(SEED);
         double[][] design = new double[TRIALS][VariedQuantity.values().length];
         for (VariedQuantity quantity : VariedQuantity.values()) {
@@ -95,7 +104,7 @@ final class HypercubeStudy implements Figure {
                 design[i][quantity.ordinal()] = quantity.low + share * (quantity.high - quantity.low);
             }
         }
-        return design;
+        return Stream.of(design).map(TrialDesign::new).toList();
     }
 
     private static int[] permutation(SplittableRandom random) {
@@ -109,7 +118,7 @@ final class HypercubeStudy implements Figure {
     }
 
     /** Runs a trial, adds its row, and returns theory and error in degrees; empty if the robot never aligns. */
-    private static Optional<Vector2> measure(TimingRule rule, double[] values, CsvTable table) {
+    private static Optional<Vector2> measure(TimingRule rule, TrialDesign values, CsvTable table) {
         AlignmentTrial trial = trial(rule, values);
         return trial.run().map(result -> {
             AlignmentTheory theory = AlignmentTheory.of(trial, result.position());
@@ -117,13 +126,13 @@ final class HypercubeStudy implements Figure {
                     StrictMath.toDegrees(theory.headingError()), StrictMath.toDegrees(result.headingError()));
             table.addRow(
                     rule.fileName(),
-                    values[0],
-                    values[1],
-                    values[2],
-                    values[3],
+                    values.get(VariedQuantity.DISTANCE),
+                    values.get(VariedQuantity.RANGE),
+                    values.get(VariedQuantity.CONE),
+                    values.get(VariedQuantity.RATE),
                     1000 * trial.period(),
-                    1000 * values[5],
-                    values[6],
+                    1000 * values.get(VariedQuantity.TIME_CONSTANT),
+                    values.get(VariedQuantity.SLANT),
                     point.y(),
                     point.x(),
                     StrictMath.toDegrees(theory.spread()));
@@ -131,15 +140,20 @@ final class HypercubeStudy implements Figure {
         });
     }
 
-    private static AlignmentTrial trial(TimingRule rule, double[] values) {
-        double away = values[0] + 0.35;
+    private static AlignmentTrial trial(TimingRule rule, TrialDesign values) {
+        double away = values.get(VariedQuantity.DISTANCE) + 0.35;
         Pose start = new Pose(
-                AlignmentTrial.WALL_Y, AlignmentTrial.WALL_Y - away, StrictMath.PI / 2 + Degrees.toRadians(values[6]));
-        double period = Math.rint(values[4]) * AlignmentTrial.BASE.dt();
+                AlignmentTrial.WALL_Y,
+                AlignmentTrial.WALL_Y - away,
+                StrictMath.PI / 2 + Degrees.toRadians(values.get(VariedQuantity.SLANT)));
+        double period = Math.rint(values.get(VariedQuantity.PERIOD_TICKS)) * AlignmentTrial.BASE.dt();
         return AlignmentTrial.standard(rule, 0)
                 .withRobot(AlignmentTrial.robot(
-                        values[1], Degrees.toRadians(values[2]), Degrees.toRadians(values[3]), values[5]))
-                .withDistance(values[0])
+                        values.get(VariedQuantity.RANGE),
+                        Degrees.toRadians(values.get(VariedQuantity.CONE)),
+                        Degrees.toRadians(values.get(VariedQuantity.RATE)),
+                        values.get(VariedQuantity.TIME_CONSTANT)))
+                .withDistance(values.get(VariedQuantity.DISTANCE))
                 .withPeriod(period)
                 .withSetup(AlignmentTrial.BASE.withStart(start));
     }

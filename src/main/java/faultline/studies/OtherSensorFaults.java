@@ -1,10 +1,7 @@
 package faultline.studies;
 
 import faultline.control.FollowerState;
-import faultline.control.Telemetry;
 import faultline.control.TimingRule;
-import faultline.engine.ControllerMode;
-import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.sensor.FaultKind;
 import faultline.sensor.SensorSpec;
@@ -14,7 +11,6 @@ import faultline.studies.figure.FigureFolder;
 import faultline.world.Command;
 import java.io.IOException;
 import java.util.List;
-import java.util.OptionalDouble;
 
 /**
  * The paper's claim that t_D does not depend on other sensors: every other sensor fails in every way, once from the
@@ -37,7 +33,7 @@ final class OtherSensorFaults implements Figure {
                 "same_bits_from_the_start");
         for (TimingRule timing : TimingRule.values()) {
             AlignmentTrial trial = AlignmentTrial.standard(timing, 0);
-            double sound = measureTD(trial.setup()).orElseThrow();
+            double sound = trial.run().orElseThrow().tD();
             table.addRow(timing.fileName(), "none", "none", sound, true, sound, true);
             trial.robot().sensors().stream()
                     .filter(sensor -> !sensor.id().equals("left"))
@@ -50,16 +46,16 @@ final class OtherSensorFaults implements Figure {
         double spin = alignmentStart(trial.setup());
         for (FaultKind kind : KINDS) {
             Command fault = new Command.InjectFault(sensor.id(), kind.createFault(kind.defaultValue()));
-            OptionalDouble late = measureTD(withFault(trial.setup(), spin, fault));
-            OptionalDouble early = measureTD(withFault(trial.setup(), 0, fault));
+            double late = measureTD(withFault(trial.setup(), spin, fault));
+            double early = measureTD(withFault(trial.setup(), 0, fault));
             table.addRow(
                     trial.timing().fileName(),
                     sensor.id(),
                     kind.fileName(),
-                    late.orElse(Double.NaN),
-                    isSame(late.orElse(Double.NaN), sound),
-                    early.orElse(Double.NaN),
-                    isSame(early.orElse(Double.NaN), sound));
+                    late,
+                    isSame(late, sound),
+                    early,
+                    isSame(early, sound));
         }
     }
 
@@ -76,18 +72,11 @@ final class OtherSensorFaults implements Figure {
         return trace.states().indexOf(FollowerState.TURN) * setup.dt();
     }
 
-    /** Returns the time between F3 and F4 at the end of ALIGN; empty if it never ends. */
-    private static OptionalDouble measureTD(SimulationSetup setup) {
-        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
-            while (simulation.time() < setup.duration()
-                    && simulation.collision().isEmpty()) {
-                simulation.tick();
-                Telemetry now = simulation.telemetry();
-                if (now.state() == FollowerState.FOLLOW) {
-                    return OptionalDouble.of(now.edges().tF4() - now.edges().tF3());
-                }
-            }
-            return OptionalDouble.empty();
-        }
+    /** Returns the time between F3 and F4 at the end of ALIGN, NaN if it never ends. */
+    private static double measureTD(SimulationSetup setup) {
+        return new AlignmentTrial(setup, 1)
+                .run()
+                .map(AlignmentTrial.TrialResult::tD)
+                .orElse(Double.NaN);
     }
 }
