@@ -63,14 +63,15 @@ final class ControlPanelFigure implements Figure {
     }
 
     private static BufferedImage renderLarge(Snapshot world, Theme theme) {
-        TextSize before = TextSize.current();
+        TextSize sizeBefore = TextSize.current();
+        Theme themeBefore = Theme.current();
         TextSize.LARGEST.install();
         try {
             theme.install();
             return render(world);
         } finally {
-            before.install();
-            theme.install();
+            sizeBefore.install();
+            themeBefore.install();
         }
     }
 

@@ -154,7 +154,7 @@ public final class Dialogs {
 
     private void showAbout() {
         String version = ProgramVersion.find().orElse("–");
-        Icon robot = new ImageIcon(AppIcon.images().get(AppIcon.images().size() - 1));
+        Icon robot = new ImageIcon(AppIcon.createImage(64));
         JLabel name = new JLabel(Messages.get("about.name", version));
         name.setFont(name.getFont().deriveFont(Font.BOLD));
         Object[] message = {name, " ", Messages.get("about.text", System.getProperty("java.version"))};

@@ -40,8 +40,8 @@ enum ScenarioTemplate {
             new Pose(1.5, 4, 0),
             new Obstacle("building", new ObstacleShape.RectangleShape(4, 3), new Pose(5, 4, 0)));
 
-    private final transient WorldSpec world;
-    private final transient Pose start;
+    private final WorldSpec world;
+    private final Pose start;
 
     ScenarioTemplate(double width, double height, boolean enclosed, Pose start, Obstacle... obstacles) {
         this.world = new WorldSpec(width, height, enclosed, WorldSpec.DEFAULT_MAX_MOVING, List.of(obstacles));
