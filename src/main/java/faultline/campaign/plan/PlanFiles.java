@@ -106,7 +106,10 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         return "scenario-" + number + ".xml";
     }
 
-    /** {@return the paths that the plan and the scenarios were read from} */
+    /**
+     * {@return the path of the plan, and those of the scenarios as the plan names them, relative to its folder} The
+     * scenarios of a copy are read from its own files instead, so there need not be a file at their paths.
+     */
     public List<Path> paths() {
         Path file = Path.of(name).toAbsolutePath();
         List<Path> paths = new ArrayList<>(List.of(file));
