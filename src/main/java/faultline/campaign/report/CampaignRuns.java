@@ -22,6 +22,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,36 +45,46 @@ final class CampaignRuns {
     private final List<FaultColumns> faults;
     private final Map<String, Integer> indices = new HashMap<>();
     private final List<RunRow> rows = new ArrayList<>();
-    /** The line of the first row that has more or fewer cells than the header, 0 if there is none. */
-    private int damagedLine;
-    /** The number of cells of that row. */
-    private int damagedCells;
+
+    /**
+     * The header of a table and its rows up to the first one that has more or fewer cells.
+     *
+     * @param header the names of the columns
+     * @param rows the rows with a cell for each column
+     * @param damagedLine the line of the first other row, 0 if there is none or it is the last line
+     * @param damagedCells the number of cells of that row
+     */
+    private record ParsedTable(List<String> header, List<List<String>> rows, int damagedLine, int damagedCells) {
+
+        /** Reads lines, of which the last one may be incomplete because it is still being written. */
+        static ParsedTable of(Iterator<List<String>> lines) {
+            List<String> header = lines.hasNext() ? lines.next() : List.of();
+            List<List<String>> rows = new ArrayList<>();
+            while (lines.hasNext()) {
+                List<String> cells = lines.next();
+                if (cells.size() != header.size()) {
+                    return new ParsedTable(header, rows, lines.hasNext() ? rows.size() + 2 : 0, cells.size());
+                }
+                rows.add(cells);
+            }
+            return new ParsedTable(header, rows, 0, 0);
+        }
+    }
 
     /** Creates the runs of a table from the cells of its header and rows; an incomplete last row is omitted. */
     CampaignRuns(CampaignPlan plan, Iterable<List<String>> lines) {
+        this(plan, ParsedTable.of(lines.iterator()));
+    }
+
+    private CampaignRuns(CampaignPlan plan, ParsedTable table) {
         this.plan = plan;
         this.faults = plan.factors().stream()
                 .filter(factor -> factor.kind() == FactorKind.FAULTS)
                 .map(FaultColumns::of)
                 .toList();
+        table.header().forEach(name -> indices.put(name, indices.size()));
         Map<List<String>, Integer> firstRuns = new HashMap<>();
-        int number = 0;
-        for (List<String> cells : lines) {
-            if (damagedLine > 0) {
-                return;
-            }
-            number++;
-            if (indices.isEmpty()) {
-                cells.forEach(name -> indices.put(name, indices.size()));
-            } else if (cells.size() == indices.size()) {
-                rows.add(new RunRow(this, firstEqual(cells, firstRuns), cells));
-            } else {
-                damagedLine = number;
-                damagedCells = cells.size();
-            }
-        }
-        // The last row may be incomplete because it is still being written.
-        damagedLine = 0;
+        table.rows().forEach(cells -> rows.add(new RunRow(this, firstEqual(cells, firstRuns), cells)));
     }
 
     /**
@@ -113,13 +124,16 @@ final class CampaignRuns {
         checkLines(table);
         try (BufferedReader in = Files.newBufferedReader(table)) {
             Map<String, String> shared = new HashMap<>();
-            CampaignRuns campaign = new CampaignRuns(plan, in.lines().map(line -> cells(line, shared))::iterator);
-            if (campaign.damagedLine > 0) {
+            ParsedTable parsed =
+                    ParsedTable.of(in.lines().map(line -> cells(line, shared)).iterator());
+            if (parsed.damagedLine() > 0) {
                 throw wrong(
                         table,
-                        campaign.damagedLine,
-                        RowCheck.cellCount(campaign.damagedCells, campaign.indices.size()));
+                        parsed.damagedLine(),
+                        RowCheck.cellCount(
+                                parsed.damagedCells(), parsed.header().size()));
             }
+            CampaignRuns campaign = new CampaignRuns(plan, parsed);
             campaign.checkColumns(table);
             campaign.checkRows(table);
             return campaign;
@@ -251,8 +265,8 @@ final class CampaignRuns {
     }
 
     /** Groups rows by a key, in the order of their first appearance. */
-    static <K> Map<K, List<RunRow>> group(Collection<RunRow> rows, Function<RunRow, K> key) {
-        Map<K, List<RunRow>> groups = new LinkedHashMap<>();
+    static <R, K> Map<K, List<R>> group(Collection<R> rows, Function<R, K> key) {
+        Map<K, List<R>> groups = new LinkedHashMap<>();
         rows.forEach(row -> groups.computeIfAbsent(key.apply(row), first -> new ArrayList<>())
                 .add(row));
         return groups;
