@@ -4,12 +4,13 @@ import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.FactorKind;
 import faultline.campaign.plan.ValueSyntax;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -137,16 +138,17 @@ final class FaultSections {
             return "";
         }
         String column = masks.get().columns().get(0).name();
-        Map<String, Survival> sets = new HashMap<>();
+        List<SensorSet> sets = new ArrayList<>();
         CampaignRuns.group(campaign.rows(), row -> row.text(column))
-                .forEach((set, rows) -> sets.put(set, Survival.of(rows)));
+                .forEach((name, rows) ->
+                        sets.add(new SensorSet(name, ValueSyntax.parseSensorSet(name), Survival.of(rows))));
         return Html.section(
                 "Minimum sets of sensors",
                 Html.paragraph("A set is sufficient if the robot carries on in at least 85 % of its runs, minimal if no"
-                                + " smaller set inside it is sufficient. " + count(sets, FaultSections::isSufficient)
+                                + " smaller set inside it is sufficient. " + count(sets, SensorSet::isSufficient)
                                 + " of " + sets.size() + " sets are sufficient. A set is certain if its whole 95 %"
                                 + " interval is at 85 % or more, which requires 22 independent runs or more; "
-                                + count(sets, FaultSections::isCertain) + " are certain.")
+                                + count(sets, SensorSet::isCertain) + " are certain.")
                         + minimumTable(sets)
                         + "<h3>All sets</h3>\n"
                         + Html.table(
@@ -155,68 +157,64 @@ final class FaultSections {
                                 bySize(sets)));
     }
 
-    private static long count(Map<String, Survival> sets, Predicate<Survival> condition) {
-        return sets.values().stream().filter(condition).count();
+    /** Sensors that are on, by their name in the results, and how often the robot carries on with them. */
+    private record SensorSet(String name, Set<String> sensors, Survival survival) {
+
+        /** Those with the greatest shares first, those without decided runs last. */
+        static final Comparator<SensorSet> BEST_FIRST = Comparator.comparing((SensorSet set) -> set.survival.n() == 0)
+                .thenComparing(set -> -set.survival.share())
+                .thenComparing(SensorSet::name);
+
+        boolean isSufficient() {
+            return survival.n() > 0 && survival.share() >= SUFFICIENT;
+        }
+
+        boolean isCertain() {
+            return survival.interval().low() >= SUFFICIENT;
+        }
     }
 
-    private static boolean isSufficient(Survival survival) {
-        return survival.n() > 0 && survival.share() >= SUFFICIENT;
+    private static long count(List<SensorSet> sets, Predicate<SensorSet> condition) {
+        return sets.stream().filter(condition).count();
     }
 
-    private static boolean isCertain(Survival survival) {
-        return survival.interval().low() >= SUFFICIENT;
+    /** Returns the sufficient sets in which no smaller one is, those of fewer sensors first. */
+    private static List<SensorSet> minimumSets(List<SensorSet> sets) {
+        List<SensorSet> minimum = new ArrayList<>();
+        sets.stream()
+                .filter(SensorSet::isSufficient)
+                .sorted(Comparator.comparing((SensorSet set) -> set.sensors().size())
+                        .thenComparing(SensorSet.BEST_FIRST))
+                .filter(set ->
+                        minimum.stream().noneMatch(smaller -> set.sensors().containsAll(smaller.sensors())))
+                .forEachOrdered(minimum::add);
+        return minimum;
     }
 
-    private static Set<String> sensors(String set) {
-        return ValueSyntax.parseSensorSet(set);
-    }
-
-    private static String minimumTable(Map<String, Survival> sets) {
-        List<String> sufficient = sets.keySet().stream()
-                .filter(set -> isSufficient(sets.get(set)))
-                .toList();
-        List<List<String>> rows = sufficient.stream()
-                .filter(set -> sufficient.stream()
-                        .noneMatch(other -> !other.equals(set) && sensors(set).containsAll(sensors(other))))
-                .sorted(Comparator.comparing((String set) -> sensors(set).size())
-                        .thenComparing(set -> -sets.get(set).share())
-                        .thenComparing(set -> set))
+    private static String minimumTable(List<SensorSet> sets) {
+        List<List<String>> rows = minimumSets(sets).stream()
                 .map(set -> List.of(
-                        Html.escape(set),
-                        String.valueOf(sensors(set).size()),
-                        isCertain(sets.get(set)) ? "yes" : "no",
-                        Html.survivalCell(sets.get(set))))
+                        Html.escape(set.name()),
+                        String.valueOf(set.sensors().size()),
+                        set.isCertain() ? "yes" : "no",
+                        Html.survivalCell(set.survival())))
                 .toList();
         return rows.isEmpty()
                 ? Html.paragraph("No set is sufficient.")
                 : Html.table("numbers", List.of("minimum set", "sensors", "certain", "carried on"), rows);
     }
 
-    private static List<List<String>> bySize(Map<String, Survival> sets) {
+    private static List<List<String>> bySize(List<SensorSet> sets) {
         List<List<String>> rows = new ArrayList<>();
-        int most = sets.keySet().stream()
-                .mapToInt(set -> sensors(set).size())
-                .max()
-                .orElse(0);
-        for (int size = 0; size <= most; size++) {
-            int wanted = size;
-            List<String> some = sets.keySet().stream()
-                    .filter(set -> sensors(set).size() == wanted)
-                    .sorted(Comparator.comparing((String set) -> sets.get(set).n() == 0)
-                            .thenComparing(set -> -sets.get(set).share())
-                            .thenComparing(set -> set))
-                    .toList();
-            if (!some.isEmpty()) {
-                rows.add(List.of(
-                        String.valueOf(size),
-                        String.valueOf(some.size()),
-                        String.valueOf(some.stream()
-                                .filter(set -> isSufficient(sets.get(set)))
-                                .count()),
-                        Html.escape(some.get(0)),
-                        Html.survivalCell(sets.get(some.get(0)))));
-            }
-        }
+        new TreeMap<>(CampaignRuns.group(sets, set -> set.sensors().size())).forEach((size, some) -> {
+            SensorSet best = Collections.min(some, SensorSet.BEST_FIRST);
+            rows.add(List.of(
+                    String.valueOf(size),
+                    String.valueOf(some.size()),
+                    String.valueOf(count(some, SensorSet::isSufficient)),
+                    Html.escape(best.name()),
+                    Html.survivalCell(best.survival())));
+        });
         return rows;
     }
 }

@@ -1,13 +1,18 @@
 package faultline.campaign.report;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTimeout;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
 import faultline.scenario.xml.ScenarioException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -73,6 +78,23 @@ class SensorSetsTest {
         addRuns("right", 18, 20);
         assertTrue(section().indexOf(row("right")) < section().indexOf(row("rear")), section());
         assertTrue(section().indexOf(row("rear")) < section().indexOf(row("front left")), section());
+    }
+
+    /** All sets of 13 sensors, of which those of four or more are sufficient. Comparing all texts takes much longer. */
+    @Test
+    void theMinimumSetsOfManyAreFoundAtOnce() {
+        for (int bits = 0; bits < 1 << 13; bits++) {
+            int on = bits;
+            String set = IntStream.range(0, 13)
+                    .filter(sensor -> (on >> sensor & 1) == 1)
+                    .mapToObj(sensor -> "s" + sensor)
+                    .collect(Collectors.joining(" "));
+            addRuns(set.isEmpty() ? "none" : set, Integer.bitCount(bits) >= 4 ? 1 : 0, 1);
+        }
+        String section = assertTimeout(Duration.ofSeconds(8), this::section);
+        String minimum = section.substring(0, section.indexOf("All sets"));
+        assertEquals(715, minimum.split("<td>4</td>", -1).length - 1, "13 over 4");
+        assertTrue(section.contains(" 7814 of 8192 sets are sufficient."), section);
     }
 
     @Test
