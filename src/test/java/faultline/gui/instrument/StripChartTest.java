@@ -383,7 +383,13 @@ class StripChartTest {
                 String.format(Locale.ROOT, "actual %.3f °/s", degrees),
                 readOut(fastest / 100.0).get(1));
         choose(1);
-        assertTrue(readOut(15).get(1).endsWith(" rad/s"), readOut(15).get(1));
+        int controlled = IntStream.range(0, 2000)
+                .filter(tick -> Float.isFinite(level.min(TraceChannels.PROPORTIONAL, tick)))
+                .findFirst()
+                .orElseThrow();
+        String term = readOut(controlled / 100.0).get(1);
+        assertTrue(term.endsWith(" rad/s"), term);
+        assertEquals("P –", readOut(fastest / 100.0).get(1), "the robot spins");
     }
 
     @Test
