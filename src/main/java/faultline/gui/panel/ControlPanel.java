@@ -343,6 +343,9 @@ public final class ControlPanel extends JPanel {
     public interface PendingField {
         /** Applies the text now if it is allowed; returns whether that changed a value. */
         boolean commitPendingEdit();
+
+        /** Shows the present value in place of what is being typed. */
+        void discardPendingEdit();
     }
 
     /** Commits what is being typed, as if the field lost the focus, and returns whether that changed a value. */
@@ -364,8 +367,19 @@ public final class ControlPanel extends JPanel {
         sensors.selectSensor(null);
     }
 
-    /** Prepares for another scenario, whose first sensor will be selected. */
+    private static Stream<PendingField> pendingFieldsIn(Container container) {
+        return Stream.of(container.getComponents())
+                .flatMap(part -> part instanceof PendingField field
+                        ? Stream.of(field)
+                        : part instanceof Container inner ? pendingFieldsIn(inner) : Stream.empty());
+    }
+
+    /**
+     * Prepares for another scenario, whose first sensor will be selected. What is being typed was for the scenario
+     * before.
+     */
     public void startScenario() {
+        pendingFieldsIn(this).forEach(PendingField::discardPendingEdit);
         sensorDetails.startScenario();
     }
 

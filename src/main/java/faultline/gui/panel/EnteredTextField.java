@@ -23,7 +23,7 @@ public abstract class EnteredTextField extends JTextField implements ControlPane
         UiText.name(this, key);
         UiText.tip(this, key + ".tip");
         addActionListener(event -> commitPendingEdit());
-        KeyBindings.bind(this, "ESCAPE", this::revert);
+        KeyBindings.bind(this, "ESCAPE", this::discardPendingEdit);
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent event) {
@@ -59,7 +59,8 @@ public abstract class EnteredTextField extends JTextField implements ControlPane
         }
     }
 
-    private void revert() {
+    @Override
+    public void discardPendingEdit() {
         showValue();
         note.hide();
     }

@@ -231,6 +231,14 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
         return doubleValue() != before;
     }
 
+    @Override
+    public void discardPendingEdit() {
+        textField().setValue(getValue());
+        if (note != null) {
+            note.hide();
+        }
+    }
+
     /** Leaves invalid text in the field when the focus moves on, so that the user sees the error. */
     public NumberSpinner keepInvalidText() {
         textField().setFocusLostBehavior(JFormattedTextField.COMMIT);

@@ -142,6 +142,39 @@ class ControlPanelTest {
         assertEquals("right", callOnEdt(idField()::getText));
     }
 
+    /** It was for the sensors of the scenario before, which may have the same ids. */
+    @Test
+    void whatIsBeingTypedIsDiscardedWithItsScenario() {
+        runOnEdt(() -> {
+            panel.selectSensor("left");
+            List<JTextField> fields = pendingTextFields();
+            List<String> before = fields.stream().map(JTextField::getText).toList();
+            fields.forEach(field -> field.setText("0.07"));
+            panel.startScenario();
+            panel.setSnapshot(world);
+            panel.selectSensor("left");
+            assertEquals(before, fields.stream().map(JTextField::getText).toList());
+        });
+        assertEquals(List.of(), sensorRequests);
+        assertEquals(List.of(), commands);
+    }
+
+    /** Returns the fields of the tab of the robot that apply what is typed. */
+    private List<JTextField> pendingTextFields() {
+        Container robotTab = (Container) ComponentFinder.findAll(panel, JTabbedPane.class)
+                .findFirst()
+                .orElseThrow()
+                .getComponentAt(0);
+        List<JTextField> fields = Stream.concat(
+                        NumberSpinner.findIn(robotTab)
+                                .filter(NumberSpinner::isEnabled)
+                                .map(NumberSpinner::textField),
+                        Stream.of(idField()))
+                .toList();
+        assertTrue(fields.size() > world.sensors().size(), "the ranges of all sensors among them");
+        return fields;
+    }
+
     @Test
     void aRenamedSensorStaysChosen() {
         runOnEdt(() -> {

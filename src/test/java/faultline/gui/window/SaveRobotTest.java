@@ -14,6 +14,7 @@ import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.sensor.SensorSpec;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.Window;
@@ -275,6 +276,24 @@ class SaveRobotTest {
                 "all is as it was",
                 frame -> frame.snapshot().obstacles().get(0).pose().equals(before));
         assertArrayEquals(original, Files.readAllBytes(file));
+    }
+
+    @Test
+    void revertDiscardsTheNumberThatIsBeingTyped() throws ScenarioException {
+        SensorSpec front = Scenario.load(file).setup().robot().sensors().get(0);
+        String name = "Noise of the selected sensor, standard deviation in metres";
+        JTextField noise = ComponentFinder.find(driver.window(), JTextField.class, name);
+        String shown = callOnEdt(noise::getText);
+        driver.typeInto(name, KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_0, KeyEvent.VK_5);
+        driver.chooseLater("revert");
+        driver.clickButton("Revert", "Revert");
+        driver.waitForFrame(
+                "all is as it was",
+                frame -> frame.snapshot().obstacles().get(0).pose().equals(before));
+        driver.waitForTitle("office.xml");
+        assertEquals(shown, callOnEdt(noise::getText));
+        assertEquals(front, driver.frame().snapshot().robot().sensors().get(0));
+        assertFalse(callOnEdt(() -> driver.isEnabled("undo")));
     }
 
     @Test
