@@ -48,6 +48,8 @@ public final class TimelinePanel extends JPanel {
     private final transient List<Runnable> lanesListeners = new ArrayList<>();
     /** The data from which the marks on the slider were made. */
     private transient List<Object> markedState = List.of();
+    /** The newest event for which the marks were made; null for none. */
+    private transient RunEvent markedEvent;
 
     private transient EventStops stops = EventStops.NONE;
 
@@ -173,13 +175,22 @@ public final class TimelinePanel extends JPanel {
         }
     }
 
-    /** Makes new marks only if something has happened since the last ones. */
+    /** Makes new marks only if something has happened since the last ones, or the events are those of another run. */
     private void updateMarks(SessionFrame frame, long scenarioEnd, double dt) {
         EventLog log = frame.recording().events();
-        RunEvent first = log.endIndex() > log.firstIndex() ? log.get(log.firstIndex()) : null;
-        List<Object> state = Arrays.asList(editor.model(), log.endIndex(), first, scenarioEnd, bar.divergence());
-        if (!state.equals(markedState)) {
+        RunEvent newest = log.endIndex() > log.firstIndex() ? log.get(log.endIndex() - 1) : null;
+        List<Object> state = Arrays.asList(
+                editor.model(),
+                log.firstIndex(),
+                log.endIndex(),
+                frame.snapshot().robot(),
+                scenarioEnd,
+                dt,
+                bar.divergence());
+        // Another run may have as many events, the newest one equal, but it has other event objects.
+        if (newest != markedEvent || !state.equals(markedState)) {
             markedState = state;
+            markedEvent = newest;
             bar.setMarks(RunMarks.of(frame, editor.model().items(), scenarioEnd, dt));
             List<EventStops.Stop> marked =
                     new ArrayList<>(RunMarks.stops(frame, editor.model().items(), dt));
