@@ -16,7 +16,7 @@ import faultline.world.Obstacle;
 import faultline.world.WaypointPath;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.DoubleFunction;
+import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
@@ -31,14 +31,14 @@ final class ObstacleForm extends JPanel {
     private static final double USUAL_SPEED = 0.2;
 
     private final transient CommandSender sender;
-    private final NumberSpinner x = coordinate(value -> new Pose(value, pose().y(), pose().heading()));
-    private final NumberSpinner y = coordinate(value -> new Pose(pose().x(), value, pose().heading()));
+    private final NumberSpinner x = coordinate((old, value) -> new Pose(value, old.y(), old.heading()));
+    private final NumberSpinner y = coordinate((old, value) -> new Pose(old.x(), value, old.heading()));
     private final NumberSpinner heading = new NumberSpinner(
             "0.##",
             -EditLimits.MAX_ANGLE,
             EditLimits.MAX_ANGLE,
             5,
-            value -> move(new Pose(pose().x(), pose().y(), Degrees.toRadians(value))));
+            value -> move(old -> new Pose(old.x(), old.y(), Degrees.toRadians(value))));
     private final SizeFields size = new SizeFields(shape -> change(old -> old.withShape(shape)));
     private final JCheckBox glossy = UiText.text(new JCheckBox(), "obstacle.glossy");
     private final NumberSpinner specularAngle = new NumberSpinner(
@@ -75,22 +75,22 @@ final class ObstacleForm extends JPanel {
         setObstacle(null);
     }
 
-    private NumberSpinner coordinate(DoubleFunction<Pose> moved) {
+    private NumberSpinner coordinate(BiFunction<Pose, Double, Pose> moved) {
         return new NumberSpinner(
                 "0.00##",
                 -ScenarioLimits.MAX_COORDINATE,
                 ScenarioLimits.MAX_COORDINATE,
                 0.05,
-                value -> move(moved.apply(value)));
+                value -> move(old -> moved.apply(old, value)));
     }
 
-    private Pose pose() {
-        return sender.pendingEdits().expected(obstacle).pose();
-    }
-
-    private void move(Pose pose) {
-        if (obstacle != null && !pose.equals(pose())) {
-            sender.send(new Command.MoveObstacle(obstacle.id(), pose));
+    private void move(UnaryOperator<Pose> change) {
+        if (obstacle != null) {
+            Pose expected = sender.pendingEdits().expected(obstacle).pose();
+            Pose moved = change.apply(expected);
+            if (!moved.equals(expected)) {
+                sender.send(new Command.MoveObstacle(obstacle.id(), moved));
+            }
         }
     }
 
@@ -121,10 +121,10 @@ final class ObstacleForm extends JPanel {
                                 points)));
     }
 
-    /** Shows an obstacle, or disabled fields if it is null. */
+    /** Shows an obstacle as it will be after the commands that were sent, or disabled fields if it is null. */
     void setObstacle(Obstacle obstacleOrNull) {
         obstacle = obstacleOrNull;
-        Optional<Obstacle> shown = Optional.ofNullable(obstacle);
+        Optional<Obstacle> shown = Optional.ofNullable(obstacle).map(sender.pendingEdits()::expected);
         Stream.of(x, y, heading, waypoints).forEach(field -> field.setEnabled(shown.isPresent()));
         size.setShape(shown.map(Obstacle::shape).orElse(null));
         glossy.setEnabled(shown.filter(now -> now.shape().isFlat()).isPresent());
@@ -133,11 +133,10 @@ final class ObstacleForm extends JPanel {
         Optional<WaypointPath> motion = shown.filter(Obstacle::isMoving).map(Obstacle::motion);
         speed.setEnabled(motion.isPresent());
         loop.setEnabled(motion.isPresent());
-        Optional<Pose> expected = shown.map(now -> pose());
-        x.setWorldValue(expected.map(Pose::x).orElse(Double.NaN));
-        y.setWorldValue(expected.map(Pose::y).orElse(Double.NaN));
+        x.setWorldValue(shown.map(now -> now.pose().x()).orElse(Double.NaN));
+        y.setWorldValue(shown.map(now -> now.pose().y()).orElse(Double.NaN));
         heading.setWorldValue(
-                expected.map(pose -> shownHeading.toDegrees(pose.heading())).orElse(Double.NaN));
+                shown.map(now -> shownHeading.toDegrees(now.pose().heading())).orElse(Double.NaN));
         glossy.setSelected(specular.isPresent());
         specularAngle.setWorldValue(specular.map(now -> shownSpecularAngle.toDegrees(now.specularAngle()))
                 .orElse(Double.NaN));

@@ -178,6 +178,30 @@ class ObstaclePanelTest {
         assertEquals(CRATE, placed(3), "sent although the last frame shows the same");
     }
 
+    @Test
+    void theFormShowsWhatTheRunHasNotAnsweredYet() {
+        select("crate");
+        type("Width, m", 2);
+        runOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Glossy").doClick(0));
+        runOnEdt(this::update);
+        assertEquals(List.of("2.00", "20"), List.of(text("Width, m"), text("Gloss angle, °")));
+        type("Height, m", 0.7);
+        assertEquals(new ObstacleShape.RectangleShape(2, 0.7), placed(2).shape());
+        assertTrue(placed(2).isSpecular());
+    }
+
+    @Test
+    void waypointsThatTheRunHasNotAnsweredYetHaveASpeed() {
+        select("crate");
+        write("Waypoints, m", "1,1 2.5,1");
+        runOnEdt(this::update);
+        assertEquals(List.of("1,1 2.5,1", "0.20"), List.of(text("Waypoints, m"), text("Speed, m/s")));
+        type("Speed, m/s", 0.3);
+        assertEquals(
+                List.of(new Vector2(1, 1), new Vector2(2.5, 1)),
+                placed(1).motion().waypoints());
+    }
+
     private Obstacle placed(int index) {
         return ((Command.PlaceObstacle) commands.get(index)).obstacle();
     }
