@@ -30,6 +30,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleFunction;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.KeyStroke;
 
@@ -174,24 +175,28 @@ public final class ObstacleActions {
     }
 
     private List<Obstacle> selectedMoving() {
-        return tools.selected().stream().filter(Obstacle::isMoving).toList();
+        return tools.expectedSelection().stream().filter(Obstacle::isMoving).toList();
     }
 
     /** Sets the speed of all selected obstacles that move. */
     private void editMotionSpeed() {
         List<Obstacle> moving = selectedMoving();
         if (!moving.isEmpty()) {
+            // The run goes forward while the dialog is open, and may move or remove obstacles.
             askSpeed.apply(moving.get(0).motion().speed())
-                    .ifPresent(speed -> sender.send(moving.stream()
-                            .<Command>map(obstacle -> new Command.PlaceObstacle(
-                                    obstacle.withMotion(obstacle.motion().withSpeed(speed))))
-                            .toList()));
+                    .ifPresent(speed -> changeMotion(motion -> motion.withSpeed(speed)));
         }
     }
 
     private void removeMotion() {
+        changeMotion(motion -> WaypointPath.NONE);
+    }
+
+    /** Changes the motion of all selected obstacles that move. */
+    private void changeMotion(UnaryOperator<WaypointPath> change) {
         sender.send(selectedMoving().stream()
-                .<Command>map(obstacle -> new Command.PlaceObstacle(obstacle.withMotion(WaypointPath.NONE)))
+                .<Command>map(
+                        obstacle -> new Command.PlaceObstacle(obstacle.withMotion(change.apply(obstacle.motion()))))
                 .toList());
     }
 
@@ -202,7 +207,7 @@ public final class ObstacleActions {
     }
 
     private void duplicate() {
-        selectedSensor().ifPresentOrElse(sensorActions::duplicate, () -> addCopies(tools.selected()));
+        selectedSensor().ifPresentOrElse(sensorActions::duplicate, () -> addCopies(tools.expectedSelection()));
     }
 
     private void delete() {
@@ -223,7 +228,7 @@ public final class ObstacleActions {
     /** Copies the selected obstacles to the clipboard; returns whether they are there. */
     private boolean copySelection() {
         try {
-            clipboard().setContents(new StringSelection(ObstacleXml.format(tools.selected())), null);
+            clipboard().setContents(new StringSelection(ObstacleXml.format(tools.expectedSelection())), null);
             return true;
         } catch (IllegalStateException busy) {
             notes.show(Messages.get("note.clipboardBusy"));

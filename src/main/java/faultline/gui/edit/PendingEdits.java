@@ -71,6 +71,25 @@ public final class PendingEdits {
         return applied(obstacle, PendingEdits::changed);
     }
 
+    /** Returns obstacles of the newest frame as they will be after all pending commands, without removed ones. */
+    public List<Obstacle> expected(List<Obstacle> obstacles) {
+        return obstacles.stream()
+                .filter(obstacle -> !isRemoved(obstacle.id()))
+                .map(this::expected)
+                .toList();
+    }
+
+    private boolean isRemoved(String id) {
+        return applied(false, (command, removed) -> {
+            if (command instanceof Command.PlaceObstacle place) {
+                return removed && !place.obstacle().id().equals(id);
+            }
+            return removed
+                    || command instanceof Command.RemoveObstacle remove
+                            && remove.obstacle().equals(id);
+        });
+    }
+
     private static Obstacle changed(Command command, Obstacle obstacle) {
         if (command instanceof Command.PlaceObstacle place) {
             return place.obstacle().id().equals(obstacle.id()) ? place.obstacle() : obstacle;

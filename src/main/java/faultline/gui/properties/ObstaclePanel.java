@@ -69,7 +69,7 @@ public final class ObstaclePanel extends JPanel {
         for (ObstacleArrangement arrangement : ObstacleArrangement.values()) {
             JButton button = UiText.button("arrange." + arrangement.name());
             UiText.tip(button, "arrange." + arrangement.name() + ".tip");
-            button.addActionListener(event -> sender.send(arrangement.commands(tools.selected())));
+            button.addActionListener(event -> sender.send(arrangement.commands(tools.expectedSelection())));
             int index = arrangement.ordinal();
             buttons.add(button, FormConstraints.fillCell(index % BUTTON_COLUMNS, index / BUTTON_COLUMNS));
         }

@@ -2,10 +2,12 @@ package faultline.gui.action;
 
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
+import faultline.geometry.Pose;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
@@ -15,7 +17,9 @@ import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Theme;
+import faultline.world.Command;
 import faultline.world.Obstacle;
+import faultline.world.WaypointPath;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -31,6 +35,12 @@ class ObstacleActionsTest {
 
     private final ActionRegistry actions = new ActionRegistry();
     private final List<String> notes = new ArrayList<>();
+    private final List<Command> commands = new ArrayList<>();
+    private OptionalDouble speed = OptionalDouble.empty();
+    /** Runs while the dialog for a speed is open. */
+    private Runnable whileAsked = () -> {};
+
+    private CommandSender sender;
     private SimulationCanvas canvas;
 
     @Test
@@ -94,11 +104,76 @@ class ObstacleActionsTest {
         });
     }
 
+    @Test
+    void aMoveThatTheRunHasNotAnsweredIsKept() {
+        runOnEdt(() -> {
+            addActions();
+            Obstacle moving = selectMoving();
+            Obstacle moved = moving.withPose(new Pose(0.5, 0.5, 0));
+            sender.send(new Command.MoveObstacle(moving.id(), moved.pose()));
+            speed = OptionalDouble.of(1.5);
+            actions.get("motionSpeed").actionPerformed(null);
+            actions.get("stopMoving").actionPerformed(null);
+            actions.get("duplicate").actionPerformed(null);
+            assertEquals(moved.withMotion(moving.motion().withSpeed(1.5)), placed(1));
+            assertEquals(moved.withMotion(WaypointPath.NONE), placed(2));
+            assertFalse(placed(3).isMoving(), "a copy of the one that stands still");
+        });
+    }
+
+    @Test
+    void anObstacleThatIsBeingRemovedStaysRemoved() {
+        runOnEdt(() -> {
+            addActions();
+            selectMoving();
+            actions.get("delete").actionPerformed(null);
+            actions.get("stopMoving").actionPerformed(null);
+            assertEquals(1, commands.size());
+        });
+    }
+
+    /** The run goes forward while the dialog is open. */
+    @Test
+    void anObstacleThatIsMovedWhileTheSpeedIsAskedStaysThere() {
+        runOnEdt(() -> {
+            addActions();
+            Obstacle moving = selectMoving();
+            Obstacle moved = moving.withPose(new Pose(0.5, 0.5, 0));
+            speed = OptionalDouble.of(1.5);
+            whileAsked = () -> canvas.setFrame(SampleFrames.frameOf(new Pose(3, 2, 0), moved));
+            actions.get("motionSpeed").actionPerformed(null);
+            assertEquals(moved.withMotion(moving.motion().withSpeed(1.5)), placed(0));
+            whileAsked = () -> canvas.setFrame(SampleFrames.frameOf(new Pose(3, 2, 0)));
+            actions.get("motionSpeed").actionPerformed(null);
+            assertEquals(1, commands.size(), "it has been removed");
+        });
+    }
+
+    private Obstacle selectMoving() {
+        Frame frame = SampleFrames.fullFrame();
+        canvas.setFrame(frame);
+        Obstacle moving = frame.snapshot().obstacles().stream()
+                .filter(Obstacle::isMoving)
+                .findFirst()
+                .orElseThrow();
+        canvas.tools().select(Set.of(moving.id()));
+        return moving;
+    }
+
+    private Obstacle placed(int index) {
+        return ((Command.PlaceObstacle) commands.get(index)).obstacle();
+    }
+
+    private OptionalDouble askSpeed() {
+        whileAsked.run();
+        return speed;
+    }
+
     private ObstacleActions addActions() {
         Theme.LIGHT.install();
         Workspace workspace = new Workspace();
         RunController run = new RunController(workspace);
-        CommandSender sender = new CommandSender(run::send);
+        sender = new CommandSender((sent, onExecuted) -> commands.addAll(sent));
         UndoController undo = new UndoController(sender, () -> {});
         canvas = new SimulationCanvas(sender);
         SensorEditor sensors = new SensorEditor(workspace, new ScenarioEditor(run, undo), notes::add);
@@ -107,7 +182,7 @@ class ObstacleActionsTest {
                 sender,
                 new SensorActions(workspace, sender, sensors, canvas.tools()),
                 new Notes(notes::add, notes::remove),
-                now -> OptionalDouble.empty(),
+                now -> askSpeed(),
                 WindowPreferences.nonPersistent());
         obstacles.addTo(actions);
         return obstacles;

@@ -54,6 +54,18 @@ class PendingEditsTest {
         assertEquals(drive, pending.controller());
     }
 
+    @Test
+    void anObstacleThatIsBeingRemovedIsNotExpected() {
+        assertEquals(List.of(BOX), pending.expected(List.of(BOX)));
+        Obstacle moved = BOX.withPose(new Pose(2, 1, 0));
+        pending.add(List.of(new Command.RemoveObstacle("pole"), new Command.MoveObstacle("box", moved.pose())));
+        assertEquals(List.of(moved), pending.expected(List.of(BOX)));
+        pending.add(List.of(new Command.RemoveObstacle("box")));
+        assertEquals(List.of(), pending.expected(List.of(BOX)));
+        pending.add(List.of(new Command.PlaceObstacle(BOX)));
+        assertEquals(List.of(BOX), pending.expected(List.of(BOX)), "placed again");
+    }
+
     private boolean isLeftOn() {
         return pending.robot().sensor("left").orElseThrow().on();
     }

@@ -59,6 +59,7 @@ class ObstaclePanelTest {
             new WaypointPath(0.4, true, List.of(new Vector2(5, 2), new Vector2(3, 3))));
 
     private final List<Command> commands = new ArrayList<>();
+    private CommandSender sender;
     private SimulationCanvas canvas;
     private ObstaclePanel panel;
 
@@ -66,7 +67,7 @@ class ObstaclePanelTest {
     void show() {
         runOnEdt(() -> {
             Theme.LIGHT.install();
-            CommandSender sender = new CommandSender((sent, onExecuted) -> commands.addAll(sent));
+            sender = new CommandSender((sent, onExecuted) -> commands.addAll(sent));
             canvas = new SimulationCanvas(sender);
             panel = new ObstaclePanel(sender, canvas.tools());
             update();
@@ -252,6 +253,17 @@ class ObstaclePanelTest {
         assertEquals(1.0 + 0.15, ((Command.MoveObstacle) commands.get(0)).pose().x(), 1e-9);
         assertFalse(callOnEdt(
                 () -> ComponentFinder.find(panel, JButton.class, "Spread x").isEnabled()));
+    }
+
+    @Test
+    void obstaclesAreAlignedWhereTheRunWillPutThem() {
+        select("crate", "vase");
+        runOnEdt(() -> {
+            sender.send(new Command.MoveObstacle("crate", new Pose(2.3, 2.9, 0)));
+            ComponentFinder.find(panel, JButton.class, "Left").doClick(0);
+        });
+        assertEquals(2, commands.size(), "the crate is in place");
+        assertEquals(2.0 + 0.15, ((Command.MoveObstacle) commands.get(1)).pose().x(), 1e-9);
     }
 
     @Test

@@ -74,8 +74,7 @@ public final class CanvasKeys {
     }
 
     private void turn(double turn) {
-        List<Obstacle> expected =
-                model.selected().stream().map(sender.pendingEdits()::expected).toList();
+        List<Obstacle> expected = expectedSelection();
         if (expected.isEmpty()) {
             turnSensor(turn);
         } else {
@@ -93,10 +92,13 @@ public final class CanvasKeys {
     }
 
     private void moveSelected(Function<Obstacle, Pose> change) {
-        sender.send(model.selected().stream()
-                .<Command>map(obstacle -> new Command.MoveObstacle(
-                        obstacle.id(), moved(sender.pendingEdits().expected(obstacle), change)))
+        sender.send(expectedSelection().stream()
+                .<Command>map(obstacle -> new Command.MoveObstacle(obstacle.id(), moved(obstacle, change)))
                 .toList());
+    }
+
+    private List<Obstacle> expectedSelection() {
+        return sender.pendingEdits().expected(model.selected());
     }
 
     private static Pose moved(Obstacle obstacle, Function<Obstacle, Pose> change) {

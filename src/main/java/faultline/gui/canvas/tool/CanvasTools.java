@@ -84,16 +84,16 @@ public final class CanvasTools {
     }
 
     private boolean setMotionPath(String id, List<Vector2> points) {
-        context.model().obstacles().stream()
+        List<Obstacle> shown = context.model().obstacles().stream()
                 .filter(obstacle -> obstacle.id().equals(id))
-                .findFirst()
-                .ifPresent(obstacle -> {
-                    List<Vector2> waypoints = new ArrayList<>(points);
-                    waypoints.add(obstacle.pose().position());
-                    double speed = obstacle.isMoving() ? obstacle.motion().speed() : DEFAULT_SPEED;
-                    WaypointPath motion = new WaypointPath(speed, true, waypoints);
-                    context.sender().send(new Command.PlaceObstacle(obstacle.withMotion(motion)));
-                });
+                .toList();
+        for (Obstacle obstacle : context.sender().pendingEdits().expected(shown)) {
+            List<Vector2> waypoints = new ArrayList<>(points);
+            waypoints.add(obstacle.pose().position());
+            double speed = obstacle.isMoving() ? obstacle.motion().speed() : DEFAULT_SPEED;
+            WaypointPath motion = new WaypointPath(speed, true, waypoints);
+            context.sender().send(new Command.PlaceObstacle(obstacle.withMotion(motion)));
+        }
         return true;
     }
 
@@ -144,6 +144,11 @@ public final class CanvasTools {
     /** Returns the selected obstacles of the frame that is shown, in drawing order. */
     public List<Obstacle> selected() {
         return context.model().selected();
+    }
+
+    /** Returns the selected obstacles as they will be after the commands that were sent, in drawing order. */
+    public List<Obstacle> expectedSelection() {
+        return context.sender().pendingEdits().expected(selected());
     }
 
     /** Selects obstacles and no others; unknown ids are ignored. */

@@ -90,6 +90,21 @@ class CanvasMouseTest {
         assertEquals(List.of(true, false), active);
     }
 
+    @Test
+    void aPathIsDrawnForAnObstacleWhereTheRunWillPutIt() {
+        runOnEdt(() -> {
+            canvas.tools().select(List.of("box"));
+            press("RIGHT");
+            canvas.tools().drawMotionPath();
+        });
+        drag(screen(new Vector2(2, 3)), 0, MouseEvent.BUTTON1);
+        runOnEdt(() -> press("ENTER"));
+        Pose moved = ((Command.MoveObstacle) sent.get(0)).pose();
+        Obstacle placed = ((Command.PlaceObstacle) sent.get(1)).obstacle();
+        assertEquals(moved, placed.pose());
+        assertEquals(moved.position(), placed.motion().waypoints().get(1));
+    }
+
     /** A dialog that opens during a drag gets the release of the button. */
     @Test
     void aDragIsCompleteWhenTheMouseMovesWithoutAButton() {
