@@ -310,8 +310,8 @@ final class BatchForm extends JPanel {
         boolean follows = driven.setup().controller() instanceof ControllerSpec.WallFollowing;
         return new BatchPlan(
                 driven,
-                (long) firstSeed.doubleValue(),
-                (int) seeds.doubleValue(),
+                firstSeed.longValue(),
+                seeds.intValue(),
                 duration.doubleValue(),
                 untilVerdict.isSelected(),
                 follows ? diagnosis.value() : DiagnosisChoice.SCENARIO,
@@ -326,7 +326,7 @@ final class BatchForm extends JPanel {
 
     /** Returns how many threads make the runs. */
     int jobs() {
-        return (int) jobs.doubleValue();
+        return jobs.intValue();
     }
 
     /** Commits what is being typed, and returns what is wrong with the fields; empty if nothing is. */

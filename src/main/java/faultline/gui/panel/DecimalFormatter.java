@@ -13,8 +13,8 @@ import javax.swing.text.DefaultFormatter;
 
 /**
  * Formats numbers in fields with a decimal point in every locale; parses numbers as in files, also with a comma, within
- * limits. While the text of a field is that of its number, the number stays as it is, with more decimals than are shown
- * or outside of the limits.
+ * limits, and only whole ones if the pattern has no decimals. While the text of a field is that of its number, the
+ * number stays as it is, with more decimals than are shown or outside of the limits.
  */
 final class DecimalFormatter extends DefaultFormatter {
 
@@ -69,10 +69,17 @@ final class DecimalFormatter extends DefaultFormatter {
         BigDecimal exact =
                 DecimalText.parse(normalized).orElseThrow(() -> new ParseException(Messages.get("number.none"), 0));
         double value = DecimalText.toDouble(exact, normalized);
-        if (value < min || value > max) {
+        if (value < min
+                || value > max
+                || isWhole() && exact.stripTrailingZeros().scale() > 0) {
             throw new ParseException(limitsText(), 0);
         }
         return value;
+    }
+
+    /** Returns whether only whole numbers are allowed, because the pattern has no decimals. */
+    private boolean isWhole() {
+        return format.getMaximumFractionDigits() == 0;
     }
 
     /** Returns the number of the field; empty if it has none. */
@@ -95,6 +102,7 @@ final class DecimalFormatter extends DefaultFormatter {
 
     /** Returns a text that states the limits. */
     String limitsText() {
-        return Messages.get("number.limits", limitFormat.format(min), limitFormat.format(max));
+        return Messages.get(
+                isWhole() ? "number.limits.whole" : "number.limits", limitFormat.format(min), limitFormat.format(max));
     }
 }

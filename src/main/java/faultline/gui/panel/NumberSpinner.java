@@ -51,7 +51,7 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
     /**
      * Creates a field.
      *
-     * @param pattern the format, see {@link java.text.DecimalFormat}
+     * @param pattern the format, see {@link java.text.DecimalFormat}; without decimals, for whole numbers only
      * @param min the smallest value
      * @param max the largest value
      * @param step the step of the arrows
@@ -286,6 +286,16 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
 
     public double doubleValue() {
         return model.getNumber().doubleValue();
+    }
+
+    /** Returns the value of a field for whole numbers. */
+    public long longValue() {
+        return model.getNumber().longValue();
+    }
+
+    /** Returns the value of a field for whole numbers whose limits are those of an {@code int}, or narrower. */
+    public int intValue() {
+        return Math.toIntExact(longValue());
     }
 
     public JFormattedTextField textField() {

@@ -181,8 +181,8 @@ public final class ImportForm extends JPanel {
         assert EventQueue.isDispatchThread();
         int request = requests;
         double side = resolution.doubleValue();
-        FloorPlan.Options options = new FloorPlan.Options(
-                unknownIsWall.isSelected(), (int) minCells.doubleValue(), smoothing.doubleValue());
+        FloorPlan.Options options =
+                new FloorPlan.Options(unknownIsWall.isSelected(), minCells.intValue(), smoothing.doubleValue());
         Pose wantedStart = findsStart.isSelected() ? null : start.pose();
         Palette palette = Theme.current().palette();
         BackgroundTasks.compute(

@@ -156,6 +156,20 @@ class BatchFormTest {
         assertTrue(labels().contains("A value is not in the expected format"), labels());
     }
 
+    /** A fraction was shown rounded and used truncated. */
+    @Test
+    void aFractionOfARunIsRefused() {
+        for (String field : List.of("Number of seeds", "First seed", "Threads")) {
+            type(field, "10.6");
+            assertTrue(callOnEdt(form::findProblem).isPresent(), field);
+            type(field, "10");
+            assertEquals(Optional.empty(), callOnEdt(form::findProblem), field);
+        }
+        assertEquals(10, plan().seeds());
+        assertEquals(10, plan().firstSeed());
+        assertEquals(10, callOnEdt(form::jobs));
+    }
+
     @Test
     void aNarrowDialogScrollsTheFieldsDownOnly() {
         for (Language language : Language.values()) {

@@ -37,6 +37,22 @@ class DecimalFormatterTest {
         assertThrows(ParseException.class, () -> new DecimalFormatter("0.00##", 0.01, 100).stringToValue(text));
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {"10 | 10", "10.0 | 10", "10,00 | 10", "1e1 | 10", "-3 | -3"})
+    void aPatternWithoutDecimalsTakesWholeNumbers(String text, double value) throws ParseException {
+        assertEquals(value, new DecimalFormatter("0", -5, 100).stringToValue(text));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"10.6", "10,6", "0.5", "1e-1", "-3.0001", "10.00000000000000000001"})
+    void aPatternWithoutDecimalsRefusesFractions(String text) {
+        ParseException refused =
+                assertThrows(ParseException.class, () -> new DecimalFormatter("0", -5, 100).stringToValue(text));
+        assertEquals("whole numbers, -5 to 100", refused.getMessage());
+    }
+
     @Test
     void numbersAreWrittenWithAPointInEveryCountry() {
         Locale.setDefault(Locale.forLanguageTag("pl-PL"));

@@ -24,6 +24,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JCheckBox;
 import javax.swing.JFormattedTextField;
@@ -250,11 +251,13 @@ class ImportFormTest {
                 () -> ((JSpinner.DefaultEditor) ComponentFinder.find(form, JSpinner.class, "Smallest wall, cells")
                                 .getEditor())
                         .getTextField());
-        runOnEdt(() -> smallest.setText("-7"));
-        assertEquals(
-                "-7 is not allowed. Smallest wall, cells: 1 to 100000",
-                callOnEdt(() -> form.commitNumbers().map(PropertiesForm::refusal))
-                        .orElseThrow());
+        for (String wrong : List.of("-7", "1.5")) {
+            runOnEdt(() -> smallest.setText(wrong));
+            assertEquals(
+                    wrong + " is not allowed. Smallest wall, cells: whole numbers, 1 to 100000",
+                    callOnEdt(() -> form.commitNumbers().map(PropertiesForm::refusal))
+                            .orElseThrow());
+        }
         assertTrue(callOnEdt(() -> {
             smallest.setText("2");
             return form.commitNumbers().isEmpty() && form.scenario().isEmpty();

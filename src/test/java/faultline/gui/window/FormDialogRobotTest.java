@@ -114,7 +114,7 @@ class FormDialogRobotTest {
     void aDialogClosesWithTheNotesOfSeveralInvalidFields() {
         List<NumberSpinner> fields = callOnEdt(() -> {
             Theme.LIGHT.install();
-            return Stream.generate(() -> new NumberSpinner("0", 0, 9, 1, value -> {}).keepInvalidText())
+            return Stream.generate(() -> new NumberSpinner("0.#", 0, 9, 1, value -> {}).keepInvalidText())
                     .limit(3)
                     .toList();
         });
