@@ -75,10 +75,16 @@ public final class FormDialog {
 
     /** Commits the visible numbers in a form; returns the first one that is not allowed, which its field shows. */
     public static Optional<FormProblem> findRefusedNumber(Container form) {
-        return NumberSpinner.findIn(form)
-                .filter(field -> field.isVisible() && !field.commitValidEdit())
-                .findFirst()
-                .map(field -> new FormProblem("", field.textField()));
+        return refusedNumbers(form).findFirst().map(field -> new FormProblem("", field.textField()));
+    }
+
+    /** Does the same as {@link #findRefusedNumber}, with a sentence about the field, which may be out of sight. */
+    public static Optional<FormProblem> describeRefusedNumber(Container form) {
+        return refusedNumbers(form).findFirst().map(field -> new FormProblem(field.refusal(), field.textField()));
+    }
+
+    private static Stream<NumberSpinner> refusedNumbers(Container form) {
+        return NumberSpinner.findIn(form).filter(field -> field.isVisible() && !field.commitValidEdit());
     }
 
     /** Returns the fields for a text in a component and its descendants, without those that are a part of another. */

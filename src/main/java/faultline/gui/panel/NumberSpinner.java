@@ -264,8 +264,13 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
         }
     }
 
+    /** Returns why the text is refused. */
+    String refusal() {
+        return Messages.get("number.invalid", typedText(), getToolTipText());
+    }
+
     /** Returns what is typed, short enough for a sentence. */
-    public String typedText() {
+    private String typedText() {
         return MessageText.excerpt(textField().getText().strip());
     }
 

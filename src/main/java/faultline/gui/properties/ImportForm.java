@@ -100,9 +100,9 @@ public final class ImportForm extends JPanel {
 
     /** Commits the numbers, waits for the plan, and returns what is wrong; empty if there is a scenario. */
     private Optional<FormDialog.FormProblem> findProblem(String title) {
-        Optional<NumberSpinner> refused = commitNumbers();
+        Optional<FormDialog.FormProblem> refused = FormDialog.describeRefusedNumber(this);
         if (refused.isPresent()) {
-            return refused.map(field -> new FormDialog.FormProblem(PropertiesForm.refusal(field), field.textField()));
+            return refused;
         }
         awaitReading(title);
         return scenario().isPresent()
@@ -157,13 +157,6 @@ public final class ImportForm extends JPanel {
         add(status, BorderLayout.SOUTH);
         NumberSpinner.findIn(this).forEach(NumberSpinner::keepInvalidText);
         startReading();
-    }
-
-    /** Commits what is being typed, and returns the first field whose text is refused; empty if none is. */
-    Optional<NumberSpinner> commitNumbers() {
-        return NumberSpinner.findIn(this)
-                .filter(field -> !field.commitValidEdit())
-                .findFirst();
     }
 
     /** Reads the plan with the present values, when a reading that has begun has ended. */

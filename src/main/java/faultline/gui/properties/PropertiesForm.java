@@ -3,6 +3,8 @@ package faultline.gui.properties;
 import faultline.engine.ControllerFactory;
 import faultline.engine.SimulationSetup;
 import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.FormDialog;
+import faultline.gui.panel.FormDialog.FormProblem;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.TitledSection;
 import faultline.gui.text.Messages;
@@ -92,18 +94,16 @@ final class PropertiesForm extends JPanel {
     }
 
     /** Commits what is being typed, and returns what is wrong with the fields for a scenario; empty if nothing is. */
-    Optional<String> findProblem(Scenario scenario) {
-        Optional<String> invalid = NumberSpinner.findIn(this)
-                .filter(field -> !field.commitValidEdit())
-                .map(PropertiesForm::refusal)
-                .findFirst();
-        if (invalid.isPresent()) {
-            return invalid;
+    Optional<FormProblem> findProblem(Scenario scenario) {
+        Optional<FormProblem> refused = FormDialog.describeRefusedNumber(this);
+        if (refused.isPresent()) {
+            return refused;
         }
         if (typedSeed().isEmpty()) {
-            return Optional.of(Messages.get("properties.seed.invalid"));
+            return Optional.of(new FormProblem(Messages.get("properties.seed.invalid"), seed));
         }
-        return findObstruction(properties().applyTo(scenario));
+        return findObstruction(properties().applyTo(scenario))
+                .map(sentence -> new FormProblem(sentence, start.firstField()));
     }
 
     /** Returns why the robot cannot start where a scenario places it; empty if it can. */
@@ -111,22 +111,6 @@ final class PropertiesForm extends JPanel {
         SimulationSetup setup = scenario.setup();
         return Clearance.findObstruction(setup.world(), setup.robot(), setup.start())
                 .map(obstacle -> Messages.get("refused.start", obstacle));
-    }
-
-    /** Returns why the text of a field is refused. */
-    static String refusal(NumberSpinner field) {
-        return Messages.get("properties.number.invalid", field.typedText(), field.getToolTipText());
-    }
-
-    /** Returns the field whose text {@link #findProblem} refuses; empty if the problem is another one. */
-    Optional<JTextField> invalidField() {
-        if (typedSeed().isEmpty()) {
-            return Optional.of(seed);
-        }
-        return NumberSpinner.findIn(this)
-                .filter(field -> !field.commitValidEdit())
-                .<JTextField>map(NumberSpinner::textField)
-                .findFirst();
     }
 
     private OptionalLong typedSeed() {

@@ -68,7 +68,7 @@ public final class ScenarioActions {
         JPanel content = new JPanel(new BorderLayout());
         content.add(choice, BorderLayout.NORTH);
         content.add(form, BorderLayout.CENTER);
-        if (confirm(content, form, template, "new.title", () -> form.findProblem(scenarioOf(template)))) {
+        if (confirm(content, template, "new.title", () -> form.findProblem(scenarioOf(template)))) {
             onNew.accept(form.properties().applyTo(scenarioOf(template)));
         }
     }
@@ -82,7 +82,7 @@ public final class ScenarioActions {
             ScenarioProperties before = ScenarioProperties.of(open);
             PropertiesForm form = new PropertiesForm();
             form.setScenario(open);
-            if (confirm(form, form, form.nameField(), "properties.title", () -> form.findProblem(open))
+            if (confirm(form, form.nameField(), "properties.title", () -> form.findProblem(open))
                     && !form.properties().equals(before)) {
                 ScenarioProperties after = form.properties();
                 editor.edit("edit.properties", after::applyTo, before::applyTo);
@@ -92,14 +92,7 @@ public final class ScenarioActions {
 
     /** Shows a form until it is cancelled or nothing is wrong with it, and returns whether it was accepted. */
     private boolean confirm(
-            JComponent content,
-            PropertiesForm form,
-            JComponent first,
-            String titleKey,
-            Supplier<Optional<String>> problem) {
-        return FormDialog.showDialog(parent, Messages.get(titleKey), content, first, () -> problem.get()
-                .map(sentence -> new FormDialog.FormProblem(
-                        sentence,
-                        form.invalidField().<JComponent>map(field -> field).orElse(first))));
+            JComponent content, JComponent first, String titleKey, Supplier<Optional<FormDialog.FormProblem>> check) {
+        return FormDialog.showDialog(parent, Messages.get(titleKey), content, first, check);
     }
 }

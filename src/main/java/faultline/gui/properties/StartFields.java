@@ -6,6 +6,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.edit.EditLimits;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
+import java.awt.Component;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import javax.swing.JLabel;
@@ -41,6 +42,10 @@ final class StartFields extends JPanel {
         GridBagConstraints cell = FormConstraints.fillRow(1, row);
         cell.anchor = GridBagConstraints.LINE_START;
         form.add(this, cell);
+    }
+
+    Component firstField() {
+        return x.textField();
     }
 
     void setPose(Pose start) {

@@ -12,6 +12,7 @@ import faultline.gui.Await;
 import faultline.gui.BackgroundThreads;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.panel.FormDialog;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
@@ -255,12 +256,14 @@ class ImportFormTest {
             runOnEdt(() -> smallest.setText(wrong));
             assertEquals(
                     wrong + " is not allowed. Smallest wall, cells: whole numbers, 1 to 100000",
-                    callOnEdt(() -> form.commitNumbers().map(PropertiesForm::refusal))
-                            .orElseThrow());
+                    callOnEdt(() -> FormDialog.describeRefusedNumber(form))
+                            .orElseThrow()
+                            .sentence());
         }
         assertTrue(callOnEdt(() -> {
             smallest.setText("2");
-            return form.commitNumbers().isEmpty() && form.scenario().isEmpty();
+            return FormDialog.describeRefusedNumber(form).isEmpty()
+                    && form.scenario().isEmpty();
         }));
         awaitStatus(form, "Cells: 60 × 40 (3.00 × 2.00 m), outlines: 3");
     }

@@ -22,6 +22,7 @@ import faultline.gui.document.Workspace;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
+import faultline.gui.panel.FormDialog.FormProblem;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -166,27 +167,51 @@ class PropertiesTest {
             PropertiesForm form = new PropertiesForm();
             form.setScenario(room);
             ComponentFinder.find(form, JTextField.class, "Seed").setText("seven");
-            assertEquals(Optional.of("The seed is not a whole number"), form.findProblem(room));
+            assertEquals("The seed is not a whole number", sentence(form, room));
             ComponentFinder.find(form, JTextField.class, "Seed").setText("\u0667");
-            assertEquals(Optional.of("The seed is not a whole number"), form.findProblem(room), "Arabic digits");
+            assertEquals("The seed is not a whole number", sentence(form, room), "Arabic digits");
             ComponentFinder.find(form, JTextField.class, "Seed").setText("-9007199254740993");
             assertEquals(Optional.empty(), form.findProblem(room));
             assertEquals(-9007199254740993L, form.properties().seed());
             NumberSpinner tick = ComponentFinder.find(form, NumberSpinner.class, "Tick, s");
             tick.textField().setText("9x");
-            assertEquals(Optional.of("9x is not allowed. Tick, s: 0.00001 to 1"), form.findProblem(room));
+            assertEquals("9x is not allowed. Tick, s: 0.00001 to 1", sentence(form, room));
             assertEquals("9x", tick.textField().getText(), "nothing is lost");
-            assertEquals(Optional.of(tick.textField()), form.invalidField());
             tick.textField().setText("0.02");
             assertEquals(Optional.empty(), form.findProblem(room));
             assertEquals(0.02, form.properties().dt());
             NumberSpinner x = ComponentFinder.find(form, NumberSpinner.class, "Start x, m");
             x.setValue(20.0);
-            assertEquals(
-                    Optional.of("The robot cannot start there: it would overlap enclosure"), form.findProblem(room));
+            assertEquals("The robot cannot start there: it would overlap enclosure", sentence(form, room));
             x.setWorldValue(room.setup().start().x());
             ComponentFinder.find(form, JSpinner.class, "Width, m").setValue(1.05);
-            assertTrue(form.findProblem(room).orElseThrow().contains("enclosure"));
+            assertTrue(sentence(form, room).contains("enclosure"));
+        });
+    }
+
+    private static String sentence(PropertiesForm form, Scenario scenario) {
+        return form.findProblem(scenario).orElseThrow().sentence();
+    }
+
+    @Test
+    void theFocusGoesToTheFieldOfTheSentence() {
+        Scenario room = ScenarioTemplate.FURNISHED_ROOM.create();
+        runOnEdt(() -> {
+            PropertiesForm form = new PropertiesForm();
+            form.setScenario(room);
+            NumberSpinner width = ComponentFinder.find(form, NumberSpinner.class, "Width, m");
+            JTextField seed = ComponentFinder.find(form, JTextField.class, "Seed");
+            NumberSpinner x = ComponentFinder.find(form, NumberSpinner.class, "Start x, m");
+            width.textField().setText("abc");
+            seed.setText("x");
+            x.setValue(0.0);
+            assertEquals(
+                    Optional.of(new FormProblem("abc is not allowed. Width, m: 0.5 to 1000", width.textField())),
+                    form.findProblem(room));
+            width.textField().setText("6");
+            assertEquals(Optional.of(new FormProblem("The seed is not a whole number", seed)), form.findProblem(room));
+            seed.setText("1");
+            assertEquals(x.textField(), form.findProblem(room).orElseThrow().field());
         });
     }
 
