@@ -4,6 +4,7 @@ import faultline.campaign.run.CampaignRunner;
 import faultline.external.ControllerChoice;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.BackgroundTasks;
+import faultline.gui.panel.FormDialog.FormProblem;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
@@ -112,8 +113,11 @@ final class BatchDialog extends RunsDialog {
     }
 
     private Optional<BatchPlan> checkedPlan() {
-        Optional<String> problem = form.findProblem();
-        problem.ifPresent(this::showProblem);
+        Optional<FormProblem> problem = form.findProblem();
+        problem.ifPresent(found -> {
+            found.field().requestFocusInWindow();
+            showProblem(found.sentence());
+        });
         return problem.isEmpty() ? Optional.of(form.plan()) : Optional.empty();
     }
 

@@ -5,6 +5,8 @@ import faultline.campaign.run.CampaignRunner;
 import faultline.control.ControllerSpec;
 import faultline.external.ControllerChoice;
 import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.FormDialog;
+import faultline.gui.panel.FormDialog.FormProblem;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.TitledSection;
@@ -15,6 +17,7 @@ import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.UiText;
 import faultline.gui.timeline.CommandRole;
 import faultline.io.DecimalText;
+import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.sensor.SensorSpec;
@@ -330,14 +333,15 @@ final class BatchForm extends JPanel {
     }
 
     /** Commits what is being typed, and returns what is wrong with the fields; empty if nothing is. */
-    Optional<String> findProblem() {
-        Optional<NumberSpinner> invalid = Stream.of(seeds, firstSeed, duration, jobs)
-                .filter(field -> !field.commitValidEdit())
-                .findFirst();
-        if (invalid.isPresent()) {
-            invalid.get().textField().requestFocusInWindow();
-            return invalid.map(NumberSpinner::getToolTipText);
+    Optional<FormProblem> findProblem() {
+        Optional<FormProblem> refused = FormDialog.describeRefusedNumber(this);
+        if (refused.isPresent() || plan().runCount().isPresent()) {
+            return refused;
         }
-        return plan().runCount().isPresent() ? Optional.empty() : Optional.of(Messages.get("batch.syntax"));
+        JTextField field = faults.findInvalidField().orElse(onset);
+        return Optional.of(new FormProblem(
+                Messages.get(
+                        "number.invalid", MessageText.excerpt(field.getText().strip()), field.getToolTipText()),
+                field));
     }
 }

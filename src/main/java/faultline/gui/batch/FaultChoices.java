@@ -1,5 +1,6 @@
 package faultline.gui.batch;
 
+import faultline.campaign.plan.ValueSyntax;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
@@ -15,6 +16,7 @@ import java.awt.GridBagLayout;
 import java.awt.GridLayout;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -134,5 +136,14 @@ final class FaultChoices extends JPanel {
                         row.kind.fileName(),
                         row.kind.takesValue() ? row.value.getText().strip() : ""))
                 .toList();
+    }
+
+    /** Returns the first field of a chosen kind whose text is not in the syntax of plans; empty if there is none. */
+    Optional<JTextField> findInvalidField() {
+        return rows.stream()
+                .filter(row -> row.box.isSelected() && row.kind.takesValue())
+                .map(FaultChoiceRow::value)
+                .filter(field -> ValueSyntax.count(field.getText().strip()).isEmpty())
+                .findFirst();
     }
 }

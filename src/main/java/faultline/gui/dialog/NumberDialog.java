@@ -8,7 +8,6 @@ import faultline.gui.text.Messages;
 import faultline.scenario.xml.ScenarioLimits;
 import java.awt.Component;
 import java.awt.FlowLayout;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import javax.swing.JPanel;
 
@@ -47,9 +46,7 @@ public record NumberDialog(String key, String unit, double max, double step) {
                 Messages.get(key + ".title"),
                 line,
                 field.textField(),
-                () -> field.commitValidEdit()
-                        ? Optional.empty()
-                        : Optional.of(new FormDialog.FormProblem("", field.textField())));
+                () -> FormDialog.findRefusedNumber(line));
         return accepted ? OptionalDouble.of(field.doubleValue()) : OptionalDouble.empty();
     }
 }

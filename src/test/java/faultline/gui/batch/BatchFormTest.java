@@ -10,6 +10,7 @@ import faultline.control.ControllerSpec;
 import faultline.external.ControllerChoice;
 import faultline.external.ControllerNames;
 import faultline.gui.ComponentFinder;
+import faultline.gui.panel.FormDialog;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
@@ -152,7 +153,9 @@ class BatchFormTest {
         type("Value of the fault: stuck", "0.1..0.5/5");
         assertEquals(OptionalLong.of(10L * (15L * sensors + 1)), plan().runCount());
         type("Start of the fault", "5..");
-        assertTrue(callOnEdt(form::findProblem).isPresent());
+        String syntax = "A number such as 0.4, a range to draw from such as 0.2..0.8, or several numbers with spaces "
+                + "between them";
+        assertEquals("5.. is not allowed. " + syntax, problemOf("Start of the fault"));
         assertTrue(labels().contains("A value is not in the expected format"), labels());
     }
 
@@ -161,13 +164,31 @@ class BatchFormTest {
     void aFractionOfARunIsRefused() {
         for (String field : List.of("Number of seeds", "First seed", "Threads")) {
             type(field, "10.6");
-            assertTrue(callOnEdt(form::findProblem).isPresent(), field);
+            String refusal = "10.6 is not allowed. " + field + ": whole numbers, ";
+            assertTrue(problemOf(field).startsWith(refusal), problemOf(field));
             type(field, "10");
             assertEquals(Optional.empty(), callOnEdt(form::findProblem), field);
         }
         assertEquals(10, plan().seeds());
         assertEquals(10, plan().firstSeed());
         assertEquals(10, callOnEdt(form::jobs));
+    }
+
+    @Test
+    void aWrongNumberOfAFaultGetsTheFocusIfTheFaultIsChosen() {
+        type("Value of the fault: stuck", "1..");
+        type("Value of the fault: quantised", "2..");
+        String problem = problemOf("Value of the fault: stuck");
+        assertTrue(problem.startsWith("1.. is not allowed. "), problem);
+        type("Value of the fault: stuck", "0.4");
+        assertEquals(Optional.empty(), callOnEdt(form::findProblem));
+    }
+
+    /** Returns the sentence about a field, which gets the focus. */
+    private String problemOf(String name) {
+        FormDialog.FormProblem problem = callOnEdt(() -> form.findProblem().orElseThrow());
+        assertEquals(callOnEdt(() -> ComponentFinder.find(form, JTextField.class, name)), problem.field());
+        return problem.sentence();
     }
 
     @Test
