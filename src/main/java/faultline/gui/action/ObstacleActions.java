@@ -134,21 +134,19 @@ public final class ObstacleActions {
 
     /** Creates the action that ends the active tool. It is on while there is none. */
     private UiAction createSelectAction() {
-        UiAction[] self = new UiAction[1];
-        self[0] = UiAction.of("select", () -> {
+        UiAction action = UiAction.ofSelf("select", self -> {
             tools.endTool();
-            self[0].setOn(true);
+            self.setOn(true);
         });
-        self[0].setOn(true);
-        tools.addToolListener(inUse -> self[0].setOn(!inUse));
-        return self[0];
+        action.setOn(true);
+        tools.addToolListener(inUse -> action.setOn(!inUse));
+        return action;
     }
 
     private UiAction createToolAction(String key, Runnable tool) {
-        UiAction[] self = new UiAction[1];
-        self[0] = UiAction.of(key, () -> activateTool(self[0], tool));
-        tools.addToolListener(inUse -> self[0].setOn(false));
-        return self[0];
+        UiAction action = UiAction.ofSelf(key, self -> activateTool(self, tool));
+        tools.addToolListener(inUse -> action.setOn(false));
+        return action;
     }
 
     private void activateTool(UiAction action, Runnable tool) {

@@ -30,6 +30,11 @@ public final class UiAction extends AbstractAction {
         return new UiAction(key, action -> handler.run());
     }
 
+    /** Creates an action that passes itself to a handler, without accelerator and icon. */
+    static UiAction ofSelf(String key, Consumer<UiAction> handler) {
+        return new UiAction(key, handler);
+    }
+
     /** Creates an action that is switched on and off, and calls a handler with its new state. */
     public static UiAction toggle(String key, boolean on, Consumer<Boolean> handler) {
         UiAction action = new UiAction(key, self -> handler.accept(self.isOn()));
