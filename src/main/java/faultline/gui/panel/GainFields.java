@@ -29,6 +29,10 @@ final class GainFields extends JPanel {
 
     private static final double MAX_GAIN = 10_000;
     private static final double MIN_GAIN = 0.001;
+    /** The limits of the length, metres. */
+    private static final double MIN_LENGTH = 0.001;
+
+    private static final double MAX_LENGTH = 10_000;
     /** The inverse of the precision of a length that gains have, which is more than the field shows. */
     private static final double LENGTH_ROUNDING = 1e9;
 
@@ -36,7 +40,7 @@ final class GainFields extends JPanel {
     private final NamedChoice<GainChoice> choice = new NamedChoice<>(
             GainChoice.values(), value -> Messages.get("controller.gains." + value.name()), this::select);
     private final NumberSpinner length =
-            new NumberSpinner("0.00####", MIN_GAIN, MAX_GAIN, 0.01, value -> send(new GainRule.Length(value)));
+            new NumberSpinner("0.00####", MIN_LENGTH, MAX_LENGTH, 0.01, value -> send(new GainRule.Length(value)));
     private final NumberSpinner proportional = new NumberSpinner(
             "0.0###", MIN_GAIN, MAX_GAIN, 1, value -> send(new GainRule.Fixed(value, derivativeValue())));
     private final NumberSpinner derivative = new NumberSpinner(
@@ -89,7 +93,7 @@ final class GainFields extends JPanel {
 
     /** Returns the length of gains, without the rounding error of the division. */
     private static double lengthOf(PdGains gains) {
-        return Math.max(MIN_GAIN, Math.round(2 / gains.derivative() * LENGTH_ROUNDING) / LENGTH_ROUNDING);
+        return Math.max(MIN_LENGTH, Math.round(2 / gains.derivative() * LENGTH_ROUNDING) / LENGTH_ROUNDING);
     }
 
     /** Enables the fields if the controller has gains. */

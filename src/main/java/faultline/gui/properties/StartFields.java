@@ -15,7 +15,8 @@ import javax.swing.JPanel;
 /** The fields of the start of the robot, in one row: position and heading. */
 final class StartFields extends JPanel {
 
-    private static final double MAX_COORDINATE = 1000;
+    /** The greatest distance of the start from the axes that can be entered, metres. */
+    private static final double MAX_START = 1000;
 
     private final NumberSpinner x;
     private final NumberSpinner y;
@@ -24,8 +25,8 @@ final class StartFields extends JPanel {
     /** Creates fields; {@code onChange} runs after each number that the user enters. */
     StartFields(Runnable onChange) {
         super(new GridBagLayout());
-        x = new NumberSpinner("0.00##", -MAX_COORDINATE, MAX_COORDINATE, 0.1, value -> onChange.run());
-        y = new NumberSpinner("0.00##", -MAX_COORDINATE, MAX_COORDINATE, 0.1, value -> onChange.run());
+        x = new NumberSpinner("0.00##", -MAX_START, MAX_START, 0.1, value -> onChange.run());
+        y = new NumberSpinner("0.00##", -MAX_START, MAX_START, 0.1, value -> onChange.run());
         heading = new NumberSpinner("0.##", -EditLimits.MAX_ANGLE, EditLimits.MAX_ANGLE, 5, value -> onChange.run());
         add(x.withName("properties.start.x").withColumns(7), FormConstraints.cell(0, 0));
         add(y.withName("properties.start.y").withColumns(7), FormConstraints.cell(1, 0));
@@ -56,8 +57,8 @@ final class StartFields extends JPanel {
 
     /** Shows another position, metres, within the limits of the fields. */
     void setPosition(Vector2 position) {
-        x.setWorldValue(Math.max(-MAX_COORDINATE, Math.min(MAX_COORDINATE, position.x())));
-        y.setWorldValue(Math.max(-MAX_COORDINATE, Math.min(MAX_COORDINATE, position.y())));
+        x.setWorldValue(Math.max(-MAX_START, Math.min(MAX_START, position.x())));
+        y.setWorldValue(Math.max(-MAX_START, Math.min(MAX_START, position.y())));
     }
 
     Pose pose() {
