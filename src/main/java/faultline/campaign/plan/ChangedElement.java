@@ -104,6 +104,10 @@ final class ChangedElement {
     /** Adds a child at the end. */
     ChangedElement append(XmlElement element) {
         open();
+        return add(element);
+    }
+
+    private ChangedElement add(XmlElement element) {
         ChangedElement child = new ChangedElement(element);
         child.parent = this;
         children.add(child);
@@ -141,12 +145,7 @@ final class ChangedElement {
         if (children == null) {
             children = new ArrayList<>();
             byName = new HashMap<>();
-            for (XmlElement element : original.children()) {
-                ChangedElement child = new ChangedElement(element);
-                child.parent = this;
-                children.add(child);
-                byName.computeIfAbsent(child.name(), unseen -> new Siblings()).add(child);
-            }
+            original.children().forEach(this::add);
         }
     }
 
