@@ -9,6 +9,7 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.math.BigDecimal;
 import java.text.ParseException;
 import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
@@ -45,6 +46,41 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
     private int shownDigits;
 
     private boolean updating;
+
+    /**
+     * Numbers with steps as of typed numbers: 0.1 and two steps of 0.1 give 0.3. A step beyond a limit gives the limit.
+     */
+    private static final class DecimalStepModel extends SpinnerNumberModel {
+        DecimalStepModel(double value, double min, double max, double step) {
+            super(value, min, max, step);
+        }
+
+        @Override
+        public Object getNextValue() {
+            double max = toDouble(getMaximum());
+            return toDouble(getValue()) < max ? within(stepped(1), max) : null;
+        }
+
+        @Override
+        public Object getPreviousValue() {
+            double max = toDouble(getMaximum());
+            return toDouble(getValue()) > toDouble(getMinimum()) ? within(stepped(-1), max) : null;
+        }
+
+        private double within(double number, double max) {
+            return Math.max(toDouble(getMinimum()), Math.min(max, number));
+        }
+
+        private double stepped(int steps) {
+            BigDecimal step = BigDecimal.valueOf(steps * toDouble(getStepSize()));
+            return BigDecimal.valueOf(toDouble(getValue())).add(step).doubleValue();
+        }
+
+        private static double toDouble(Object number) {
+            return ((Number) number).doubleValue();
+        }
+    }
+
     /** Null if another component says why a text is refused. */
     private transient RefusalNote note;
 
@@ -59,7 +95,7 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
      */
     public NumberSpinner(String pattern, double min, double max, double step, DoubleConsumer onChange) {
         formatter = new DecimalFormatter(pattern, min, max);
-        model = new SpinnerNumberModel(Math.max(min, Math.min(max, 0)), min, max, step);
+        model = new DecimalStepModel(Math.max(min, Math.min(max, 0)), min, max, step);
         setModel(model);
         JSpinner.DefaultEditor editor = new JSpinner.DefaultEditor(this);
         setEditor(editor);

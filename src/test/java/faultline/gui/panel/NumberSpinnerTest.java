@@ -16,6 +16,7 @@ import java.awt.event.FocusListener;
 import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import javax.swing.JFormattedTextField;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
@@ -162,6 +163,37 @@ class NumberSpinnerTest {
         runOnEdt(() -> spinner.setWorldValue(0.8));
         runOnEdt(() -> spinner.setValue(spinner.getNextValue()));
         assertEquals(0.85, reported.get(0), 1e-12);
+    }
+
+    /** A probability from 0 to 1, as typed numbers: the steps of doubles would end at 0.9500000000000004. */
+    @Test
+    void heldArrowsReachTheLimitsWithoutRoundingErrors() {
+        NumberSpinner share = callOnEdt(() -> new NumberSpinner("0.00##", 0, 1, 0.05, value -> {}));
+        runOnEdt(() -> share.setWorldValue(0.5));
+        assertEquals(1.0, hold(share, NumberSpinner::getNextValue));
+        assertEquals(0.0, hold(share, NumberSpinner::getPreviousValue));
+        runOnEdt(() -> share.setWorldValue(0.31));
+        assertEquals(0.36, callOnEdt(share::getNextValue));
+        runOnEdt(() -> share.setWorldValue(0.98));
+        assertEquals(1.0, callOnEdt(share::getNextValue), "a step beyond the limit leads to it");
+    }
+
+    @Test
+    void anArrowLeadsANumberBeyondTheLimitsOnlyBack() {
+        NumberSpinner share = callOnEdt(() -> new NumberSpinner("0.00##", 0, 1, 0.05, value -> {}));
+        runOnEdt(() -> share.setWorldValue(7));
+        assertNull(callOnEdt(share::getNextValue));
+        assertEquals(1.0, callOnEdt(share::getPreviousValue));
+    }
+
+    /** Presses an arrow until it has no effect, and returns the number. */
+    private static double hold(NumberSpinner spinner, Function<NumberSpinner, Object> arrow) {
+        return callOnEdt(() -> {
+            for (Object next = arrow.apply(spinner); next != null; next = arrow.apply(spinner)) {
+                spinner.setValue(next);
+            }
+            return spinner.doubleValue();
+        });
     }
 
     private void commit(String text) {
