@@ -26,6 +26,10 @@ public final class TimelineEditor {
     private TimelineItem clipboard;
     /** The item that the last undo or redo restored, until a view has selected it; null for none. */
     private TimelineItem restored;
+    /** The item that was changed last, as it is since; null for none. */
+    private TimelineItem lastChanged;
+    /** Stands for that item in its gesture. */
+    private Object lastTarget = new Object();
 
     /** Creates an editor of the scenario of a workspace. */
     public TimelineEditor(Workspace workspace, RunController run, UndoController undo) {
@@ -80,18 +84,23 @@ public final class TimelineEditor {
 
     /** Adds an item; undo selects {@code before}, the item that was selected, which may be null. */
     void add(TimelineItem item, TimelineItem before) {
-        commit("timeline.add", item, model().with(item), item, new Selections(before, item));
+        commit("timeline.add", item, model().with(item), new Object(), new Selections(before, item));
     }
 
     /** Replaces an item, given its index; changes of the same item in quick succession are one edit. */
     void replace(int index, TimelineItem changed) {
         TimelineItem before = model().items().get(index);
-        commit("timeline.change", changed, model().with(index, changed), index, new Selections(before, changed));
+        // A change of the times may change the index.
+        if (!before.equals(lastChanged)) {
+            lastTarget = new Object();
+        }
+        lastChanged = changed;
+        commit("timeline.change", changed, model().with(index, changed), lastTarget, new Selections(before, changed));
     }
 
     void remove(int index) {
         TimelineItem item = model().items().get(index);
-        commit("timeline.remove", item, model().without(index), item, new Selections(item, null));
+        commit("timeline.remove", item, model().without(index), new Object(), new Selections(item, null));
     }
 
     void copy(int index) {

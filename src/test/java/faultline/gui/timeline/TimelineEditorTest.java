@@ -119,4 +119,44 @@ class TimelineEditorTest {
         edit(undo::undo);
         assertEquals(List.of(), commands());
     }
+
+    /** The first item gets the index of the second one, which gets that of the first. */
+    @Test
+    void quickChangesOfTwoItemsThatChangePlacesAreTwoEdits() {
+        TimelineItem fault = new TimelineItem(FAULT, 20, 30);
+        TimelineItem off = TimelineItem.from(SWITCH.command(), 40);
+        edit(() -> timeline.add(fault, null));
+        edit(() -> timeline.add(off, null));
+        List<TimedCommand> before = commands();
+        edit(() -> timeline.replace(0, fault.withTimes(50, 60)));
+        List<TimedCommand> between = commands();
+        edit(() -> timeline.replace(0, off.withTimes(41, off.end())));
+        edit(undo::undo);
+        assertEquals(between, commands());
+        edit(undo::undo);
+        assertEquals(before, commands());
+    }
+
+    @Test
+    void quickChangesOfAnItemWhoseIndexChangesAreOneEdit() {
+        TimelineItem fault = new TimelineItem(FAULT, 20, 30);
+        edit(() -> timeline.add(fault, null));
+        edit(() -> timeline.add(TimelineItem.from(SWITCH.command(), 40), null));
+        List<TimedCommand> before = commands();
+        edit(() -> timeline.replace(0, fault.withTimes(50, 60)));
+        edit(() -> timeline.replace(1, fault.withTimes(52, 60)));
+        edit(undo::undo);
+        assertEquals(before, commands());
+    }
+
+    @Test
+    void theRemovalOfAnItemThatWasJustAddedIsAnEditOfItsOwn() {
+        TimelineItem off = TimelineItem.from(SWITCH.command(), 40);
+        edit(() -> timeline.add(off, null));
+        edit(() -> timeline.remove(0));
+        edit(undo::undo);
+        assertEquals(
+                List.of(SWITCH.command()),
+                commands().stream().map(TimedCommand::command).toList());
+    }
 }
