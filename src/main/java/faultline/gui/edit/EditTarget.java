@@ -18,8 +18,14 @@ import java.util.stream.IntStream;
  */
 record EditTarget(String kind, Object subject, boolean repeatable) {
 
+    /** The kind of the targets of setup edits. */
+    static final String SETUP = "setup";
+
+    /** The kind of the targets of commands that belong to a time of the run. */
+    static final String EVENT = "event";
+
     private static final Command.CommandCases<EditTarget> FINDER = Command.CommandCases.ofSetup(
-            timed -> single(timed),
+            timed -> new EditTarget(EVENT, timed, false),
             configureSensor ->
                     new EditTarget("configure", configureSensor.sensor().id(), true),
             moveObstacle -> new EditTarget("move", moveObstacle.obstacle(), true),

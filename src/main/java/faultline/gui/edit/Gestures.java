@@ -23,13 +23,17 @@ final class Gestures {
         this.clock = clock;
     }
 
-    /** Returns the id of a new gesture, unless one is active or the targets repeat the last ones. */
+    /**
+     * Returns the id of a new gesture, unless one is active or the targets repeat the last ones. Changes of the setup
+     * and events come from keys that are pressed during a drag, so they are not part of the active one.
+     */
     int idOf(List<EditTarget> targets) {
         long now = clock.getAsLong();
         boolean repeated = targets.equals(lastTargets)
                 && now - lastMillis <= REPEAT_MILLIS
                 && targets.stream().allMatch(EditTarget::repeatable);
-        if (!active && !repeated) {
+        boolean ofKey = areAllOf(EditTarget.SETUP, targets) || areAllOf(EditTarget.EVENT, targets);
+        if (!repeated && (!active || ofKey)) {
             id++;
         }
         lastTargets = targets;
@@ -56,6 +60,10 @@ final class Gestures {
 
     /** Returns whether all targets of the last commands are of a kind; true if there are none. */
     boolean areLastOf(String kind) {
-        return lastTargets.stream().allMatch(target -> target.kind().equals(kind));
+        return areAllOf(kind, lastTargets);
+    }
+
+    private static boolean areAllOf(String kind, List<EditTarget> targets) {
+        return targets.stream().allMatch(target -> target.kind().equals(kind));
     }
 }

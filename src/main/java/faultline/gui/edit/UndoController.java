@@ -32,9 +32,6 @@ import java.util.stream.Stream;
  */
 public final class UndoController {
 
-    /** The kind of the targets of setup edits. */
-    private static final String SETUP = "setup";
-
     private static final Set<Refusal.Reason> MISSING = EnumSet.of(
             Refusal.Reason.UNKNOWN_OBSTACLE,
             Refusal.Reason.UNKNOWN_SENSOR,
@@ -145,7 +142,7 @@ public final class UndoController {
      */
     public void addSetupEdit(Supplier<String> name, Object target, SetupChange change) {
         assert EventQueue.isDispatchThread();
-        int id = gestures.idOf(List.of(new EditTarget(SETUP, target, true)));
+        int id = gestures.idOf(List.of(new EditTarget(EditTarget.SETUP, target, true)));
         addSetupEdit(new SetupEdit(name, id, change));
     }
 
@@ -157,7 +154,7 @@ public final class UndoController {
 
     /** Records that a sensor has got another id, given what changes ids. */
     void addRename(SensorRename rename, Consumer<SensorRename> action) {
-        int id = gestures.idOf(List.of(new EditTarget(SETUP, rename, false)));
+        int id = gestures.idOf(List.of(new EditTarget(EditTarget.SETUP, rename, false)));
         addSetupEdit(new SetupEdit(
                 () -> Messages.get("edit.renameSensor", rename.before(), rename.after()),
                 id,
@@ -327,7 +324,7 @@ public final class UndoController {
         @Override
         public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
             // A change of the setup repositions the run itself, and the next one may continue it.
-            if (!gestures.areLastOf(SETUP)) {
+            if (!gestures.areLastOf(EditTarget.SETUP)) {
                 endEdit();
             }
             // The commands for the next tick have been executed.

@@ -503,4 +503,41 @@ class SensorEditorTest {
         assertTrue(add().isPresent());
         assertNotEquals(full, setup().robot());
     }
+
+    @Test
+    void sensorsThatAreAddedDuringADragAreEditsOfTheirOwn() {
+        RobotSpec before = setup().robot();
+        runOnEdt(sender::beginGesture);
+        add();
+        RobotSpec between = setup().robot();
+        add();
+        runOnEdt(sender::endGesture);
+        runOnEdt(edits::undo);
+        waitForRun();
+        assertEquals(between, setup().robot());
+        runOnEdt(edits::undo);
+        waitForRun();
+        assertEquals(before, setup().robot());
+    }
+
+    /** Each switch is a command of the timeline. */
+    @Test
+    void allSwitchesDuringADragAreUndoneAfterARestart() {
+        runOnEdt(sender::beginGesture);
+        for (boolean on : List.of(false, true, false)) {
+            runOnEdt(() -> sender.send(new Command.SwitchSensor("left", on)));
+            Await.until("the switch", () -> !workspace.awaitsCommands());
+            runOnEdt(run::step);
+        }
+        runOnEdt(sender::endGesture);
+        SessionFrames.awaitTick(workspace, TICKS + 3);
+        runOnEdt(run::restart);
+        waitForRun();
+        assertEquals(3, setup().timeline().size());
+        while (callOnEdt(edits::canUndo)) {
+            runOnEdt(edits::undo);
+            waitForRun();
+        }
+        assertEquals(List.of(), setup().timeline());
+    }
 }
