@@ -11,48 +11,76 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.LongFunction;
-import java.util.stream.Stream;
 
 /** An edit made by commands. All commands of one gesture form one edit. */
 final class CommandEdit implements Edit {
 
     private final int gestureId;
-    private final Map<EditTarget, CommandResult> results = new LinkedHashMap<>();
+    private final Map<EditPart, CommandResult> results = new LinkedHashMap<>();
     private boolean ahead;
     /** Whether the edit was made in an earlier run. */
     private boolean earlier;
 
+    /** The commands about a target up to where the timeline has changed the same thing; parts are numbered from 0. */
+    private record EditPart(EditTarget target, int number) {}
+
     /** Creates an edit of executed commands. */
     CommandEdit(int gestureId, List<CommandResult> results) {
         this.gestureId = gestureId;
-        results.forEach(this::add);
+        results.forEach(result -> add(result, tick -> List.of()));
     }
 
-    private void add(CommandResult result) {
-        results.merge(
-                EditTarget.of(result.command()),
-                result,
-                (earlier, later) -> new CommandResult.Executed(later.tick(), later.command(), earlier.inverse()));
+    private void add(CommandResult result, LongFunction<List<Command>> plannedSince) {
+        EditTarget target = EditTarget.of(result.command());
+        EditPart next = nextPart(results, target);
+        EditPart last = new EditPart(target, next.number() - 1);
+        CommandResult before = results.get(last);
+        if (before != null && continues(result, before, plannedSince)) {
+            results.put(last, new CommandResult.Executed(result.tick(), result.command(), before.inverse()));
+        } else {
+            results.put(next, result);
+        }
+    }
+
+    private static EditPart nextPart(Map<EditPart, CommandResult> results, EditTarget target) {
+        int number = 0;
+        while (results.containsKey(new EditPart(target, number))) {
+            number++;
+        }
+        return new EditPart(target, number);
+    }
+
+    private static boolean continues(
+            CommandResult result, CommandResult before, LongFunction<List<Command>> plannedSince) {
+        return result.inverse().equals(List.of(before.command()))
+                || LaterChange.after(plannedSince.apply(before.tick()), before).isEmpty();
     }
 
     /**
-     * Adds the commands of a newer edit if it belongs to the same gesture; returns whether it does. A key that is
-     * pressed during a drag is an edit of its own if it switches a sensor or injects a fault, because such events are
-     * undone on the timeline in a later run.
+     * Adds the commands of a newer edit if it belongs to the same gesture, given what returns the commands of the
+     * timeline since a tick; returns whether it does. A key that is pressed during a drag is an edit of its own if it
+     * switches a sensor or injects a fault, because such events are undone on the timeline in a later run.
      */
-    boolean merge(CommandEdit newer) {
+    boolean merge(CommandEdit newer, LongFunction<List<Command>> plannedSince) {
         boolean sameGesture = newer.gestureId == gestureId && newer.hasOnlyEvents() == hasOnlyEvents();
         if (sameGesture) {
-            newer.results.values().forEach(this::add);
+            newer.results.values().forEach(result -> add(result, plannedSince));
         }
         return sameGesture;
     }
 
     /** Changes the id of a sensor in the commands and in what undoes them. */
     void rename(SensorRename rename) {
-        List<CommandResult> before = results();
+        List<CommandResult> renamed = results().stream().map(rename::rename).toList();
         results.clear();
-        before.stream().map(rename::rename).forEach(this::add);
+        results.putAll(parts(renamed));
+    }
+
+    /** Returns the results of commands as those of parts, which are in the order of their numbers. */
+    private static Map<EditPart, CommandResult> parts(List<CommandResult> results) {
+        Map<EditPart, CommandResult> parts = new LinkedHashMap<>();
+        results.forEach(result -> parts.put(nextPart(parts, EditTarget.of(result.command())), result));
+        return parts;
     }
 
     /** Returns whether the edit restores what it changed, such as a cancelled drag. */
@@ -87,7 +115,7 @@ final class CommandEdit implements Edit {
     /** Follows the start of another run, given the results when the edit was first executed in the one before. */
     void runStarted(List<CommandResult> firsts) {
         earlier = true;
-        firsts.forEach(result -> results.put(EditTarget.of(result.command()), result));
+        results.putAll(parts(firsts));
     }
 
     /**
@@ -96,23 +124,12 @@ final class CommandEdit implements Edit {
      */
     List<LaterChange> undoChanges(
             List<CommandResult> executed, List<CommandResult> firsts, LongFunction<List<Command>> plannedSince) {
-        return backwards(executed)
-                .flatMap(result -> undo(result, first(firsts, result), plannedSince).stream())
-                .toList();
-    }
-
-    private static Stream<CommandResult> backwards(List<CommandResult> results) {
-        List<CommandResult> backwards = new ArrayList<>(results);
-        Collections.reverse(backwards);
-        return backwards.stream();
-    }
-
-    private static CommandResult first(List<CommandResult> firsts, CommandResult result) {
-        EditTarget target = EditTarget.of(result.command());
-        return firsts.stream()
-                .filter(first -> EditTarget.of(first.command()).equals(target))
-                .findFirst()
-                .orElse(result);
+        Map<EditPart, CommandResult> firstParts = parts(firsts);
+        List<LaterChange> changes = new ArrayList<>();
+        parts(executed)
+                .forEach((part, result) ->
+                        changes.addAll(0, undo(result, firstParts.getOrDefault(part, result), plannedSince)));
+        return changes;
     }
 
     private static List<LaterChange> undo(
@@ -133,8 +150,12 @@ final class CommandEdit implements Edit {
 
     /** Returns the changes of the start that redo or undo the edit, which was made in an earlier run. */
     List<CommandResult> startChanges(boolean redone) {
-        List<CommandResult> changes = results();
-        return redone ? changes : backwards(changes).map(CommandEdit::inverse).toList();
+        List<CommandResult> changes = new ArrayList<>(results());
+        if (!redone) {
+            Collections.reverse(changes);
+            changes.replaceAll(CommandEdit::inverse);
+        }
+        return changes;
     }
 
     private static List<LaterChange> same(List<Command> commands) {
@@ -146,8 +167,9 @@ final class CommandEdit implements Edit {
      * the commands of the timeline since a tick.
      */
     List<LaterChange> redoChanges(List<CommandResult> firsts, LongFunction<List<Command>> plannedSince) {
-        return results.values().stream()
-                .map(result -> redo(first(firsts, result), plannedSince))
+        Map<EditPart, CommandResult> firstParts = parts(firsts);
+        return results.entrySet().stream()
+                .map(entry -> redo(firstParts.getOrDefault(entry.getKey(), entry.getValue()), plannedSince))
                 .toList();
     }
 
@@ -160,7 +182,9 @@ final class CommandEdit implements Edit {
 
     @Override
     public String name() {
-        return EditNames.nameOf(results());
+        Map<EditTarget, CommandResult> named = new LinkedHashMap<>();
+        results.forEach((part, result) -> named.put(part.target(), result));
+        return EditNames.nameOf(List.copyOf(named.values()));
     }
 
     @Override

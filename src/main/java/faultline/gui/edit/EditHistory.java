@@ -120,7 +120,9 @@ final class EditHistory {
             edits.set(edits.size() - 1, last.mergedWith(newer));
             return true;
         }
-        return last() instanceof CommandEdit last && edit instanceof CommandEdit newer && last.merge(newer);
+        return last() instanceof CommandEdit last
+                && edit instanceof CommandEdit newer
+                && last.merge(newer, plannedSince);
     }
 
     private Edit last() {

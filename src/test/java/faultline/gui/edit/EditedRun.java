@@ -130,6 +130,12 @@ final class EditedRun {
         rest();
     }
 
+    /** Sends a command of the drag that has begun. */
+    void drag(Command command) {
+        runOnEdt(() -> sender.send(command));
+        rest();
+    }
+
     void undo() {
         runOnEdt(edits::undo);
         rest();

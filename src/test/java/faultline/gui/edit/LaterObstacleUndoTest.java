@@ -363,4 +363,49 @@ class LaterObstacleUndoTest {
         assertEquals(Optional.of(stand), atStart(STAND));
         assertEquals(Optional.empty(), shown(STAND));
     }
+
+    /** Drags the stand from a tick before the plan to a tick after it. */
+    private void dragDuringThePlan() {
+        run.advanceTo(10);
+        runOnEdt(run.sender()::beginGesture);
+        run.drag(new Command.MoveObstacle(STAND, new Pose(5.4, 4.2, 0)));
+        run.drag(new Command.MoveObstacle(STAND, new Pose(5.4, 4.4, 0)));
+        run.advanceTo(30);
+        run.drag(new Command.MoveObstacle(STAND, new Pose(5.4, 4.5, 0)));
+        run.drag(EDIT);
+        runOnEdt(run.sender()::endGesture);
+    }
+
+    @Test
+    void anObstacleIsWhereTheTimelineHasMovedItDuringADragThatIsUndone() {
+        plan(at(0.2, PLAN));
+        dragDuringThePlan();
+        assertEquals(Optional.of("Move " + STAND), callOnEdt(run.edits()::undoName));
+        for (int i = 0; i < 2; i++) {
+            run.undo();
+            assertShown(stand.withPose(PLANNED));
+            assertEquals(Optional.of(stand), atStart(STAND));
+            run.redo();
+            assertEquals(Optional.of(stand.withPose(EDITED)), shown(STAND));
+        }
+        run.undo();
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+    }
+
+    @Test
+    void theUndoOfADragRestoresAnObstacleThatTheTimelineHasPlacedDuringIt() {
+        Obstacle placed = new Obstacle(STAND, new ObstacleShape.CircleShape(0.1), PLANNED);
+        plan(at(0.2, new Command.PlaceObstacle(placed)));
+        List<TimedCommand> timeline = run.timeline();
+        dragDuringThePlan();
+        run.undo();
+        assertShown(placed);
+        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(timeline, run.timeline());
+        run.redo();
+        run.restart();
+        run.undo();
+        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(timeline, run.timeline());
+    }
 }
