@@ -36,10 +36,10 @@ final class SetupEditor {
     private final EditedObstacles baseObstacles;
 
     private final List<ExecutedChange> entries = new ArrayList<>();
-    /** What a command restores that undoes the last command with this inverse. */
-    private final Map<UndoCommand, Consumer<EditedSetup>> reversals = new HashMap<>();
+    /** What a command restores that undoes the last command with this inverse that has not been undone. */
+    private final Map<UndoCommand, Reversal> reversals = new HashMap<>();
     /** The same for edits that are part of the base, whose ticks are those of an earlier run. */
-    private final Map<UndoCommand, Consumer<EditedSetup>> baseReversals;
+    private final Map<UndoCommand, Reversal> baseReversals;
     /** The number of entries that the run has executed. */
     private int position;
     /**
@@ -51,6 +51,13 @@ final class SetupEditor {
 
     /** A command that undoes another one; the origin of its obstacle, null if it is about something else. */
     private record UndoCommand(Command command, ObstacleOrigins.Origin origin) {}
+
+    /** What the undo of a command restores; what that of an earlier one with the same inverse does, null for none. */
+    private record Reversal(Consumer<EditedSetup> restored, Reversal earlier) {
+        Reversal after(Reversal others) {
+            return new Reversal(restored, earlier == null ? others : earlier.after(others));
+        }
+    }
 
     SetupEditor(SimulationSetup setup) {
         this.base = setup;
@@ -72,7 +79,7 @@ final class SetupEditor {
             SimulationSetup setup,
             SortedMap<Integer, TimedCommand> lacking,
             EditedObstacles before,
-            Map<UndoCommand, Consumer<EditedSetup>> reversals) {
+            Map<UndoCommand, Reversal> reversals) {
         List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
         Set<TimedCommand> present = lacking.isEmpty() ? Set.of() : new HashSet<>(timeline);
         Set<Integer> hiddenBefore = before.hidden().keySet();
@@ -182,9 +189,13 @@ final class SetupEditor {
 
     /** Returns an editor of the edited setup, without edits, that hides the same commands and can undo the edits. */
     SetupEditor restarted(SimulationSetup newSetup) {
-        Map<UndoCommand, Consumer<EditedSetup>> all = new HashMap<>(baseReversals);
-        all.putAll(reversals);
-        return new SetupEditor(newSetup, edited.obstacles().hidden(), edited.obstacles(), all);
+        Map<UndoCommand, Reversal> all = new HashMap<>(baseReversals);
+        reversals.forEach((undo, reversal) -> all.merge(undo, reversal, (earlier, later) -> later.after(earlier)));
+        return restarted(newSetup, all);
+    }
+
+    private SetupEditor restarted(SimulationSetup newSetup, Map<UndoCommand, Reversal> newReversals) {
+        return new SetupEditor(newSetup, edited.obstacles().hidden(), edited.obstacles(), newReversals);
     }
 
     /**
@@ -197,15 +208,12 @@ final class SetupEditor {
         // These undo each other, except for those about a sensor that has been deleted and restored in between.
         entries.subList(0, position).forEach(entry -> earlier.apply(entry.change()));
         earlier.reversals.clear();
-        if (!redone) {
-            earlier.reversals.putAll(baseReversals);
-        }
-        changes.stream().filter(earlier.edited::hasSubjectOf).forEach(earlier::apply);
-        if (!redone) {
-            // The command that redoes an edit may be the same as one that undoes another.
-            earlier.reversals.clear();
-        }
-        SetupEditor result = earlier.restarted(earlier.setup());
+        Map<UndoCommand, Reversal> undone = new HashMap<>(baseReversals);
+        // The command that redoes an edit may be the same as one that undoes another.
+        changes.stream()
+                .filter(earlier.edited::hasSubjectOf)
+                .forEach(change -> earlier.apply(change, redone ? earlier.reversals : undone));
+        SetupEditor result = redone ? earlier.restarted(earlier.setup()) : earlier.restarted(earlier.setup(), undone);
         result.lastRemovedEvent = lastRemovedEvent;
         for (int i = 0; i < entries.size(); i++) {
             if (TimelineEvents.isEvent(entries.get(i).change().command())) {
@@ -293,16 +301,24 @@ final class SetupEditor {
      * before that one.
      */
     private boolean apply(CommandResult result) {
+        return apply(result, reversals);
+    }
+
+    /** Applies a command, and removes from the reversals the one that it uses. */
+    private boolean apply(CommandResult result, Map<UndoCommand, Reversal> undoable) {
         if (TimelineEvents.isEvent(result.command())) {
             return false;
         }
-        Consumer<EditedSetup> reversal = edited.reversal(result);
-        Command command = result.command();
-        Optional.ofNullable(reversals.get(undoCommand(result.tick(), command)))
+        Consumer<EditedSetup> restored = edited.reversal(result);
+        UndoCommand undo = undoCommand(result.tick(), result.command());
+        Optional.ofNullable(undoable.get(undo))
+                .map(Reversal::restored)
                 .orElseGet(() -> EditedSetup.change(result))
                 .accept(edited);
+        undoable.computeIfPresent(undo, (same, reversal) -> reversal.earlier());
         if (result.inverse().size() == 1) {
-            reversals.put(undoCommand(result.tick(), result.inverse().get(0)), reversal);
+            UndoCommand later = undoCommand(result.tick(), result.inverse().get(0));
+            reversals.put(later, new Reversal(restored, reversals.get(later)));
         }
         return true;
     }

@@ -92,6 +92,25 @@ class LaterObstacleUndoTest {
         }
     }
 
+    /** The timeline moves the obstacle back to where it starts, so both edits are undone by a move to that place. */
+    @Test
+    void editsThatTheSameCommandUndoesAreUndoneOneByOne() {
+        plan(at(0.2, new Command.MoveObstacle(STAND, stand.pose())));
+        editBeforeThePlan(EDIT);
+        run.send(new Command.MoveObstacle(STAND, PLANNED));
+        run.undo();
+        assertEquals(Optional.of(stand.withPose(EDITED)), atStart(STAND));
+        run.undo();
+        assertEquals(Optional.of(stand), atStart(STAND));
+        run.redo();
+        run.redo();
+        assertEquals(Optional.of(stand.withPose(PLANNED)), atStart(STAND));
+        run.restart();
+        run.undo();
+        run.undo();
+        assertEquals(Optional.of(stand), atStart(STAND));
+    }
+
     /** The edit was made at the planned place, and is redone at the place of the start. */
     @Test
     void anUndoThatTheRunDoesNotShowIsReported() {
