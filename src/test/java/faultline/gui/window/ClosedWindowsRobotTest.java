@@ -1,10 +1,6 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.callOnEdt;
-import static faultline.gui.GuiRobot.runOnEdt;
-
 import faultline.gui.Await;
-import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import java.awt.event.KeyEvent;
@@ -14,7 +10,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import javax.swing.JDialog;
-import javax.swing.JTabbedPane;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -48,15 +43,7 @@ class ClosedWindowsRobotTest {
 
     private static WeakReference<MainWindow> useAndClose() {
         try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/office.xml"))) {
-            List<JTabbedPane> panes = callOnEdt(() ->
-                    ComponentFinder.findAll(driver.window(), JTabbedPane.class).toList());
-            for (JTabbedPane tabs : panes) {
-                for (int i = 0; i < callOnEdt(tabs::getTabCount); i++) {
-                    int tab = i;
-                    runOnEdt(() -> tabs.setSelectedIndex(tab));
-                    driver.robot().waitForPaint();
-                }
-            }
+            driver.visitTabs(title -> {});
             DIALOGS.forEach((action, title) -> {
                 driver.chooseLater(action);
                 JDialog dialog = driver.dialog(title);

@@ -16,7 +16,6 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
-import javax.swing.JTabbedPane;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,19 +42,7 @@ class OverlapRobotTest {
             });
             driver.robot()
                     .waitFor("the window has its size", () -> driver.window().getWidth() == width);
-            List<JTabbedPane> panes = callOnEdt(() ->
-                    ComponentFinder.findAll(driver.window(), JTabbedPane.class).toList());
-            for (JTabbedPane tabs : panes) {
-                for (int i = 0; i < callOnEdt(tabs::getTabCount); i++) {
-                    int tab = i;
-                    runOnEdt(() -> tabs.setSelectedIndex(tab));
-                    driver.robot().waitForPaint();
-                    assertEquals(
-                            List.of(),
-                            callOnEdt(() -> overlaps(driver.window())),
-                            callOnEdt(() -> tabs.getTitleAt(tab)));
-                }
-            }
+            driver.visitTabs(title -> assertEquals(List.of(), callOnEdt(() -> overlaps(driver.window())), title));
         }
     }
 

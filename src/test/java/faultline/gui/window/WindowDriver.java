@@ -26,9 +26,11 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -37,6 +39,7 @@ import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.MenuElement;
@@ -134,6 +137,20 @@ final class WindowDriver implements AutoCloseable {
     /** Selects a menu item that opens a modal dialog, without waiting. */
     void chooseLater(String action) {
         EventQueue.invokeLater(() -> chooseOnEdt(action));
+    }
+
+    /** Selects every tab in turn, and calls a visitor with its title when it has been painted. */
+    void visitTabs(Consumer<String> visitor) {
+        List<JTabbedPane> panes = callOnEdt(
+                () -> ComponentFinder.findAll(window, JTabbedPane.class).toList());
+        for (JTabbedPane tabs : panes) {
+            for (int i = 0; i < callOnEdt(tabs::getTabCount); i++) {
+                int tab = i;
+                runOnEdt(() -> tabs.setSelectedIndex(tab));
+                robot.waitForPaint();
+                visitor.accept(callOnEdt(() -> tabs.getTitleAt(tab)));
+            }
+        }
     }
 
     /** Returns the note in the status bar. */
