@@ -86,6 +86,27 @@ class EarlierRunUndoTest {
         assertEquals(Optional.of(stand), run.atStart(STAND));
     }
 
+    /** The timeline returns the obstacle to its first place, so the same command undoes both edits. */
+    @Test
+    void editsOfTwoRunsFromTheSamePlaceAreUndoneOneByOne() {
+        plan(0.2, new Command.MoveObstacle(STAND, stand.pose()));
+        run.advanceTo(10);
+        run.send(EDIT);
+        run.restart();
+        run.advanceTo(30);
+        run.send(PLAN);
+        run.restart();
+        for (int i = 0; i < 2; i++) {
+            assertEquals(Optional.of(stand.withPose(PLANNED)), run.atStart(STAND));
+            run.undo();
+            assertEquals(Optional.of(stand.withPose(EDITED)), run.atStart(STAND));
+            run.undo();
+            assertEquals(Optional.of(stand), run.atStart(STAND));
+            run.redo();
+            run.redo();
+        }
+    }
+
     @Test
     void anEditThatWasUndoneBeforeTheRestartIsRedone() {
         plan(0.2, PLAN);

@@ -111,7 +111,6 @@ class LaterObstacleUndoTest {
         assertEquals(Optional.of(stand), atStart(STAND));
     }
 
-    /** The edit was made at the planned place, and is redone at the place of the start. */
     @Test
     void anUndoThatTheRunDoesNotShowIsReported() {
         List<String> notes = new ArrayList<>();
@@ -127,6 +126,7 @@ class LaterObstacleUndoTest {
         assertEquals(2, notes.size(), "the run shows this undo");
     }
 
+    /** The edit was made at the planned place, and is redone at the place of the start. */
     @Test
     void anEditThatIsRedoneBeforeTheTimelineIsUndoneToItsStart() {
         plan(at(0.2, PLAN));
