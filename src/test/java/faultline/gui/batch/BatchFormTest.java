@@ -15,7 +15,6 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import java.awt.Point;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -33,6 +32,7 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class BatchFormTest {
 
@@ -115,21 +115,13 @@ class BatchFormTest {
     }
 
     @Test
-    void allKindsHaveValuesThatTheScenarioTakes() throws Exception {
+    void allKindsHaveValuesThatTheScenarioTakes(@TempDir Path folder) throws Exception {
         click("All");
         click("Default values");
         assertEquals(17, plan().faults().size());
         assertTrue(plan().faults().contains(new BatchPlan.FaultValues("stuck", "0.4")));
         click("Drawn values");
-        Path folder = Files.createTempDirectory("faultline-test-");
-        try {
-            assertEquals(plan().runCount().orElseThrow(), plan().prepare(folder).runCount());
-        } finally {
-            for (String file : List.of("plan.xml", "scenario-1.xml")) {
-                Files.delete(folder.resolve(file));
-            }
-            Files.delete(folder);
-        }
+        assertEquals(plan().runCount().orElseThrow(), plan().prepare(folder).runCount());
     }
 
     @Test

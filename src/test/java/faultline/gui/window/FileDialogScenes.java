@@ -18,9 +18,10 @@ final class FileDialogScenes {
     private final Path folder;
     private final Path office;
 
-    FileDialogScenes(WindowDriver driver) throws IOException {
+    /** Copies the office to an existing folder, to which all files of the scenes are written. */
+    FileDialogScenes(WindowDriver driver, Path folder) throws IOException {
         this.driver = driver;
-        folder = Files.createTempDirectory("faultline");
+        this.folder = folder;
         office = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
     }
 

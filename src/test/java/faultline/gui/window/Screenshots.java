@@ -5,6 +5,7 @@ import static faultline.gui.GuiRobot.runOnEdt;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.theme.Theme;
+import faultline.io.TemporaryFolder;
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.EventQueue;
@@ -58,13 +59,16 @@ public final class Screenshots {
     public static void main(String[] arguments) throws IOException, AWTException {
         Path folder = Files.createDirectories(Path.of(arguments[1]));
         for (Theme theme : Theme.values()) {
+            Path opened = Files.createTempDirectory("faultline-screenshots-");
             try (WindowDriver driver = WindowDriver.open(theme, Path.of(arguments[0]))) {
                 Screenshots pictures = new Screenshots(driver, folder, theme);
                 pictures.prepare(Double.parseDouble(arguments[2]));
                 pictures.takeWindow();
                 pictures.takeMenus();
-                pictures.takeDialogs();
+                pictures.takeDialogs(new FileDialogScenes(driver, opened));
                 pictures.takeReferenceRun();
+            } finally {
+                TemporaryFolder.deleteTree(opened);
             }
         }
         System.exit(0);
@@ -135,7 +139,7 @@ public final class Screenshots {
         });
     }
 
-    private void takeDialogs() throws IOException, AWTException {
+    private void takeDialogs(FileDialogScenes files) throws IOException, AWTException {
         for (String action : DIALOGS) {
             EventQueue.invokeLater(() -> driver.chooseOnEdt(action));
             writeDialog(action);
@@ -145,7 +149,7 @@ public final class Screenshots {
         driver.robot().waitFor("the examples are there", () -> ComponentFinder.findAll(gallery, JList.class)
                 .anyMatch(list -> list.getModel().getSize() >= EXAMPLES));
         writeDialog("examples");
-        takeFileDialogs(new FileDialogScenes(driver));
+        takeFileDialogs(files);
     }
 
     private void takeFileDialogs(FileDialogScenes scenes) throws IOException, AWTException {
