@@ -61,16 +61,8 @@ class LaterObstacleUndoTest {
         run.advanceTo(30);
     }
 
-    private Optional<Obstacle> shown(String id) {
-        return run.shown(id);
-    }
-
-    private Optional<Obstacle> atStart(String id) {
-        return run.atStart(id);
-    }
-
     private void assertShown(Obstacle expected) {
-        assertEquals(Optional.ofNullable(expected), shown(STAND));
+        assertEquals(Optional.ofNullable(expected), run.shown(STAND));
         run.assertSameObstacles();
     }
 
@@ -81,12 +73,12 @@ class LaterObstacleUndoTest {
         for (int i = 0; i < 2; i++) {
             run.undo();
             assertShown(stand.withPose(PLANNED));
-            assertEquals(Optional.of(stand), atStart(STAND));
+            assertEquals(Optional.of(stand), run.atStart(STAND));
             assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
             run.advance(3);
             run.redo();
             assertShown(stand.withPose(PLANNED));
-            assertEquals(Optional.of(stand.withPose(EDITED)), atStart(STAND));
+            assertEquals(Optional.of(stand.withPose(EDITED)), run.atStart(STAND));
             assertEquals(Optional.of("Move coat-stand"), callOnEdt(run.edits()::undoName));
             run.advance(3);
         }
@@ -99,16 +91,16 @@ class LaterObstacleUndoTest {
         editBeforeThePlan(EDIT);
         run.send(new Command.MoveObstacle(STAND, PLANNED));
         run.undo();
-        assertEquals(Optional.of(stand.withPose(EDITED)), atStart(STAND));
+        assertEquals(Optional.of(stand.withPose(EDITED)), run.atStart(STAND));
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         run.redo();
         run.redo();
-        assertEquals(Optional.of(stand.withPose(PLANNED)), atStart(STAND));
+        assertEquals(Optional.of(stand.withPose(PLANNED)), run.atStart(STAND));
         run.restart();
         run.undo();
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
     }
 
     @Test
@@ -136,7 +128,7 @@ class LaterObstacleUndoTest {
         run.redo();
         run.advanceTo(28);
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         assertShown(stand.withPose(PLANNED));
     }
 
@@ -152,7 +144,7 @@ class LaterObstacleUndoTest {
         run.advanceTo(80);
         run.undo();
         assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         assertShown(stand.withPose(PLANNED));
     }
 
@@ -169,11 +161,11 @@ class LaterObstacleUndoTest {
         run.send(new Command.MoveObstacle(STAND, last));
         run.redo();
         run.undo();
-        assertEquals(Optional.of(stand.withPose(last)), shown(STAND));
+        assertEquals(Optional.of(stand.withPose(last)), run.shown(STAND));
         run.undo();
         run.undo();
         assertShown(stand.withPose(PLANNED));
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
     }
 
     /** Both obstacles are removed by the same command, and so is what undoes their return. */
@@ -187,7 +179,7 @@ class LaterObstacleUndoTest {
         run.advanceTo(40);
         run.send(new Command.RemoveObstacle(STAND));
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         assertEquals(planned, run.timeline());
         assertShown(stand.withPose(PLANNED));
     }
@@ -204,7 +196,7 @@ class LaterObstacleUndoTest {
         assertShown(stand.withPose(PLANNED));
         run.redo();
         assertShown(stand.withPose(PLANNED));
-        assertEquals(Optional.of(stand.withPose(EDITED)), atStart(STAND));
+        assertEquals(Optional.of(stand.withPose(EDITED)), run.atStart(STAND));
     }
 
     @Test
@@ -215,7 +207,7 @@ class LaterObstacleUndoTest {
         run.advanceTo(40);
         run.undo();
         assertShown(stand.withPose(PLANNED));
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
     }
 
     @Test
@@ -225,7 +217,7 @@ class LaterObstacleUndoTest {
         run.undo();
         run.advanceTo(40);
         run.seek(15);
-        assertEquals(Optional.of(stand.withPose(EDITED)), shown(STAND));
+        assertEquals(Optional.of(stand.withPose(EDITED)), run.shown(STAND));
         assertEquals(Optional.of("Move coat-stand"), callOnEdt(run.edits()::undoName));
         run.advanceTo(45);
         assertShown(stand.withPose(PLANNED));
@@ -244,10 +236,10 @@ class LaterObstacleUndoTest {
         run.send(new Command.MoveObstacle("chair-1", elsewhere));
         run.seek(35);
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         run.advanceTo(50);
         assertShown(stand.withPose(PLANNED));
-        assertEquals(elsewhere, shown("chair-1").orElseThrow().pose());
+        assertEquals(elsewhere, run.shown("chair-1").orElseThrow().pose());
         run.seek(32);
         run.advanceTo(50);
         assertShown(stand.withPose(PLANNED));
@@ -260,10 +252,10 @@ class LaterObstacleUndoTest {
         editBeforeThePlan(new Command.PlaceObstacle(larger));
         run.undo();
         assertShown(stand.withPose(PLANNED));
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         run.redo();
         assertShown(larger.withPose(PLANNED));
-        assertEquals(Optional.of(larger), atStart(STAND));
+        assertEquals(Optional.of(larger), run.atStart(STAND));
         run.undo();
         assertShown(stand.withPose(PLANNED));
         run.seek(25);
@@ -276,8 +268,8 @@ class LaterObstacleUndoTest {
         plan(at(0.2, PLAN));
         editBeforeThePlan(new Command.RemoveObstacle(STAND));
         run.undo();
-        assertEquals(Optional.of(stand.withPose(PLANNED)), shown(STAND));
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand.withPose(PLANNED)), run.shown(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         assertEquals(List.of(at(0.2, PLAN)), run.timeline());
         run.redo();
         assertShown(null);
@@ -289,7 +281,7 @@ class LaterObstacleUndoTest {
         editBeforeThePlan(EDIT);
         run.undo();
         assertShown(null);
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
     }
 
     @Test
@@ -299,7 +291,7 @@ class LaterObstacleUndoTest {
         editBeforeThePlan(EDIT);
         run.undo();
         assertShown(other);
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
     }
 
     /** What the timeline has placed since has the same id, but is another obstacle. */
@@ -313,25 +305,25 @@ class LaterObstacleUndoTest {
         run.undo();
         run.advanceTo(30);
         run.redo();
-        assertEquals(Optional.empty(), atStart(STAND));
+        assertEquals(Optional.empty(), run.atStart(STAND));
         assertShown(other);
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         assertShown(other);
     }
 
     @Test
     void anEditOfTwoObstaclesIsUndoneForEachAsTheTimelineSays() {
         plan(at(0.2, PLAN));
-        Obstacle chair = atStart("chair-1").orElseThrow();
+        Obstacle chair = run.atStart("chair-1").orElseThrow();
         editBeforeThePlan(EDIT, new Command.MoveObstacle("chair-1", new Pose(3.3, 4.4, 0)));
         run.undo();
         assertShown(stand.withPose(PLANNED));
-        assertEquals(Optional.of(chair), shown("chair-1"));
+        assertEquals(Optional.of(chair), run.shown("chair-1"));
         run.seek(20);
         run.advanceTo(40);
         assertShown(stand.withPose(PLANNED));
-        assertEquals(Optional.of(chair), shown("chair-1"));
+        assertEquals(Optional.of(chair), run.shown("chair-1"));
     }
 
     /** The edit is done again when the run has passed the timeline's move, unlike the first time. */
@@ -345,8 +337,8 @@ class LaterObstacleUndoTest {
         run.advanceTo(40);
         run.redo();
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
-        assertEquals(Optional.of(stand.withPose(PLANNED)), shown(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
+        assertEquals(Optional.of(stand.withPose(PLANNED)), run.shown(STAND));
     }
 
     /** The edit was made when the timeline had placed another obstacle of this id. */
@@ -364,7 +356,7 @@ class LaterObstacleUndoTest {
         assertEquals(planned, run.timeline());
         assertShown(stand.withPose(PLANNED));
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         assertEquals(planned, run.timeline());
         assertShown(stand.withPose(PLANNED));
     }
@@ -379,8 +371,8 @@ class LaterObstacleUndoTest {
         run.advanceTo(30);
         run.redo();
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
-        assertEquals(Optional.empty(), shown(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
+        assertEquals(Optional.empty(), run.shown(STAND));
     }
 
     /** Drags the stand from a tick before the plan to a tick after it. */
@@ -403,9 +395,9 @@ class LaterObstacleUndoTest {
         for (int i = 0; i < 2; i++) {
             run.undo();
             assertShown(stand.withPose(PLANNED));
-            assertEquals(Optional.of(stand), atStart(STAND));
+            assertEquals(Optional.of(stand), run.atStart(STAND));
             run.redo();
-            assertEquals(Optional.of(stand.withPose(EDITED)), shown(STAND));
+            assertEquals(Optional.of(stand.withPose(EDITED)), run.shown(STAND));
         }
         run.undo();
         assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
@@ -419,12 +411,12 @@ class LaterObstacleUndoTest {
         dragDuringThePlan();
         run.undo();
         assertShown(placed);
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         assertEquals(timeline, run.timeline());
         run.redo();
         run.restart();
         run.undo();
-        assertEquals(Optional.of(stand), atStart(STAND));
+        assertEquals(Optional.of(stand), run.atStart(STAND));
         assertEquals(timeline, run.timeline());
     }
 }
