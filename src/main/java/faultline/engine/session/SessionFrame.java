@@ -4,7 +4,6 @@ import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.Telemetry;
 import faultline.engine.Frame;
-import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.RunFacts;
 import faultline.engine.metrics.RunMeasures;
 import faultline.engine.recording.Recording;
@@ -33,24 +32,6 @@ public record SessionFrame(
         String controllerName,
         double dt)
         implements RunFacts {
-
-    /**
-     * Creates a frame of a run that is not measured.
-     *
-     * @param frame the frame, whose time gives the length of a tick; at tick 0 it is the default
-     * @param recording the recording up to the frame
-     */
-    public SessionFrame(Frame frame, Recording recording) {
-        this(
-                frame,
-                recording,
-                RunMeasures.NONE,
-                new ControllerSpec.None(),
-                "",
-                frame.snapshot().tick() > 0
-                        ? frame.snapshot().time() / frame.snapshot().tick()
-                        : SimulationSetup.DEFAULT_TICK);
-    }
 
     /** {@return the world at the end of the tick} */
     public Snapshot snapshot() {

@@ -23,9 +23,8 @@ import java.util.stream.Stream;
  *
  * @param frame the newest frame
  * @param items the items of the timeline
- * @param dt the length of a tick, seconds
  */
-record RunMarks(SessionFrame frame, List<TimelineItem> items, double dt) {
+record RunMarks(SessionFrame frame, List<TimelineItem> items) {
 
     /** A command and the tick at which it is executed. */
     private record Execution(Command command, long tick) {}
@@ -35,13 +34,13 @@ record RunMarks(SessionFrame frame, List<TimelineItem> items, double dt) {
     }
 
     /** Returns the marks of the newest frame, later ones over earlier ones, up to the last tick of the scenario. */
-    static List<SliderMark> of(SessionFrame frame, List<TimelineItem> items, long end, double dt) {
-        return new RunMarks(frame, items, dt).marks(end);
+    static List<SliderMark> of(SessionFrame frame, List<TimelineItem> items, long end) {
+        return new RunMarks(frame, items).marks(end);
     }
 
     /** Returns the marked events of the newest frame, and the starts and ends of all items. */
-    static List<EventStops.Stop> stops(SessionFrame frame, List<TimelineItem> items, double dt) {
-        return new RunMarks(frame, items, dt).stops();
+    static List<EventStops.Stop> stops(SessionFrame frame, List<TimelineItem> items) {
+        return new RunMarks(frame, items).stops();
     }
 
     private List<SliderMark> marks(long end) {
@@ -74,9 +73,9 @@ record RunMarks(SessionFrame frame, List<TimelineItem> items, double dt) {
                 .map(event -> new EventStops.Stop(event.tick(), () -> EventText.sentence(event)))
                 .forEach(stops::add);
         for (TimelineItem item : items) {
-            stops.add(new EventStops.Stop(SimulationSetup.tickAt(item.start(), dt), () -> TimelineText.start(item)));
+            stops.add(new EventStops.Stop(tickAt(item.start()), () -> TimelineText.start(item)));
             if (item.isInterval() && !item.isOpen()) {
-                stops.add(new EventStops.Stop(SimulationSetup.tickAt(item.end(), dt), () -> TimelineText.end(item)));
+                stops.add(new EventStops.Stop(tickAt(item.end()), () -> TimelineText.end(item)));
             }
         }
         return stops;
@@ -105,8 +104,13 @@ record RunMarks(SessionFrame frame, List<TimelineItem> items, double dt) {
     private Set<Execution> plannedChanges() {
         return items.stream()
                 .filter(item -> CommandRole.isSettingChange(item.command()))
-                .map(item -> new Execution(item.command(), SimulationSetup.tickAt(item.start(), dt)))
+                .map(item -> new Execution(item.command(), tickAt(item.start())))
                 .collect(Collectors.toSet());
+    }
+
+    /** Returns the tick at which a command of the timeline is executed; the time in seconds. */
+    private long tickAt(double time) {
+        return SimulationSetup.tickAt(time, frame.dt());
     }
 
     private static SliderMark markOf(RunEvent event) {
@@ -120,7 +124,7 @@ record RunMarks(SessionFrame frame, List<TimelineItem> items, double dt) {
     private SliderMark markOf(TimelineItem item) {
         RobotSpec robot = frame.snapshot().robot();
         return new SliderMark(
-                TimeBar.toSliderValue(SimulationSetup.tickAt(item.start(), dt)),
+                TimeBar.toSliderValue(tickAt(item.start())),
                 MarkShape.TICK,
                 theme -> item.isInterval()
                         ? item.colours(theme.palette(), robot).outline()

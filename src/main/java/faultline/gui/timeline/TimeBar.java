@@ -96,11 +96,11 @@ public final class TimeBar extends JPanel {
         return slider.getValueIsAdjusting();
     }
 
-    /** Shows the current tick and the last known one, given the length of a tick in seconds. */
-    void setFrame(SessionFrame frame, long furthest, double newDt) {
+    /** Shows the tick of a frame and the last known one. */
+    void setFrame(SessionFrame frame, long furthest) {
         assert EventQueue.isDispatchThread();
         newestFrame = frame;
-        dt = newDt;
+        dt = frame.dt();
         if (!isAdjusting()) {
             updating = true;
             slider.setMaximum(toSliderValue(Math.max(furthest, frame.snapshot().tick())));

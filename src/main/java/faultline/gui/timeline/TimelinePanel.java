@@ -146,13 +146,10 @@ public final class TimelinePanel extends JPanel {
         return stops;
     }
 
-    /**
-     * Shows the current tick, the last one and that of the scenario's duration; {@code dt} is the length of a tick,
-     * seconds.
-     */
-    public void setFrame(SessionFrame frame, long end, long scenarioEnd, double dt) {
-        bar.setFrame(frame, end, dt);
-        updateMarks(frame, scenarioEnd, dt);
+    /** Shows the tick of a frame, the last tick and that of the scenario's duration. */
+    public void setFrame(SessionFrame frame, long end, long scenarioEnd) {
+        bar.setFrame(frame, end);
+        updateMarks(frame, scenarioEnd);
         if (bar.isAdjusting()) {
             lanes.zoom().showTime(bar.shownTime());
         }
@@ -176,7 +173,7 @@ public final class TimelinePanel extends JPanel {
     }
 
     /** Makes new marks only if something has happened since the last ones, or the events are those of another run. */
-    private void updateMarks(SessionFrame frame, long scenarioEnd, double dt) {
+    private void updateMarks(SessionFrame frame, long scenarioEnd) {
         EventLog log = frame.recording().events();
         RunEvent newest = log.endIndex() > log.firstIndex() ? log.get(log.endIndex() - 1) : null;
         List<Object> state = Arrays.asList(
@@ -185,15 +182,15 @@ public final class TimelinePanel extends JPanel {
                 log.endIndex(),
                 frame.snapshot().robot(),
                 scenarioEnd,
-                dt,
+                frame.dt(),
                 bar.divergence());
         // Another run may have as many events, the newest one equal, but it has other event objects.
         if (newest != markedEvent || !state.equals(markedState)) {
             markedState = state;
             markedEvent = newest;
-            bar.setMarks(RunMarks.of(frame, editor.model().items(), scenarioEnd, dt));
+            bar.setMarks(RunMarks.of(frame, editor.model().items(), scenarioEnd));
             List<EventStops.Stop> marked =
-                    new ArrayList<>(RunMarks.stops(frame, editor.model().items(), dt));
+                    new ArrayList<>(RunMarks.stops(frame, editor.model().items()));
             if (bar.divergence() != null) {
                 RunEvent.Diverged divergence = bar.divergence();
                 marked.add(new EventStops.Stop(divergence.tick(), () -> EventText.sentence(divergence)));

@@ -220,7 +220,7 @@ final class MainPanel extends JPanel {
     /** Shows the progress of the run of a scenario, whose furthest tick is given, and at its end the verdict. */
     void setRun(SessionFrame frame, SessionStatus now, Scenario scenario, long furthestTick) {
         SimulationSetup setup = scenario.setup();
-        timeline.setFrame(frame, Math.max(furthestTick, setup.ticks()), setup.ticks(), setup.dt());
+        timeline.setFrame(frame, Math.max(furthestTick, setup.ticks()), setup.ticks());
         controlPanel.setRun(frame, now, scenario);
         RunVerdict.of(frame, now, scenario)
                 .ifPresentOrElse(

@@ -47,12 +47,12 @@ class MemoryGrowthTest {
         Recorder recorder = new Recorder(room());
         try (Simulation run = new Simulation(room(), ControllerMode.OWN_THREAD, recorder)) {
             recorder.observe(run);
-            SessionFrame newest = new SessionFrame(run.frame(), recorder.view());
+            SessionFrame newest = SampleSessionFrames.unmeasured(run.frame(), recorder.view());
             while (run.ticks() < HOUR_MINUTES * TICKS_PER_MINUTE) {
                 run.tick();
                 recorder.observe(run);
                 if (run.ticks() % TICKS_PER_FRAME == 0) {
-                    newest = new SessionFrame(run.frame(), recorder.view());
+                    newest = SampleSessionFrames.unmeasured(run.frame(), recorder.view());
                 }
                 if (run.ticks() % (10 * TICKS_PER_MINUTE) == 0) {
                     live.put(run.ticks() / TICKS_PER_MINUTE, liveBytes());

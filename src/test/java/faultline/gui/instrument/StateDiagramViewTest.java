@@ -24,6 +24,7 @@ import faultline.engine.Frame;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.recording.StateTally;
+import faultline.engine.session.SampleSessionFrames;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
 import faultline.gui.text.ShortenedText;
@@ -382,7 +383,7 @@ class StateDiagramViewTest {
     }
 
     private static SessionFrame frame(ControllerState state, String rung) {
-        return new SessionFrame(frame(FRAME.frame(), state, rung), FRAME.recording());
+        return SampleSessionFrames.unmeasured(frame(FRAME.frame(), state, rung), FRAME.recording());
     }
 
     private static Frame frame(Frame old, ControllerState state, String rung) {

@@ -14,6 +14,7 @@ import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.recording.TraceChannels;
 import faultline.engine.session.ReferenceRun;
+import faultline.engine.session.SampleSessionFrames;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.theme.Theme;
@@ -357,7 +358,7 @@ class StripContentTest {
                 telemetry.wall(),
                 telemetry.edges(),
                 telemetry.diagnosis());
-        SessionFrame frame = new SessionFrame(
+        SessionFrame frame = SampleSessionFrames.unmeasured(
                 new Frame(
                         FRAME.snapshot(),
                         named,

@@ -13,6 +13,7 @@ import faultline.engine.Journal;
 import faultline.engine.SampleFrames;
 import faultline.engine.metrics.Expectation;
 import faultline.engine.recording.Recording;
+import faultline.engine.session.SampleSessionFrames;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
@@ -101,7 +102,7 @@ class RunPanelTest {
                 List.of(),
                 List.of());
         Frame frame = new Frame(slow, Telemetry.ofState(FollowerState.FOLLOW), 0, 0, SampleFrames.pathThrough(), 0);
-        runOnEdt(() -> panel.setRun(new SessionFrame(frame, Recording.EMPTY), PAUSED, scenario));
+        runOnEdt(() -> panel.setRun(SampleSessionFrames.unmeasured(frame, Recording.EMPTY), PAUSED, scenario));
         assertEquals("0.000 m/s", value("v"));
         assertEquals("0.0 °/s", value("\u03c9"));
     }

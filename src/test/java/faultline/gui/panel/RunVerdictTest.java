@@ -9,6 +9,7 @@ import faultline.engine.RunProblem;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.engine.recording.Recording;
+import faultline.engine.session.SampleSessionFrames;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
@@ -114,7 +115,8 @@ class RunVerdictTest {
         Scenario office = Scenario.loadShipped("office.xml");
         SessionStatus failed =
                 new SessionStatus(false, 1, 0, 0, null, RunProblem.OTHER.with("tick 7: the controller threw"));
-        SessionFrame frame = new SessionFrame(frameAt(office.setup(), 7).frame(), Recording.EMPTY);
+        SessionFrame frame =
+                SampleSessionFrames.unmeasured(frameAt(office.setup(), 7).frame(), Recording.EMPTY);
         RunVerdict verdict = RunVerdict.of(frame, failed, office).orElseThrow();
         assertEquals("Tick 7: the controller threw", verdict.detail());
         assertEquals(0, verdict.tickBefore(0.01));

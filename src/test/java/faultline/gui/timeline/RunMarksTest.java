@@ -7,6 +7,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.Recorder;
+import faultline.engine.session.SampleSessionFrames;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.theme.SliderMark;
 import faultline.gui.theme.Theme;
@@ -37,7 +38,7 @@ class RunMarksTest {
                 simulation.tick();
                 recorder.observe(simulation);
             }
-            return new SessionFrame(simulation.frame(), recorder.view());
+            return SampleSessionFrames.unmeasured(simulation.frame(), recorder.view());
         }
     }
 
@@ -48,7 +49,7 @@ class RunMarksTest {
                 .withController(new ControllerSpec.Drive(2, 2))
                 .withDuration(100);
         SessionFrame frame = crash(setup);
-        List<SliderMark> marks = RunMarks.of(frame, List.of(FAULT), setup.ticks(), setup.dt());
+        List<SliderMark> marks = RunMarks.of(frame, List.of(FAULT), setup.ticks());
         assertEquals(
                 List.of(setup.tickAt(1.5), setup.ticks(), frame.snapshot().tick()),
                 marks.stream().map(mark -> (long) mark.value()).toList());
@@ -70,7 +71,7 @@ class RunMarksTest {
                 .withDuration(100);
         SessionFrame frame = crash(setup);
         long collision = frame.snapshot().tick();
-        EventStops stops = new EventStops(RunMarks.stops(frame, List.of(FAULT), setup.dt()));
+        EventStops stops = new EventStops(RunMarks.stops(frame, List.of(FAULT)));
         assertEquals(OptionalLong.of(setup.tickAt(1.5)), stops.after(0, setup.ticks()));
         assertEquals("left: off, no reading begins", stops.text(setup.tickAt(1.5)));
         assertEquals(OptionalLong.of(setup.tickAt(2.5)), stops.after(setup.tickAt(1.5), setup.ticks()));
@@ -91,7 +92,7 @@ class RunMarksTest {
         SessionFrame frame = crash(setup);
         TimelineItem item = TimelineItem.from(CHANGE, time);
         for (List<TimelineItem> items : List.of(List.of(item), List.<TimelineItem>of())) {
-            List<SliderMark> marks = RunMarks.of(frame, items, 0, setup.dt());
+            List<SliderMark> marks = RunMarks.of(frame, items, 0);
             assertEquals(
                     List.of(setup.tickAt(time), frame.snapshot().tick()),
                     marks.stream().map(mark -> (long) mark.value()).toList());

@@ -34,7 +34,6 @@ import org.junit.jupiter.api.extension.ExtendWith;
 class TimeBarTest {
 
     private static final int TICKS = 40;
-    private static final double DT = 0.01;
 
     private final List<Frame> previews = new ArrayList<>();
     private Workspace workspace;
@@ -135,7 +134,10 @@ class TimeBarTest {
     void aRunThatIsSavedShowsItsEndBeforeItsFirstTick() {
         runOnEdt(run::restart);
         waitForTick(0);
-        runOnEdt(() -> bar.setFrame(SessionFrames.frame(workspace), 1200, 0.02));
+        SessionFrame start = SessionFrames.frame(workspace);
+        SessionFrame longerTick = new SessionFrame(
+                start.frame(), start.recording(), start.measures(), start.controller(), start.controllerName(), 0.02);
+        runOnEdt(() -> bar.setFrame(longerTick, 1200));
         assertEquals(List.of("0.00 s", "24.00 s"), callOnEdt(() -> ComponentFinder.findAll(bar, JLabel.class)
                 .map(label -> label.getText().strip())
                 .toList()));
@@ -144,7 +146,7 @@ class TimeBarTest {
     private void waitForTick(long tick) {
         Await.until("tick " + tick, () -> {
             SessionFrame frame = SessionFrames.frame(workspace);
-            bar.setFrame(frame, run.navigator().furthestTick(), DT);
+            bar.setFrame(frame, run.navigator().furthestTick());
             return frame.snapshot().tick() == tick;
         });
     }

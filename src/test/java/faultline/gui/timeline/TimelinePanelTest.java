@@ -10,6 +10,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.Recorder;
+import faultline.engine.session.SampleSessionFrames;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
 import faultline.gui.document.RunController;
@@ -89,9 +90,9 @@ class TimelinePanelTest {
                 after.recording().events().endIndex());
         runOnEdt(() -> {
             TimelinePanel panel = createPanel();
-            panel.setFrame(before, 200, 200, office.dt());
+            panel.setFrame(before, 200, 200);
             assertEquals(List.of(50L, 100L, 180L), ticksOf(panel.stops()));
-            panel.setFrame(after, 200, 200, office.dt());
+            panel.setFrame(after, 200, 200);
             assertEquals(List.of(50L, 140L, 180L), ticksOf(panel.stops()));
             panel.removeNotify();
         });
@@ -123,7 +124,7 @@ class TimelinePanelTest {
                 simulation.tick();
                 recorder.observe(simulation);
             }
-            return new SessionFrame(simulation.frame(), recorder.view());
+            return SampleSessionFrames.unmeasured(simulation.frame(), recorder.view());
         }
     }
 
@@ -140,9 +141,9 @@ class TimelinePanelTest {
             RobotSpec robot = setup.robot();
             RobotSpec other = robot.withSensors(List.of(robot.sensor("left").orElseThrow()));
             TimelinePanel panel = createPanel(lanes.editor());
-            panel.setFrame(frameAt(0, setup), 200, 200, setup.dt());
+            panel.setFrame(frameAt(0, setup), 200, 200);
             Color before = faultColour(panel);
-            panel.setFrame(frameAt(0, setup.withRobot(other)), 200, 200, setup.dt());
+            panel.setFrame(frameAt(0, setup.withRobot(other)), 200, 200);
             assertNotEquals(before, faultColour(panel));
             panel.removeNotify();
         });
@@ -169,9 +170,9 @@ class TimelinePanelTest {
                 while (simulation.frame().snapshot().tick() < setup.ticks() + 3) {
                     simulation.tick();
                     recorder.observe(simulation);
-                    SessionFrame frame = new SessionFrame(simulation.frame(), recorder.view());
+                    SessionFrame frame = SampleSessionFrames.unmeasured(simulation.frame(), recorder.view());
                     long last = Math.max(frame.snapshot().tick(), setup.ticks());
-                    panel.setFrame(frame, last, setup.ticks(), setup.dt());
+                    panel.setFrame(frame, last, setup.ticks());
                     assertEquals(last, panel.bar().end());
                     assertTrue(stops == null || stops == panel.stops(), "new marks at tick " + last);
                     stops = panel.stops();

@@ -17,8 +17,6 @@ import org.junit.jupiter.api.Test;
 /** The stops of the time line in a run in which nothing has happened yet. */
 class TimelineStopsTest {
 
-    private static final double DT = 0.01;
-
     private final OpenLanes open = OpenLanes.open();
 
     @AfterEach
@@ -60,10 +58,10 @@ class TimelineStopsTest {
             TimelinePanel panel = createPanel();
             SessionFrame frame = open.workspace().session().orElseThrow().frame();
             setTimeline(slowAt(1));
-            panel.setFrame(frame, 1000, 1000, DT);
+            panel.setFrame(frame, 1000, 1000);
             assertEquals(List.of(100L), ticksOf(panel));
             setTimeline(slowAt(2), slowAt(3));
-            panel.setFrame(frame, 1000, 1000, DT);
+            panel.setFrame(frame, 1000, 1000);
             assertEquals(List.of(200L, 300L), ticksOf(panel));
             panel.removeNotify();
         });
@@ -76,13 +74,13 @@ class TimelineStopsTest {
             SessionFrame frame = open.workspace().session().orElseThrow().frame();
             setTimeline();
             panel.bar().setDivergence(new RunEvent.Diverged(120, 1.2));
-            panel.setFrame(frame, 1000, 1000, DT);
+            panel.setFrame(frame, 1000, 1000);
             assertEquals(List.of(120L), ticksOf(panel));
             assertEquals(
                     EventText.sentence(new RunEvent.Diverged(120, 1.2)),
                     panel.stops().text(120));
             panel.bar().setDivergence(null);
-            panel.setFrame(frame, 1000, 1000, DT);
+            panel.setFrame(frame, 1000, 1000);
             assertEquals(List.of(), ticksOf(panel));
             panel.removeNotify();
         });

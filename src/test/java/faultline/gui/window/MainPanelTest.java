@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import static faultline.engine.session.SampleSessionFrames.unmeasured;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -167,7 +168,7 @@ class MainPanelTest {
             new ComparisonActions(new ComparisonController(workspace, run.navigator()), mainPanel::setReferenceRun)
                     .addTo(actions, Optional::empty);
             menus = Menus.createMenuBar(actions);
-            mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, List.of());
+            mainPanel.setFrame(unmeasured(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, List.of());
         });
     }
 
@@ -361,7 +362,7 @@ class MainPanelTest {
             assertEquals("rear", chosenSensor());
             assertFalse(canvas.tools().selected().isEmpty());
             mainPanel.startScenario();
-            mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, List.of());
+            mainPanel.setFrame(unmeasured(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, List.of());
             assertEquals("", note.getText());
             assertFalse(mainPanel.statusBar().isNoteShown());
             assertEquals("front", chosenSensor());
@@ -377,7 +378,7 @@ class MainPanelTest {
     @Test
     void aCollisionIsReportedOnTheCanvasOnlyWhileNoBannerReportsIt() throws ScenarioException {
         Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
-        SessionFrame collided = new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY);
+        SessionFrame collided = unmeasured(SampleFrames.fullFrame(), Recording.EMPTY);
         runOnEdt(() -> {
             setSizeAndLayOut(1360, 840);
             mainPanel.setRun(collided, FAST, office, 100);
@@ -392,7 +393,7 @@ class MainPanelTest {
     void noComponentMovesWhenNumbersChange() {
         runOnEdt(() -> setSizeAndLayOut(1360, 840));
         Map<Component, Rectangle> before = callOnEdt(this::places);
-        SessionFrame frame = new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY);
+        SessionFrame frame = unmeasured(SampleFrames.fullFrame(), Recording.EMPTY);
         runOnEdt(() -> {
             mainPanel.setFrame(frame, FAST, List.of());
             setSizeAndLayOut(1360, 840);
