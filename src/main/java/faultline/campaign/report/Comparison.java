@@ -5,11 +5,13 @@ import faultline.campaign.plan.Column;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Function;
 
 /** Compares the levels of one factor on the same worlds, seeds, draws and levels of all other factors. */
 final class Comparison {
@@ -126,19 +128,28 @@ final class Comparison {
         return Optional.of(new Difference(mean, Interval.mean(mean, deviation, means.length), sample.size()));
     }
 
+    /** Runs under the name that they have in a table; another group may have the same name. */
+    record RunGroup(String name, List<RunRow> runs) {}
+
     /** Returns the runs of each fault or pair of faults, all of them under "all runs" first. */
-    Map<String, List<RunRow>> faultGroups() {
-        Map<String, List<RunRow>> groups = new LinkedHashMap<>();
-        groups.put("all runs", campaign.rows());
-        Map<String, List<RunRow>> faults = CampaignRuns.group(campaign.rows(), campaign::faultName);
+    Set<RunGroup> faultGroups() {
+        Set<RunGroup> groups = new LinkedHashSet<>();
+        groups.add(new RunGroup("all runs", campaign.rows()));
+        Set<RunGroup> faults = groups(campaign::faultName);
         if (faults.size() > MAX_GROUPS) {
-            groups.putAll(CampaignRuns.group(campaign.rows(), campaign::faultKind));
+            groups.addAll(groups(campaign::faultKind));
             if (campaign.faults().size() == 1) {
-                groups.putAll(CampaignRuns.group(campaign.rows(), campaign::failingPart));
+                groups.addAll(groups(campaign::failingPart));
             }
         } else if (faults.size() > 1) {
-            groups.putAll(faults);
+            groups.addAll(faults);
         }
+        return groups;
+    }
+
+    private Set<RunGroup> groups(Function<RunRow, String> name) {
+        Set<RunGroup> groups = new LinkedHashSet<>();
+        CampaignRuns.group(campaign.rows(), name).forEach((key, runs) -> groups.add(new RunGroup(key, runs)));
         return groups;
     }
 }

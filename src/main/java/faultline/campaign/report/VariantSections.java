@@ -57,8 +57,8 @@ final class VariantSections {
 
     private static List<LevelGroup> levelGroups(Comparison comparison, List<String> levels) {
         List<LevelGroup> groups = new ArrayList<>();
-        comparison.faultGroups().forEach((name, group) -> {
-            Map<String, List<RunRow>> runs = comparison.levels(group);
+        for (Comparison.RunGroup group : comparison.faultGroups()) {
+            Map<String, List<RunRow>> runs = comparison.levels(group.runs());
             List<RunRow> base = runs.getOrDefault(levels.get(0), List.of());
             Map<String, Comparison.Difference> differences = new HashMap<>();
             for (String level : levels.subList(1, levels.size())) {
@@ -66,8 +66,8 @@ final class VariantSections {
                         .survival(base, runs.getOrDefault(level, List.of()))
                         .ifPresent(difference -> differences.put(level, difference));
             }
-            groups.add(new LevelGroup(name, runs, differences));
-        });
+            groups.add(new LevelGroup(group.name(), runs, differences));
+        }
         return groups;
     }
 

@@ -62,13 +62,17 @@ class ComparisonTest {
         addRun(block, world, FAST, "front", "1", fast);
     }
 
+    private CampaignRuns campaign() {
+        return new CampaignRuns(plan, lines);
+    }
+
     private Comparison comparison() {
-        return new Comparison(new CampaignRuns(plan, lines), plan.factors().get(0));
+        return new Comparison(campaign(), plan.factors().get(0));
     }
 
     private Optional<Comparison.Difference> numberDifference() {
         Comparison speeds = comparison();
-        List<RunRow> all = speeds.faultGroups().get("all runs");
+        List<RunRow> all = campaign().rows();
         return speeds.number(
                 speeds.levels(all).getOrDefault(SLOW, List.of()),
                 speeds.levels(all).getOrDefault(FAST, List.of()),
@@ -77,7 +81,7 @@ class ComparisonTest {
 
     private Optional<Comparison.Difference> survivalDifference() {
         Comparison speeds = comparison();
-        List<RunRow> all = speeds.faultGroups().get("all runs");
+        List<RunRow> all = campaign().rows();
         return speeds.survival(speeds.levels(all).get(SLOW), speeds.levels(all).get(FAST));
     }
 
@@ -104,6 +108,22 @@ class ComparisonTest {
         addRun(1, "a", FAST, "front", "1", 0.9);
         addRun(0, "a", FAST, "left", "1", 0.9);
         assertEquals(1, numberDifference().orElseThrow().pairs());
+    }
+
+    /** More than forty faults are grouped by fault and by sensor. */
+    @Test
+    void aSensorMayHaveTheNameOfAFault() {
+        addRun(0, "a", SLOW, "", "1", 0.9);
+        for (int i = 0; i < 40; i++) {
+            addRun(i + 1, "a", SLOW, "s" + i, "1", 0.9);
+        }
+        addRun(41, "a", SLOW, "off", "0", 0.1);
+        List<String> groups = comparison().faultGroups().stream()
+                .map(group -> group.name() + " " + group.runs().size())
+                .toList();
+        assertEquals(List.of("all runs 42", "healthy 1", "off 41", "s0 1"), groups.subList(0, 4));
+        assertEquals("off 1", groups.get(groups.size() - 1));
+        assertEquals(1, Collections.frequency(groups, "healthy 1"));
     }
 
     @Test
@@ -168,7 +188,9 @@ class ComparisonTest {
 
     private List<String> groups(int sensors) {
         IntStream.range(0, sensors).forEach(sensor -> addRun(sensor, "a", SLOW, "s" + sensor, "1", 0));
-        return List.copyOf(comparison().faultGroups().keySet());
+        return comparison().faultGroups().stream()
+                .map(Comparison.RunGroup::name)
+                .toList();
     }
 
     @Test

@@ -63,9 +63,9 @@ class CoverageTest {
         int shares = 0;
         int differences = 0;
         for (int campaign = 0; campaign < CAMPAIGNS; campaign++) {
-            Comparison comparison =
-                    new Comparison(simulate(plan, worlds), plan.factors().get(0));
-            List<RunRow> all = comparison.faultGroups().get("all runs");
+            CampaignRuns runs = simulate(plan, worlds);
+            Comparison comparison = new Comparison(runs, plan.factors().get(0));
+            List<RunRow> all = runs.rows();
             List<RunRow> slow = comparison.levels(all).get("0.2");
             List<RunRow> fast = comparison.levels(all).get("0.3");
             shares += holds(Survival.of(slow).interval(), 0.7);
