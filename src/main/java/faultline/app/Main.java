@@ -2,9 +2,12 @@ package faultline.app;
 
 import java.io.PrintStream;
 import java.util.List;
+import java.util.Set;
 
 /** The entry point of the program. */
 public final class Main {
+
+    private static final Set<String> PICTURE_COMMANDS = Set.of("run", "compare", "figures");
 
     private Main() {}
 
@@ -22,14 +25,21 @@ public final class Main {
     }
 
     /**
+     * Returns whether a command may paint pictures but opens no window, so that it must not fail if the display that is
+     * configured does not answer.
+     */
+    static boolean paintsWithoutWindow(String... args) {
+        return args.length > 0
+                && PICTURE_COMMANDS.contains(args[0])
+                && !List.of(args).contains("--open");
+    }
+
+    /**
      * Runs one command as described by {@code --help}. The process ends with the command's exit code; if that is 0, the
      * process may continue until the window is closed.
      */
     public static void main(String[] args) {
-        if (args.length > 0
-                && (args[0].equals("run") || args[0].equals("compare"))
-                && !List.of(args).contains("--open")) {
-            // Image output needs no display and must not fail if the configured one does not answer.
+        if (paintsWithoutWindow(args)) {
             System.setProperty("java.awt.headless", "true");
         }
         CommandOutput output = new CommandOutput(System.out, System.err);
