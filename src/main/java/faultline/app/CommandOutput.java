@@ -3,6 +3,7 @@ package faultline.app;
 import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioException;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /** The output of a command: results and error messages. */
@@ -15,6 +16,12 @@ record CommandOutput(PrintStream out, PrintStream err) {
 
     void println(List<String> lines) {
         lines.forEach(this::println);
+    }
+
+    /** Prints a JSON value as a line, in UTF-8 whatever the encoding of the output (RFC 8259, section 8.1). */
+    void printJson(String json) {
+        byte[] line = (MessageText.oneLine(json) + System.lineSeparator()).getBytes(StandardCharsets.UTF_8);
+        out.write(line, 0, line.length);
     }
 
     /** Prints a line; control characters in it are replaced by blanks. */

@@ -84,7 +84,7 @@ final class RunCommand {
 
     private int printJson(Scenario scenario, RunResult result, boolean truth) {
         List<String> unmet = scenario.expectation().unmet(result);
-        output.println(RunJson.format(result, truth, unmet));
+        output.printJson(RunJson.format(result, truth, unmet));
         return reportUnmet(result, unmet);
     }
 
