@@ -3,7 +3,6 @@ package faultline.engine.trace;
 import faultline.engine.Simulation;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
-import faultline.io.MessageText;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
 import java.util.List;
@@ -27,10 +26,8 @@ final class MotionColumns implements ColumnGroup {
     private final boolean exactTimes;
     /** Null before the first row. */
     private TickTimes times;
-    /** The state of the last row, and its cell. */
-    private String state = "";
 
-    private String stateCell = "";
+    private final NameCell state = new NameCell();
 
     /**
      * Creates the cells of one trace.
@@ -60,17 +57,8 @@ final class MotionColumns implements ColumnGroup {
         WheelSpeeds wheels = simulation.wheelSpeeds();
         rows.append(wheels.left());
         rows.append(wheels.right());
-        rows.append(stateCell(simulation.telemetry().state().name()));
+        rows.append(state.of(simulation.telemetry().state().name()));
         rows.append(simulation.collision().isPresent() ? "true" : "false");
-    }
-
-    /** Returns the cell of a state, whose name may come from a controller outside; the same object while it lasts. */
-    private String stateCell(String name) {
-        if (!name.equals(state)) {
-            state = name;
-            stateCell = MessageText.csvCell(name);
-        }
-        return stateCell;
     }
 
     private double exactTime(Simulation simulation) {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.Controller;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
+import faultline.control.FollowerState;
 import faultline.control.SensorHealth;
 import faultline.control.Telemetry;
 import faultline.engine.ControllerMode;
@@ -36,6 +37,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -250,13 +252,17 @@ class TraceWriterTest {
         assertRows(plain, rows(out).subList(1, plain.size() + 1));
     }
 
-    @Test
-    void stateNamesOfAControllerOutsideAreQuotedCells() throws Exception {
-        List<String> states = List.of("a,b", "say \"x\"", "=1+1", "two\nlines", "PLAIN");
+    private static final List<String> UNUSUAL_NAMES = List.of("a,b", "say \"x\"", "=1+1", "two\nlines", "PLAIN");
+
+    private static final List<String> CELLS_OF_UNUSUAL_NAMES =
+            List.of("\"a,b\"", "\"say \"\"x\"\"\"", "'=1+1", "\"two lines\"", "PLAIN");
+
+    /** Returns the rows of a run whose controller has other telemetry every ten ticks. */
+    private static List<String> rowsOf(TraceFormat format, Function<String, Telemetry> telemetry) throws Exception {
         Controller controller = observation -> new Decision(
-                1, 1, Telemetry.ofState(ControllerState.of(states.get((int) observation.tick() / 10 % states.size()))));
+                1, 1, telemetry.apply(UNUSUAL_NAMES.get((int) observation.tick() / 10 % UNUSUAL_NAMES.size())));
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        try (TraceWriter trace = new TraceWriter(out, TraceFormat.ONE)) {
+        try (TraceWriter trace = new TraceWriter(out, format)) {
             HeadlessRun.run(
                     Scenario.load(Path.of("scenarios/office.xml")).setup().withDuration(0.5),
                     controller,
@@ -266,12 +272,38 @@ class TraceWriterTest {
         }
         List<String> rows = rows(out);
         assertEquals(52, rows.size());
+        return rows;
+    }
+
+    @Test
+    void stateNamesOfAControllerOutsideAreQuotedCells() throws Exception {
+        List<String> rows = rowsOf(TraceFormat.ONE, name -> Telemetry.ofState(ControllerState.of(name)));
         List<String> cells = new ArrayList<>();
         for (int tick = 5; tick < 50; tick += 10) {
             String row = rows.get(tick + 1);
             cells.add(row.replaceFirst("^([^,]*,){9}", "").replaceFirst(",false,.*", ""));
         }
-        assertEquals(List.of("\"a,b\"", "\"say \"\"x\"\"\"", "'=1+1", "\"two lines\"", "PLAIN"), cells);
+        assertEquals(CELLS_OF_UNUSUAL_NAMES, cells);
+    }
+
+    @Test
+    void namesOfRungsOfAControllerOutsideAreQuotedCells() throws Exception {
+        Telemetry plain = Telemetry.ofState(FollowerState.FOLLOW);
+        List<String> rows = rowsOf(
+                TraceFormat.TWO,
+                name -> new Telemetry(
+                        plain.state(),
+                        "",
+                        0,
+                        0,
+                        plain.wall(),
+                        plain.edges(),
+                        new Telemetry.Diagnosis(name, List.of())));
+        int before = List.of(rows.get(0).split(",")).indexOf("rung");
+        for (int i = 0; i < UNUSUAL_NAMES.size(); i++) {
+            String cells = rows.get(10 * i + 6).replaceFirst("^([^,]*,){" + before + "}", "");
+            assertTrue(cells.startsWith(CELLS_OF_UNUSUAL_NAMES.get(i) + ","), cells);
+        }
     }
 
     /** A stream that stops the writer until the run waits for it, and notes how far the run has come then. */
