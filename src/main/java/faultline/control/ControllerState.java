@@ -1,5 +1,7 @@
 package faultline.control;
 
+import java.util.Objects;
+
 /** A state of a controller: one of the wall follower's six, or one that another controller names. */
 public sealed interface ControllerState permits FollowerState, ControllerState.Named {
 
@@ -32,8 +34,10 @@ public sealed interface ControllerState permits FollowerState, ControllerState.N
          *
          * @param name any text but a name of one of the wall follower's states
          * @throws IllegalArgumentException if the wall follower has a state of the same name
+         * @throws NullPointerException if the name is null
          */
         public Named {
+            Objects.requireNonNull(name, "name");
             for (FollowerState state : FollowerState.values()) {
                 if (state.name().equals(name)) {
                     throw new IllegalArgumentException("the wall follower has a state of its own called " + name);

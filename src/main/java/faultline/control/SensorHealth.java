@@ -1,5 +1,7 @@
 package faultline.control;
 
+import java.util.Objects;
+
 /**
  * The finding of a controller's diagnosis about one sensor.
  *
@@ -10,6 +12,22 @@ package faultline.control;
  * @param sinceTick the tick at which the trust changed last
  */
 public record SensorHealth(String sensor, SensorTrust trust, SensorFinding finding, double evidence, long sinceTick) {
+
+    /**
+     * Creates a finding.
+     *
+     * @param sensor its id
+     * @param trust whether it is used
+     * @param finding why it is not trusted, {@link SensorFinding#NONE} if it is
+     * @param evidence against it, in [0, 1] in steps of a tenth: 0 for none, 1 for enough to stop trusting it
+     * @param sinceTick the tick at which the trust changed last
+     * @throws NullPointerException if the sensor, the trust or the finding is null
+     */
+    public SensorHealth {
+        Objects.requireNonNull(sensor, "sensor");
+        Objects.requireNonNull(trust, "trust");
+        Objects.requireNonNull(finding, "finding");
+    }
 
     /**
      * {@return the health of a sensor without any evidence against it}

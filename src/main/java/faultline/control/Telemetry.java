@@ -1,6 +1,7 @@
 package faultline.control;
 
 import java.util.List;
+import java.util.Objects;
 
 /**
  * The internal values of a controller, for display and traces; they are never fed back to a controller. A value that
@@ -22,6 +23,26 @@ public record Telemetry(
         WallControl wall,
         EdgeTimes edges,
         Diagnosis diagnosis) {
+
+    /**
+     * Creates the values of a tick.
+     *
+     * @param state its state
+     * @param condition the named condition that led to the state, empty at the start
+     * @param sinceTick the tick at which the state was entered
+     * @param transitions the number of transitions that it has made
+     * @param wall its control of the distance to the wall
+     * @param edges when the left sensor passed the wall
+     * @param diagnosis its trust in the sensors
+     * @throws NullPointerException if one of them is null
+     */
+    public Telemetry {
+        Objects.requireNonNull(state, "state");
+        Objects.requireNonNull(condition, "condition");
+        Objects.requireNonNull(wall, "wall");
+        Objects.requireNonNull(edges, "edges");
+        Objects.requireNonNull(diagnosis, "diagnosis");
+    }
 
     /**
      * The distance control.
@@ -90,8 +111,10 @@ public record Telemetry(
          * @param rung the name of the strategy that drives, empty without a diagnosis
          * @param health the health of the first sensors or of all, in the robot's order; that of the others is unknown;
          *     empty without a diagnosis
+         * @throws NullPointerException if one of them is null or contains null
          */
         public Diagnosis {
+            Objects.requireNonNull(rung, "rung");
             health = List.copyOf(health);
         }
     }

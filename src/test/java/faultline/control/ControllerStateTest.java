@@ -24,4 +24,9 @@ class ControllerStateTest {
         assertEquals("docking, slowly", docking.toString());
         assertEquals(docking, ControllerState.of("docking, slowly"));
     }
+
+    @Test
+    void aStateHasAName() {
+        assertThrows(NullPointerException.class, () -> ControllerState.of(null));
+    }
 }

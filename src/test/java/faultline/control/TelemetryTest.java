@@ -1,6 +1,7 @@
 package faultline.control;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
@@ -8,7 +9,9 @@ import faultline.control.wallfollower.Observations;
 import faultline.control.wallfollower.StraightWallFixture;
 import faultline.robot.RobotSpec;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 
 /** What the wall follower shows of its working, beside a long wall. */
 class TelemetryTest {
@@ -47,6 +50,22 @@ class TelemetryTest {
         }) {
             assertTrue(Double.isNaN(none));
         }
+    }
+
+    @Test
+    void noPartIsNull() {
+        Telemetry good = Telemetry.ofState(FollowerState.SEARCH);
+        Stream.<Executable>of(
+                        () -> Telemetry.ofState(null),
+                        () -> new Telemetry(good.state(), null, 0, 0, good.wall(), good.edges(), good.diagnosis()),
+                        () -> new Telemetry(good.state(), "", 0, 0, null, good.edges(), good.diagnosis()),
+                        () -> new Telemetry(good.state(), "", 0, 0, good.wall(), null, good.diagnosis()),
+                        () -> new Telemetry(good.state(), "", 0, 0, good.wall(), good.edges(), null),
+                        () -> new Telemetry.Diagnosis(null, List.of()),
+                        () -> SensorHealth.trusted(null),
+                        () -> new SensorHealth("left", null, SensorFinding.NONE, 0, 0),
+                        () -> new SensorHealth("left", SensorTrust.TRUSTED, null, 0, 0))
+                .forEach(creation -> assertThrows(NullPointerException.class, creation));
     }
 
     @Test

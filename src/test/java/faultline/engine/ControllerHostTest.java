@@ -11,6 +11,7 @@ import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -50,6 +51,18 @@ class ControllerHostTest {
             RunFailedException failure = assertThrows(RunFailedException.class, host::await);
             assertEquals(
                     "the controller broke at tick 7: java.lang.IllegalStateException: no wheels", failure.getMessage());
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(ControllerMode.class)
+    void aControllerThatGivesNoReasonForItsStateEndsTheRunWithASentence(ControllerMode mode) {
+        Controller broken = observation -> Decision.ofVelocity(observation.robot(), new Velocity(0.1, 0), "HERE", null);
+        try (ControllerHost host = ControllerHost.create(broken, mode)) {
+            submit(host);
+            RunFailedException failure = assertThrows(RunFailedException.class, host::await);
+            assertEquals(
+                    "the controller broke at tick 7: java.lang.NullPointerException: condition", failure.getMessage());
         }
     }
 
