@@ -9,10 +9,12 @@ import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerProviders;
 import faultline.io.Message;
+import faultline.io.MessageText;
 import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
@@ -158,9 +160,12 @@ final class ControllerReader {
         node.childrenNamed("setting").forEach(child -> {
             ElementRules.checkChildren(child, List.of(), problems);
             AttributeReader fields = new AttributeReader(child, problems);
-            settings.put(
-                    fields.id("name"),
-                    fields.requiredText("value", Allowed.TEXT.english()).orElse(""));
+            String name = fields.id("name");
+            String value = fields.requiredText("value", Allowed.TEXT.with()).orElse("");
+            if (settings.put(name, value) != null
+                    && name.equals(child.attributes().get("name"))) {
+                problems.add(child, ProblemKind.DUPLICATE_SETTING.with(MessageText.excerpt(name)));
+            }
             fields.reportUnknownAndMissing();
         });
         return settings;

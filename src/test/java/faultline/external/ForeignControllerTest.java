@@ -155,6 +155,28 @@ class ForeignControllerTest {
     }
 
     @Test
+    void aSettingThatIsGivenTwiceIsReported() throws Exception {
+        Path path = fileWith("<controller type=\"right-turner\">\n<setting name=\"volts\" value=\"2\"/>\n"
+                + "<setting name=\"volts\" value=\"3\"/></controller>");
+        ScenarioException e = assertThrows(ScenarioException.class, () -> Scenario.load(path));
+        assertEquals(1, e.problems().size());
+        assertTrue(
+                e.getMessage()
+                        .endsWith(
+                                ": name of <setting> is \"volts\", which another <setting> has; expected unique names"),
+                e.getMessage());
+    }
+
+    /** They are reported for what they lack only. */
+    @Test
+    void settingsWithoutANameAreNotReportedAsEqual() throws Exception {
+        Path path =
+                fileWith("<controller type=\"right-turner\"><setting value=\"2\"/><setting value=\"3\"/></controller>");
+        ScenarioException e = assertThrows(ScenarioException.class, () -> Scenario.load(path));
+        assertEquals(2, e.problems().size(), e.getMessage());
+    }
+
+    @Test
     void aChosenControllerHasTheSettingsOfAFileThatNamesIt() throws Exception {
         SimulationSetup named =
                 yard().setup().withController(new ControllerSpec.Provided("right-turner", 0, Map.of("volts", "2")));

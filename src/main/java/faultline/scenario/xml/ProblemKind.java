@@ -50,6 +50,8 @@ public enum ProblemKind implements Message.Template {
     TOO_DEEP("the elements are nested too deep; expected at most {0}"),
     /** Two elements have the same id. */
     DUPLICATE_ID("id of <{0}> is \"{1}\", which the element in line {2} already has; expected unique ids"),
+    /** Two settings of a controller have the same name. */
+    DUPLICATE_SETTING("name of <setting> is \"{0}\", which another <setting> has; expected unique names"),
     /** The world has too many obstacles and points. */
     TOO_MANY_PARTS("<world> has too many obstacles and points; expected at most {0} in total"),
     /** The robot has too many sensors. */
