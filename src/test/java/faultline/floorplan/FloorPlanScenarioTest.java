@@ -106,7 +106,8 @@ class FloorPlanScenarioTest {
         FloorPlanException problem =
                 assertThrows(FloorPlanException.class, () -> FloorPlanScenario.create("Chess", plan));
         assertEquals(
-                "none.pgm: the robot, 0.25 m long and 0.2 m wide, does not fit anywhere in a map of 2 x 1.5 m;"
+                "none.pgm: the robot, 0.25 m long and 0.2 m wide, does not fit into the largest free disc"
+                        + " about the middle of a cell, in a map of 2 x 1.5 m; give a start;"
                         + " the resolution, the threshold or negate may be wrong",
                 problem.getMessage());
     }

@@ -90,7 +90,10 @@ public final class DiagnosisMetrics implements TickObserver {
         }
     }
 
-    /** {@return the time from the first fault until its sensor is not trusted, seconds; empty if it always is} */
+    /**
+     * {@return the time from the first fault until its sensor is not trusted, seconds; empty if it always is, or if the
+     * first fault is one of motors}
+     */
     public OptionalDouble detectionDelay() {
         return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(detected - onset);
     }
