@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -48,15 +49,29 @@ final class DetachedProcesses {
     private final String mark;
 
     /** The processes that ran before the child was started, also this one. None of them is a descendant. */
-    private final Set<ProcessHandle> earlier = ProcessHandle.allProcesses().collect(Collectors.toSet());
+    private final Set<ProcessHandle> earlier = listed(ProcessHandle::allProcesses);
 
     private volatile Set<String> pipes = Set.of();
 
-    /** Creates a mark that no other child has, for a child that is not yet started. */
-    DetachedProcesses() {
+    /**
+     * Creates a mark that no other child has, for a child that is not yet started.
+     *
+     * @throws IOException if the processes that run cannot be listed
+     */
+    DetachedProcesses() throws IOException {
         ProcessHandle own = ProcessHandle.current();
         long start = own.info().startInstant().map(Instant::toEpochMilli).orElse(0L);
         mark = own.pid() + "-" + start + "-" + SEQUENCE.incrementAndGet();
+    }
+
+    /** Returns the processes of a list that may fail, as without free file descriptors. */
+    static Set<ProcessHandle> listed(Supplier<Stream<ProcessHandle>> list) throws IOException {
+        try (Stream<ProcessHandle> processes = list.get()) {
+            return processes.collect(Collectors.toSet());
+        } catch (RuntimeException e) {
+            // The JDK throws no subclass.
+            throw new IOException(e.getMessage(), e);
+        }
     }
 
     /** {@return the value of the environment variable, different for each child} */

@@ -1,9 +1,12 @@
 package faultline.external;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.Await;
+import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -35,5 +38,16 @@ class DetachedProcessesTest {
 
     private static List<String> argumentsOf(Process process) {
         return List.of(process.info().arguments().orElse(new String[0]));
+    }
+
+    /** The JDK's exception is of no subclass. */
+    @Test
+    void aListOfProcessesThatFailsIsAnErrorOfTheStart() {
+        IOException refusal = assertThrows(
+                IOException.class,
+                () -> DetachedProcesses.listed(() -> {
+                    throw new RuntimeException("Too many open files");
+                }));
+        assertEquals("Too many open files", refusal.getMessage());
     }
 }
