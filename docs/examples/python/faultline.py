@@ -21,7 +21,9 @@ Lengths are metres, angles radians, times seconds. A reading is a distance, ``No
 """
 
 import contextlib
+import io
 import json
+import math
 import operator
 import os
 import shlex
@@ -41,12 +43,19 @@ NO_ANSWER = _NoAnswer()
 
 def volts(left, right, state=None, why=None):
     """Returns a drive message with a voltage for each side."""
-    return _with_state({"type": "drive", "left_v": float(left), "right_v": float(right)}, state, why)
+    return _with_state({"type": "drive", "left_v": _finite(left), "right_v": _finite(right)}, state, why)
 
 
 def velocities(v, omega, state=None, why=None):
     """Returns a drive message with a forward velocity (m/s) and a turn rate (rad/s, positive to the left)."""
-    return _with_state({"type": "drive", "v_m_s": float(v), "omega_rad_s": float(omega)}, state, why)
+    return _with_state({"type": "drive", "v_m_s": _finite(v), "omega_rad_s": _finite(omega)}, state, why)
+
+
+def _finite(number):
+    number = float(number)
+    if not math.isfinite(number):
+        raise ValueError("a drive needs finite numbers, not %r" % number)
+    return number
 
 
 def _with_state(message, state, why):
@@ -110,8 +119,8 @@ def _write(message, stream):
 def drive_with(decide, name="python", begin=None):
     """Acts as the simulator's child until the run is over: calls ``decide(sight)`` once a tick.
 
-    ``begin(hello)`` is called first, if given. Standard output belongs to the protocol, so ``print`` is redirected to
-    standard error. Returns the ``end`` message, or None if the simulator closed the connection.
+    ``begin(hello)`` is called first, if given. Standard input and output belong to the protocol, so ``input`` finds
+    nothing, and ``print`` is redirected to standard error. Returns the ``end`` message, or None if the simulator closed the connection.
     """
     if sys.stdin.isatty():
         print(
@@ -121,8 +130,10 @@ def drive_with(decide, name="python", begin=None):
         )
     answers = open(sys.stdout.fileno(), "wb", closefd=False)
     sys.stdout = sys.stderr
+    messages = sys.stdin.buffer
+    sys.stdin = io.StringIO()
     robot = None
-    for line in iter(sys.stdin.buffer.readline, b""):
+    for line in iter(messages.readline, b""):
         message = _read(line)
         kind = message["type"]
         if kind == "observe":

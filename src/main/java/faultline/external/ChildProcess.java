@@ -210,7 +210,9 @@ final class ChildProcess implements AutoCloseable {
     }
 
     private ProtocolException endOfChild(Object place) {
-        return new ProtocolException(ControllerProblem.ENDED, process.exitValue(), place);
+        boolean isQuiet = process.exitValue() == 0 && place.equals("");
+        return new ProtocolException(
+                ControllerProblem.ENDED, process.exitValue(), isQuiet ? ControllerProblem.UNTIL_END.with() : place);
     }
 
     /**

@@ -60,6 +60,8 @@ public enum ControllerProblem implements Message.Template {
     CLOSED_OUTPUT("{0} closed its standard output{1}{2}"),
     /** The place of an end within a line. */
     IN_LINE(" in the middle of a line"),
+    /** The hint for a child that has ended as if all were well. */
+    UNTIL_END("; it must answer until the run has ended, as drive_with of the Python client does"),
     /** The child does not read. */
     NOT_READING("{0} does not read its standard input{1}"),
     /** The child does not answer. */

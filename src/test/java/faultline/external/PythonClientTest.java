@@ -26,6 +26,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The Python examples, run as the documentation says. */
 @Timeout(120)
@@ -104,6 +106,27 @@ class PythonClientTest {
                                 + " faultline.velocities(...) or faultline.volts(...); the lines before: "),
                 e.getMessage());
         assertFalse(e.getMessage().contains("^^"), e.getMessage());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            faultline.velocities(float('nan'), 0) | ValueError: a drive needs finite numbers, not nan
+            faultline.volts(0, float('inf'))      | ValueError: a drive needs finite numbers, not inf
+            input()                               | EOFError: EOF when reading a line
+            """)
+    void aMistakeOfAFollowerIsToldWithItsLine(String expression, String error, @TempDir Path folder) throws Exception {
+        Files.copy(EXAMPLES.resolve("faultline.py"), folder.resolve("faultline.py"));
+        Path program = Files.writeString(
+                folder.resolve("mistaken.py"),
+                "import faultline\ndef decide(sight):\n    return " + expression + "\nfaultline.drive_with(decide)\n");
+        SimulationSetup setup = Scenario.load(Path.of("scenarios/yard.xml")).setup();
+        RunFailedException e =
+                assertThrows(RunFailedException.class, () -> run(setup, program, new CopyOnWriteArrayList<>()));
+        assertTrue(e.getMessage().contains("; its last line on standard error: " + error + ";"), e.getMessage());
+        assertTrue(e.getMessage().contains("line 3, in decide"), e.getMessage());
     }
 
     @Test
