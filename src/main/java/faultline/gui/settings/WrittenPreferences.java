@@ -72,7 +72,8 @@ final class WrittenPreferences {
     private void write() {
         try {
             node.flush();
-        } catch (BackingStoreException unavailable) {
+        } catch (BackingStoreException | AssertionError unavailable) {
+            // The JDK throws an AssertionError if the disk is full.
             LOG.log(Level.FINE, "the preferences cannot be written", unavailable);
         }
     }

@@ -38,6 +38,7 @@ class WrittenPreferencesTest {
         private final CountDownLatch flushed = new CountDownLatch(1);
         private final AtomicInteger flushes = new AtomicInteger();
         private volatile boolean isSlow;
+        private volatile boolean isFull;
 
         Node() {
             super(null, "");
@@ -88,6 +89,9 @@ class WrittenPreferencesTest {
         protected void flushSpi() {
             flushes.incrementAndGet();
             flushing.countDown();
+            if (isFull) {
+                throw new AssertionError("as the JDK's nodes do");
+            }
             if (isSlow) {
                 awaitRelease();
             }
@@ -134,6 +138,25 @@ class WrittenPreferencesTest {
             node.flushed.countDown();
         }
         Await.until("both changes are written", () -> node.flushes.get() == 2);
+        assertEquals("LIGHT", node.texts.get("theme"));
+    }
+
+    @Test
+    void aFullDiskIsNoErrorOfTheProgram() {
+        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
+        List<Throwable> errors = new CopyOnWriteArrayList<>();
+        Thread.setDefaultUncaughtExceptionHandler((thread, error) -> errors.add(error));
+        try {
+            node.isFull = true;
+            runOnEdt(() -> store.put("theme", "DARK"));
+            Await.until("the first attempt", () -> node.flushes.get() == 1);
+            node.isFull = false;
+            runOnEdt(() -> store.put("theme", "LIGHT"));
+            Await.until("the second attempt", () -> node.flushes.get() == 2);
+        } finally {
+            Thread.setDefaultUncaughtExceptionHandler(before);
+        }
+        assertEquals(List.of(), errors);
         assertEquals("LIGHT", node.texts.get("theme"));
     }
 
