@@ -194,8 +194,11 @@ final class Arguments {
         throw new UsageException(MessageText.quoted(name) + " cannot be the name of a file" + encodingHint(name));
     }
 
-    /** Returns a hint if the encoding of the locale, which is also that of file names, lacks a letter of the name. */
-    private static String encodingHint(String name) {
+    /**
+     * Returns a hint if the encoding of the locale, which is also that of file names and of commands, lacks a letter of
+     * the name; otherwise an empty text.
+     */
+    static String encodingHint(String name) {
         String encoding = System.getProperty("sun.jnu.encoding", "UTF-8");
         if (name.indexOf(REPLACEMENT) >= 0 && encoding.equals("UTF-8")) {
             return " in the encoding of this locale, UTF-8";

@@ -14,7 +14,10 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 
 /** Finds the command that the arguments name, runs it, and turns a failure into one line and an exit code. */
 final class CommandLine {
@@ -118,8 +121,14 @@ final class CommandLine {
     }
 
     /** Returns what a failure of the JDK goes back to: it says more than the exceptions that are made of it. */
-    private static Throwable rootCause(Throwable e) {
-        return e.getCause() == null ? e : rootCause(e.getCause());
+    static Throwable rootCause(Throwable e) {
+        Set<Throwable> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+        Throwable root = e;
+        // A controller's exceptions may be causes of each other.
+        while (root.getCause() != null && seen.add(root)) {
+            root = root.getCause();
+        }
+        return root;
     }
 
     /** Returns a sentence, because the messages of the file system are often only the name of a file. */

@@ -63,6 +63,11 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
         if (text.isEmpty()) {
             throw UsageException.ofValue(option, text, "the name of a controller or a command");
         }
+        String hint = Arguments.encodingHint(text);
+        if (!hint.isEmpty()) {
+            throw new UsageException(
+                    option + " is " + MessageText.quoted(text) + ", which cannot be the name of a command" + hint);
+        }
         return new ControllerChoice(text, jars);
     }
 

@@ -158,11 +158,13 @@ public final class ControllerProviders {
         }
     }
 
-    /** Returns the message of an error, with the exception of the provider's constructor if that caused it. */
+    /** Returns the message of an error, with the exception of the provider's class or constructor that caused it. */
     private static String reason(Throwable error) {
-        return error.getCause() == null
-                ? String.valueOf(error.getMessage())
-                : error.getMessage() + ": " + error.getCause();
+        Throwable cause = error.getCause();
+        if (cause instanceof ExceptionInInitializerError && cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        return cause == null ? String.valueOf(error.getMessage()) : error.getMessage() + ": " + cause;
     }
 
     private static String name(ControllerProvider provider, double timeout) {

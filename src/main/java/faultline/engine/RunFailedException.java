@@ -2,6 +2,7 @@ package faultline.engine;
 
 import faultline.control.RecordEndedException;
 import faultline.io.Message;
+import faultline.io.MessageText;
 
 /**
  * Thrown if a run cannot continue: its controller threw an exception or does not answer. The message is one sentence
@@ -10,6 +11,9 @@ import faultline.io.Message;
 public class RunFailedException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
+
+    /** The greatest length of an exception of a controller as text, as of a line of a child's standard error. */
+    private static final int MAX_LENGTH = 400;
 
     private final transient Message reason;
 
@@ -52,7 +56,17 @@ public class RunFailedException extends RuntimeException {
         return new RunFailedException(
                 cause instanceof RecordEndedException
                         ? RunProblem.OTHER.with(cause.getMessage())
-                        : RunProblem.CONTROLLER_BROKE.with(tick, cause.toString()),
+                        : RunProblem.CONTROLLER_BROKE.with(tick, describe(cause)),
                 cause);
+    }
+
+    /** Returns an exception of a controller as text, which its own methods may fail to give. */
+    private static String describe(Throwable exception) {
+        try {
+            String text = exception.toString();
+            return text.length() > MAX_LENGTH ? MessageText.start(text, MAX_LENGTH) + "..." : text;
+        } catch (RuntimeException | Error e) {
+            return exception.getClass().getName() + ", whose text cannot be read";
+        }
     }
 }

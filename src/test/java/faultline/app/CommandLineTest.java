@@ -1,6 +1,7 @@
 package faultline.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.JavaProcess;
@@ -554,5 +555,15 @@ class CommandLineTest {
         };
         assertEquals(2, new CommandLine(new CommandOutput(stream(closed), stream(err))).run("--help"));
         assertEquals("faultline: standard output cannot be written\n", err.toString(StandardCharsets.UTF_8));
+    }
+
+    /** A controller may make its exceptions causes of each other. */
+    @Test
+    void theRootOfACircleOfCausesIsOneOfThem() {
+        RuntimeException first = new RuntimeException("first");
+        RuntimeException second = new RuntimeException("second", first);
+        first.initCause(second);
+        assertSame(first, CommandLine.rootCause(first));
+        assertSame(first, CommandLine.rootCause(new IllegalStateException(first)));
     }
 }

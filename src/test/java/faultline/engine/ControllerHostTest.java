@@ -66,6 +66,32 @@ class ControllerHostTest {
         }
     }
 
+    @Test
+    void aLongExceptionIsCutOff() {
+        String message = RunFailedException.ofController(7, new IllegalStateException("x".repeat(1_000_000)))
+                .getMessage();
+        assertTrue(message.startsWith("the controller broke at tick 7: java.lang.IllegalStateException: xxx"));
+        assertTrue(message.endsWith("xxx..."));
+        assertTrue(message.length() < 500);
+    }
+
+    /** An exception whose text cannot be read. */
+    private static final class Unspeakable extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public String getMessage() {
+            throw new IllegalStateException("no words");
+        }
+    }
+
+    @Test
+    void anExceptionThatCannotBeReadIsNamedByItsClass() {
+        assertEquals(
+                "the controller broke at tick 7: " + Unspeakable.class.getName() + ", whose text cannot be read",
+                RunFailedException.ofController(7, new Unspeakable()).getMessage());
+    }
+
     private static void submit(ControllerHost host) {
         host.submit(AT_TICK_7.tick(), AT_TICK_7.dt(), AT_TICK_7.robot(), AT_TICK_7.readings());
     }

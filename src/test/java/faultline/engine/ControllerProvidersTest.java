@@ -277,6 +277,30 @@ class ControllerProvidersTest {
                 failure(Map.of("decision", "none")));
     }
 
+    /** A provider whose class cannot be initialised. */
+    public static final class BrokenClass implements ControllerProvider {
+
+        private static final int NUMBER = Integer.parseInt("none");
+
+        @Override
+        public String name() {
+            return "broken-" + NUMBER;
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError("there is no instance");
+        }
+    }
+
+    @Test
+    void theReasonWhyAClassCannotBeInitialisedIsNamed() throws Exception {
+        addProvider(BrokenClass.class);
+        String refusal = assertThrows(RunFailedException.class, ControllerProviders::names)
+                .getMessage();
+        assertTrue(refusal.endsWith(": java.lang.NumberFormatException: For input string: \"none\""), refusal);
+    }
+
     @Test
     void aProviderThatDoesNotAnswerIsAnErrorAfterTheTimeOfADecision() throws Exception {
         addProvider(EndlessConstructor.class);
