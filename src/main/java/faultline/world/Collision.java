@@ -11,7 +11,8 @@ import java.util.TreeMap;
 /**
  * The robot's first contact with an obstacle.
  *
- * @param point the contact point, metres; the middle of the contact if a side lies flush along an obstacle
+ * @param point the contact point, metres; the middle of the contact if a side lies flush along an obstacle, and one of
+ *     the points if the body touches the obstacle with several sides
  * @param time seconds, exact within the tick
  * @param tick the tick in which it happened
  * @param obstacle the id of the obstacle, or {@link WorldSpec#ENCLOSURE}
@@ -31,7 +32,8 @@ public record Collision(
     /**
      * Creates a collision from copies of the faults and the sensors that are off.
      *
-     * @param point the contact point, metres; the middle of the contact if a side lies flush along an obstacle
+     * @param point the contact point, metres; the middle of the contact if a side lies flush along an obstacle, and one
+     *     of the points if the body touches the obstacle with several sides
      * @param time seconds, exact within the tick
      * @param tick the tick in which it happened
      * @param obstacle the id of the obstacle, or {@link WorldSpec#ENCLOSURE}

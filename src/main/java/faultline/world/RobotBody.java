@@ -206,6 +206,16 @@ final class RobotBody {
         return points;
     }
 
+    /** Returns the middle of contact points on one side of the body; of points on several sides, the first. */
+    Vector2 middleOf(List<Vector2> contacts) {
+        Vector2 middle = contacts.stream().reduce(Vector2.ZERO, Vector2::plus).times(1.0 / contacts.size());
+        OrientedBox box = box();
+        Vector2 local = box.frame().toLocal(middle);
+        boolean isInside = Math.abs(local.x()) < box.halfLength() - 2 * CONTACT_TOLERANCE
+                && Math.abs(local.y()) < box.halfWidth() - 2 * CONTACT_TOLERANCE;
+        return isInside ? contacts.get(0) : middle;
+    }
+
     private static void addIfTouching(List<Vector2> points, Vector2 onShape, Vector2 onBox) {
         boolean touching = onShape.distanceTo(onBox) <= CONTACT_TOLERANCE;
         if (touching && points.stream().noneMatch(point -> point.distanceTo(onShape) <= 2 * CONTACT_TOLERANCE)) {

@@ -101,12 +101,7 @@ public final class World {
         }
         contacts = contact.points();
         collisions.add(new Collision(
-                mean(contacts), time, at, contact.obstacle(), activeFaults(), switchedOff(), motorFaults()));
-    }
-
-    private static Vector2 mean(List<Vector2> points) {
-        Vector2 sum = points.stream().reduce(Vector2.ZERO, Vector2::plus);
-        return sum.times(1.0 / points.size());
+                body.middleOf(contacts), time, at, contact.obstacle(), activeFaults(), switchedOff(), motorFaults()));
     }
 
     private Map<String, List<Fault>> activeFaults() {

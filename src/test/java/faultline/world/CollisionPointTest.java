@@ -1,6 +1,7 @@
 package faultline.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -61,6 +62,22 @@ class CollisionPointTest {
     void aCornerOfThePlatformTouchesASlantedWall() {
         assertTouches("thing", 1.5, 1.1, collisionWith(wall(0.9, 1.7, 1.9, 0.7), new Pose(0, 0, 0)));
         assertTouches("thing", 1.5, 0.9, collisionWith(wall(0.9, 0.3, 1.9, 1.3), new Pose(0, 0, 0)));
+    }
+
+    /** The mean of the places would be in the middle of the platform. */
+    @Test
+    void aPlatformThatTurnsBetweenTwoSidesOfAWallTouchesOneOfThem() {
+        ObstacleShape corridor = new ObstacleShape.WallShape(
+                List.of(new Vector2(0, 0.85), new Vector2(3, 0.85), new Vector2(3, 1.15), new Vector2(0, 1.15)));
+        WorldSpec spec = new WorldSpec(4, 2, true, 100, List.of(new Obstacle("thing", corridor, Pose.ORIGIN)));
+        World world = new World(spec, RobotSpec.DEFAULT, new Pose(1, 1, 0), 0.01, 1);
+        while (world.collision().isEmpty()) {
+            world.move(VOLTS / 4, -VOLTS / 4);
+        }
+        Collision collision = world.collision().orElseThrow();
+        assertEquals(0.15, Math.abs(collision.point().y() - 1), TOLERANCE);
+        assertEquals(2, world.snapshot().contacts().size());
+        assertTrue(world.snapshot().contacts().contains(collision.point()));
     }
 
     @Test
