@@ -83,8 +83,9 @@ public enum FloorPlanProblem implements Message.Template {
     /** The map does not fit into the memory. */
     MEMORY("the map needs more memory than the program has; start Java with more, such as -Xmx2g"),
     /** The place that is farthest from everything solid is too small for the robot. */
-    NO_ROOM("the robot, {0} m long and {1} m wide, does not fit into the largest free disc about the middle of a cell,"
-            + " in a map of {2} x {3} m; give a start; the resolution, the threshold or negate may be wrong");
+    NO_ROOM("the robot, {0} m long and {1} m wide, does not fit into the largest free disc"
+            + " about the middle or a corner of a cell, in a map of {2} x {3} m; give a start;"
+            + " the resolution, the threshold or negate may be wrong");
 
     private final String english;
 

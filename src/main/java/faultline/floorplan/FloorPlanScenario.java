@@ -5,6 +5,7 @@ import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
+import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.world.Clearance;
 import faultline.world.Obstacle;
@@ -12,6 +13,8 @@ import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Makes a scenario from a floor plan: an enclosed world of the map's size, with the plan as one solid obstacle. If a
@@ -25,48 +28,66 @@ public final class FloorPlanScenario {
     private FloorPlanScenario() {}
 
     /**
-     * {@return the scenario, with the robot in the middle of the largest free disc} Only if the robot has no room in a
-     * disc of known cells, the disc may contain unknown cells, which obstruct nothing.
+     * {@return the scenario, with the robot in the middle of a large free disc} The disc about the middle of a cell is
+     * taken, unless the robot cannot turn there or has no room at all; then that about a corner of cells. Only if the
+     * robot has no room in a disc of known cells, the disc may contain unknown cells, which obstruct nothing.
      *
      * @param name the scenario's name
      * @param plan the floor plan
      * @throws FloorPlanException if there is no room for the robot
      */
     public static Scenario create(String name, FloorPlan plan) throws FloorPlanException {
-        Scenario scenario = create(name, plan, middle(plan, false));
-        if (!hasRoom(scenario)) {
-            scenario = create(name, plan, middle(plan, true));
+        Optional<Scenario> scenario = create(name, plan, false).or(() -> create(name, plan, true));
+        if (scenario.isPresent()) {
+            return scenario.get();
         }
-        if (!hasRoom(scenario)) {
-            SimulationSetup setup = scenario.setup();
-            throw new FloorPlanException(
-                    plan.description().image(),
-                    FloorPlanProblem.NO_ROOM.with(
-                            DecimalText.format(setup.robot().length()),
-                            DecimalText.format(setup.robot().width()),
-                            DecimalText.formatRounded(setup.world().width()),
-                            DecimalText.formatRounded(setup.world().height())));
-        }
-        return scenario;
+        RobotSpec robot = RobotSpec.DEFAULT;
+        MapFrame frame = frame(plan);
+        throw new FloorPlanException(
+                plan.description().image(),
+                FloorPlanProblem.NO_ROOM.with(
+                        DecimalText.format(robot.length()),
+                        DecimalText.format(robot.width()),
+                        DecimalText.formatRounded(frame.width()),
+                        DecimalText.formatRounded(frame.height())));
     }
 
-    /** Returns the pose in the middle of the largest free disc. */
-    private static Pose middle(FloorPlan plan, boolean unknownIsFree) {
-        FreeDisc disc = FreeDisc.largest(plan.grid(), plan.solid(), unknownIsFree);
-        double x = plan.description().metres(disc.column() + 0.5);
-        double y = plan.description().metres(disc.row() + 0.5);
+    private static Optional<Scenario> create(String name, FloorPlan plan, boolean unknownIsFree) {
+        Optional<Scenario> first = create(name, plan, FreeDisc.aboutCell(plan.grid(), plan.solid(), unknownIsFree));
+        if (first.filter(FloorPlanScenario::canTurn).isPresent()) {
+            return first;
+        }
+        Optional<Scenario> second = create(name, plan, FreeDisc.aboutCorner(plan.grid(), plan.solid(), unknownIsFree));
+        return second.filter(FloorPlanScenario::canTurn).or(() -> Stream.concat(first.stream(), second.stream())
+                .filter(scenario -> hasRoom(scenario, scenario.setup().robot()))
+                .findFirst());
+    }
+
+    /** Returns the scenario with the start in the middle of a disc, unless that is empty. */
+    private static Optional<Scenario> create(String name, FloorPlan plan, FreeDisc disc) {
+        if (disc.clearance() == 0) {
+            return Optional.empty();
+        }
+        double x = plan.description().metres(disc.x());
+        double y = plan.description().metres(disc.y());
         Vector2 start = frame(plan).lowerLeft().toParent(new Vector2(x, y));
-        return new Pose(MapFrame.round(start.x()), MapFrame.round(start.y()), 0);
+        return Optional.of(create(name, plan, new Pose(MapFrame.round(start.x()), MapFrame.round(start.y()), 0)));
+    }
+
+    /** Returns whether the square about the circle in which the robot turns is free. */
+    private static boolean canTurn(Scenario scenario) {
+        RobotSpec robot = scenario.setup().robot();
+        double side = Math.hypot(robot.length(), robot.width());
+        return hasRoom(scenario, robot.withPlatform(side, side, robot.speed()));
+    }
+
+    private static boolean hasRoom(Scenario scenario, RobotSpec robot) {
+        SimulationSetup setup = scenario.setup();
+        return Clearance.findObstruction(setup.world(), robot, setup.start()).isEmpty();
     }
 
     private static MapFrame frame(FloorPlan plan) {
         return MapFrame.of(plan.description(), plan.grid().width(), plan.grid().height());
-    }
-
-    private static boolean hasRoom(Scenario scenario) {
-        SimulationSetup setup = scenario.setup();
-        return Clearance.findObstruction(setup.world(), setup.robot(), setup.start())
-                .isEmpty();
     }
 
     /**

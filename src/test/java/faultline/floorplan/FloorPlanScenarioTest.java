@@ -107,9 +107,18 @@ class FloorPlanScenarioTest {
                 assertThrows(FloorPlanException.class, () -> FloorPlanScenario.create("Chess", plan));
         assertEquals(
                 "none.pgm: the robot, 0.25 m long and 0.2 m wide, does not fit into the largest free disc"
-                        + " about the middle of a cell, in a map of 2 x 1.5 m; give a start;"
+                        + " about the middle or a corner of a cell, in a map of 2 x 1.5 m; give a start;"
                         + " the resolution, the threshold or negate may be wrong",
                 problem.getMessage());
+    }
+
+    /** About the middle of a cell, the robot would touch a wall in its first turn. */
+    @Test
+    void theRobotStartsInTheMiddleOfACorridorOfTwoWideCells() throws FloorPlanException {
+        CellState[] cells = new CellState[20 * 4];
+        Arrays.setAll(cells, i -> i / 20 == 1 || i / 20 == 2 ? CellState.FREE : CellState.OCCUPIED);
+        Scenario corridor = FloorPlanScenario.create("Corridor", trace(20, 4, 0, new BigDecimal("0.2"), cells));
+        assertEquals(new Pose(0.2, 0.4, 0), corridor.setup().start());
     }
 
     @Test
@@ -157,8 +166,13 @@ class FloorPlanScenarioTest {
     }
 
     private static FloorPlan trace(int width, int height, double yaw, CellState[] cells) throws FloorPlanException {
+        return trace(width, height, yaw, RESOLUTION, cells);
+    }
+
+    private static FloorPlan trace(int width, int height, double yaw, BigDecimal resolution, CellState[] cells)
+            throws FloorPlanException {
         MapDescription description =
-                new MapDescription(Path.of("none.pgm"), RESOLUTION, yaw, MapMode.TRINARY, false, 0.65, 0.196);
+                new MapDescription(Path.of("none.pgm"), resolution, yaw, MapMode.TRINARY, false, 0.65, 0.196);
         return FloorPlan.trace(description, new OccupancyGrid(width, height, cells), FloorPlan.Options.DEFAULT);
     }
 }
