@@ -10,19 +10,26 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
+import java.util.TreeMap;
 import java.util.function.LongFunction;
 
 /** An edit made by commands. All commands of one gesture form one edit. */
 final class CommandEdit implements Edit {
 
     private final int gestureId;
-    private final Map<EditPart, CommandResult> results = new LinkedHashMap<>();
+    /** What each part has changed since its first command, by the ticks of its commands. */
+    private final Map<EditPart, NavigableMap<Long, CommandResult>> parts = new LinkedHashMap<>();
+
     private boolean ahead;
     /** Whether the edit was made in an earlier run. */
     private boolean earlier;
 
-    /** The commands about a target up to where the timeline has changed the same thing; parts are numbered from 0. */
-    private record EditPart(EditTarget target, int number) {}
+    /**
+     * Commands with equal targets, up to where the timeline or a command with another target has changed the same
+     * subject. The parts of a subject are numbered from 0.
+     */
+    private record EditPart(Object subject, int number) {}
 
     /** Creates an edit of executed commands. */
     CommandEdit(int gestureId, List<CommandResult> results) {
@@ -31,29 +38,37 @@ final class CommandEdit implements Edit {
     }
 
     private void add(CommandResult result, LongFunction<List<Command>> plannedSince) {
-        EditTarget target = EditTarget.of(result.command());
-        EditPart next = nextPart(results, target);
-        EditPart last = new EditPart(target, next.number() - 1);
-        CommandResult before = results.get(last);
-        if (before != null && continues(result, before, plannedSince)) {
-            results.put(last, new CommandResult.Executed(result.tick(), result.command(), before.inverse()));
+        EditPart next = nextPart(parts, result);
+        NavigableMap<Long, CommandResult> last = parts.get(new EditPart(next.subject(), next.number() - 1));
+        if (last != null && continues(result, last(last), plannedSince)) {
+            last.put(
+                    result.tick(),
+                    new CommandResult.Executed(
+                            result.tick(), result.command(), last(last).inverse()));
         } else {
-            results.put(next, result);
+            parts.put(next, new TreeMap<>(Map.of(result.tick(), result)));
         }
     }
 
-    private static EditPart nextPart(Map<EditPart, CommandResult> results, EditTarget target) {
+    private static EditPart nextPart(Map<EditPart, ?> parts, CommandResult result) {
+        Object subject = EditTarget.of(result.command()).subject();
         int number = 0;
-        while (results.containsKey(new EditPart(target, number))) {
+        while (parts.containsKey(new EditPart(subject, number))) {
             number++;
         }
-        return new EditPart(target, number);
+        return new EditPart(subject, number);
+    }
+
+    private static CommandResult last(NavigableMap<Long, CommandResult> results) {
+        return results.lastEntry().getValue();
     }
 
     private static boolean continues(
             CommandResult result, CommandResult before, LongFunction<List<Command>> plannedSince) {
-        return result.inverse().equals(List.of(before.command()))
-                || LaterChange.after(plannedSince.apply(before.tick()), before).isEmpty();
+        return EditTarget.of(result.command()).equals(EditTarget.of(before.command()))
+                && (result.inverse().equals(List.of(before.command()))
+                        || LaterChange.after(plannedSince.apply(before.tick()), before)
+                                .isEmpty());
     }
 
     /**
@@ -64,38 +79,52 @@ final class CommandEdit implements Edit {
     boolean merge(CommandEdit newer, LongFunction<List<Command>> plannedSince) {
         boolean sameGesture = newer.gestureId == gestureId && newer.hasOnlyEvents() == hasOnlyEvents();
         if (sameGesture) {
-            newer.results.values().forEach(result -> add(result, plannedSince));
+            newer.results().forEach(result -> add(result, plannedSince));
         }
         return sameGesture;
     }
 
+    /** Returns the tick of the last command. */
+    long lastTick() {
+        return results().stream().mapToLong(CommandResult::tick).max().orElse(0);
+    }
+
+    /** Drops the commands after a tick, which the run does not execute any more. */
+    void cutAfter(long tick) {
+        parts.values().forEach(results -> results.tailMap(tick, false).clear());
+        parts.values().removeIf(Map::isEmpty);
+    }
+
     /** Changes the id of a sensor in the commands and in what undoes them. */
     void rename(SensorRename rename) {
-        List<CommandResult> renamed = results().stream().map(rename::rename).toList();
-        results.clear();
-        results.putAll(parts(renamed));
+        List<NavigableMap<Long, CommandResult>> all = List.copyOf(parts.values());
+        parts.clear();
+        for (NavigableMap<Long, CommandResult> results : all) {
+            results.replaceAll((tick, result) -> rename.rename(result));
+            parts.put(nextPart(parts, last(results)), results);
+        }
     }
 
     /** Returns the results of commands as those of parts, which are in the order of their numbers. */
     private static Map<EditPart, CommandResult> parts(List<CommandResult> results) {
         Map<EditPart, CommandResult> parts = new LinkedHashMap<>();
-        results.forEach(result -> parts.put(nextPart(parts, EditTarget.of(result.command())), result));
+        results.forEach(result -> parts.put(nextPart(parts, result), result));
         return parts;
     }
 
     /** Returns whether the edit restores what it changed, such as a cancelled drag. */
     boolean isNoOp() {
-        return results.values().stream().allMatch(CommandResult::isNoOp);
+        return results().stream().allMatch(CommandResult::isNoOp);
     }
 
     /** Returns whether all commands belong to a time of the run. */
     boolean hasOnlyEvents() {
-        return results.values().stream().map(CommandResult::command).allMatch(TimelineEvents::isEvent);
+        return results().stream().map(CommandResult::command).allMatch(TimelineEvents::isEvent);
     }
 
     /** Returns the results of the commands when they were executed for the first time. */
     List<CommandResult> results() {
-        return List.copyOf(results.values());
+        return parts.values().stream().map(CommandEdit::last).toList();
     }
 
     /** Returns whether the edit is undone only because the run stands at an earlier tick. */
@@ -115,7 +144,7 @@ final class CommandEdit implements Edit {
     /** Follows the start of another run, given the results when the edit was first executed in the one before. */
     void runStarted(List<CommandResult> firsts) {
         earlier = true;
-        results.putAll(parts(firsts));
+        parts(firsts).forEach((part, first) -> parts.put(part, new TreeMap<>(Map.of(first.tick(), first))));
     }
 
     /**
@@ -168,8 +197,8 @@ final class CommandEdit implements Edit {
      */
     List<LaterChange> redoChanges(List<CommandResult> firsts, LongFunction<List<Command>> plannedSince) {
         Map<EditPart, CommandResult> firstParts = parts(firsts);
-        return results.entrySet().stream()
-                .map(entry -> redo(firstParts.getOrDefault(entry.getKey(), entry.getValue()), plannedSince))
+        return parts.entrySet().stream()
+                .map(entry -> redo(firstParts.getOrDefault(entry.getKey(), last(entry.getValue())), plannedSince))
                 .toList();
     }
 
@@ -183,7 +212,7 @@ final class CommandEdit implements Edit {
     @Override
     public String name() {
         Map<EditTarget, CommandResult> named = new LinkedHashMap<>();
-        results.forEach((part, result) -> named.put(part.target(), result));
+        results().forEach(result -> named.put(EditTarget.of(result.command()), result));
         return EditNames.nameOf(List.copyOf(named.values()));
     }
 

@@ -49,9 +49,8 @@ final class EditHistory {
         dropUndone();
         if (!isMerged(edit)) {
             edits.add(edit);
-        }
-        if (last() instanceof CommandEdit last && last.isNoOp()) {
-            edits.remove(last);
+        } else if (last() instanceof CommandEdit last && last.isNoOp()) {
+            dropCancelled(last);
         }
         edits.subList(0, Math.max(0, edits.size() - MAX_EDITS)).clear();
         cursor = edits.size();
@@ -61,6 +60,18 @@ final class EditHistory {
         }
         edits.addAll(ahead);
         return edits.contains(edit);
+    }
+
+    /** Drops an edit that has been undone by its last commands, but not at the ticks before them. */
+    private void dropCancelled(CommandEdit edit) {
+        edits.remove(edit);
+        long tick = edit.lastTick();
+        edit.cutAfter(tick - 1);
+        if (edit.results().isEmpty()) {
+            log.removeIf(change -> change.edit() == edit);
+        } else {
+            log.add(new EditChange(tick, edit, false, List.of()));
+        }
     }
 
     /** Drops the edits that are undone. Their commands get the ids that the sensors have now. */
@@ -155,7 +166,7 @@ final class EditHistory {
 
     private boolean isEffective(Edit edit) {
         return edit instanceof CommandEdit command
-                ? command.actsFromStart() || !undoChanges(command).isEmpty()
+                ? !command.hasOnlyEvents() || !undoChanges(command).isEmpty()
                 : edit.isEffective();
     }
 
@@ -258,12 +269,15 @@ final class EditHistory {
     }
 
     /**
-     * Drops the changes that the run had not passed when a command was executed; returns the number of edits that are
-     * no longer redone automatically.
+     * Drops what the run had not executed when a command was executed, also of a gesture that it had passed in part;
+     * returns the number of edits that are no longer redone automatically.
      */
     int fork(long tick) {
         advanceTo(tick - 1);
-        return log.removeAhead() ? editsAhead().size() : 0;
+        log.cutGestures();
+        boolean any = log.removeAhead();
+        advanceTo(tick);
+        return any ? editsAhead().size() : 0;
     }
 
     /**
@@ -304,6 +318,7 @@ final class EditHistory {
      * Returns the number of edits that are no longer redone automatically.
      */
     int startChanged() {
+        log.cutGestures();
         List<EditChange> all = log.changes();
         boolean ahead = all.subList(log.passed().size(), all.size()).stream().anyMatch(IS_EVENT.negate());
         log.removeIf(IS_EVENT.negate());

@@ -15,6 +15,10 @@ final class EditLog {
     private final List<EditChange> changes = new ArrayList<>();
     /** The number of changes that the run has passed. */
     private int passed;
+    /** The tick whose commands the run has executed last. */
+    private long tick;
+    /** The last such tick before the run was moved back. */
+    private long latest;
 
     /** Returns the edits that were done or undone in the run, each once. */
     Stream<CommandEdit> edits() {
@@ -79,10 +83,20 @@ final class EditLog {
         return any;
     }
 
+    /** Drops the commands that the run has not executed of gestures that it has passed in part. */
+    void cutGestures() {
+        if (tick < latest) {
+            passed().stream().filter(EditChange::isFirst).forEach(change -> change.edit()
+                    .cutAfter(tick));
+            latest = tick;
+        }
+    }
+
     /** Moves the cursor back before the changes after a tick, from the last one; returns whether there were any. */
-    boolean retreatTo(long tick, Consumer<EditChange> revert) {
+    boolean retreatTo(long newTick, Consumer<EditChange> revert) {
         int before = passed;
-        while (passed > 0 && changes.get(passed - 1).tick() > tick) {
+        tick = Math.min(tick, newTick);
+        while (passed > 0 && changes.get(passed - 1).tick() > newTick) {
             passed--;
             revert.accept(changes.get(passed));
         }
@@ -90,9 +104,11 @@ final class EditLog {
     }
 
     /** Moves the cursor forward over the changes up to a tick; returns whether there were any. */
-    boolean advanceTo(long tick, Consumer<EditChange> repeat) {
+    boolean advanceTo(long newTick, Consumer<EditChange> repeat) {
         int before = passed;
-        while (passed < changes.size() && changes.get(passed).tick() <= tick) {
+        tick = Math.max(tick, newTick);
+        latest = Math.max(latest, tick);
+        while (passed < changes.size() && changes.get(passed).tick() <= newTick) {
             repeat.accept(changes.get(passed));
             passed++;
         }
@@ -102,5 +118,7 @@ final class EditLog {
     void clear() {
         changes.clear();
         passed = 0;
+        tick = 0;
+        latest = 0;
     }
 }
