@@ -219,11 +219,11 @@ public final class RunController implements WorkspaceListener {
         reportDeferredEdits();
     }
 
-    /** Returns whether a change would change the edited scenario. */
-    public boolean isChangedBy(UnaryOperator<Scenario> change) {
+    /** Returns whether two changes would make the same of the edited scenario. */
+    public boolean haveSameEffect(UnaryOperator<Scenario> change, UnaryOperator<Scenario> other) {
         return workspace
                 .scenario()
-                .filter(now -> !change.apply(now).equals(now))
+                .filter(now -> change.apply(now).equals(other.apply(now)))
                 .isPresent();
     }
 

@@ -49,6 +49,8 @@ final class EditHistory {
         dropUndone();
         if (!isMerged(edit)) {
             edits.add(edit);
+        } else if (last() instanceof SetupEdit last && last.change().isNoOp()) {
+            edits.remove(last);
         } else if (last() instanceof CommandEdit last && last.isNoOp()) {
             dropCancelled(last);
         }

@@ -8,6 +8,7 @@ import faultline.scenario.Scenario;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /**
  * An edit of events, such as faults, that have become commands of the timeline, where they are undone and redone.
@@ -30,7 +31,7 @@ record EventEdit(CommandEdit edit, List<TimedCommand> events, RunController run)
     /** Returns whether the timeline has an event of the edit: it lacks those of one tick that cancelled each other. */
     @Override
     public boolean isEffective() {
-        return run.isChangedBy(this::removedFrom);
+        return !run.haveSameEffect(this::removedFrom, UnaryOperator.identity());
     }
 
     /** Returns this edit with another id of a sensor. */

@@ -15,6 +15,34 @@ public final class ScenarioEditor {
     private final RunController run;
     private final UndoController undo;
 
+    /** A change of the scenario, what reverts it, and what is called then. */
+    private record RevertibleChange(
+            RunController run, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse, Runnable onUndone)
+            implements SetupChange {
+        @Override
+        public void undo() {
+            run.change(inverse);
+            onUndone.run();
+        }
+
+        @Override
+        public void redo() {
+            run.change(change);
+        }
+
+        @Override
+        public boolean isNoOp() {
+            return run.haveSameEffect(change, inverse);
+        }
+
+        @Override
+        public SetupChange mergedWith(SetupChange later) {
+            return later instanceof RevertibleChange next
+                    ? new RevertibleChange(run, next.change, inverse, onUndone)
+                    : SetupChange.super.mergedWith(later);
+        }
+    }
+
     public ScenarioEditor(RunController run, UndoController undo) {
         this.run = run;
         this.undo = undo;
@@ -43,11 +71,7 @@ public final class ScenarioEditor {
             UnaryOperator<Scenario> change,
             UnaryOperator<Scenario> inverse,
             Runnable onUndone) {
-        Runnable undoAction = () -> {
-            run.change(inverse);
-            onUndone.run();
-        };
-        undo.addSetupEdit(name, target, SetupChange.of(undoAction, () -> run.change(change)));
+        undo.addSetupEdit(name, target, new RevertibleChange(run, change, inverse, onUndone));
         run.change(change);
     }
 

@@ -8,6 +8,13 @@ public interface SetupChange {
     /** Makes the change again. */
     void redo();
 
+    /**
+     * Returns whether the change is known to have no effect, such as one that a later one of its gesture has reversed.
+     */
+    default boolean isNoOp() {
+        return false;
+    }
+
     /** Returns the change that this one and a later one of the same gesture make together. */
     default SetupChange mergedWith(SetupChange later) {
         return of(this::undo, later::redo);

@@ -145,6 +145,11 @@ public final class TimelineEditor {
         }
 
         @Override
+        public boolean isNoOp() {
+            return after.equals(before);
+        }
+
+        @Override
         public SetupChange mergedWith(SetupChange later) {
             return later instanceof TimelineChange next
                     ? new TimelineChange(

@@ -140,4 +140,23 @@ class GestureUndoTest {
         run.redo();
         assertEquals(edited, run.scenario());
     }
+
+    @Test
+    void aQuickChangeOfTheSetupAndItsReverseAreNoStep() {
+        ScenarioEditor properties = callOnEdt(() -> new ScenarioEditor(run.controller(), run.edits()));
+        run.send(move(FIRST));
+        long seed = initial.setup().seed();
+        runOnEdt(() -> setSeed(properties, seed + 1, seed));
+        runOnEdt(() -> setSeed(properties, seed, seed + 1));
+        run.rest();
+        run.undo();
+        assertEquals(initialPose, pose());
+    }
+
+    private static void setSeed(ScenarioEditor properties, long seed, long before) {
+        properties.edit(
+                "edit.properties",
+                open -> open.withSetup(open.setup().withSeed(seed)),
+                open -> open.withSetup(open.setup().withSeed(before)));
+    }
 }
