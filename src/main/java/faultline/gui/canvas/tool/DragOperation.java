@@ -217,11 +217,11 @@ public sealed interface DragOperation {
      */
     record TurnSensor(SensorSpec spec, double grip, Supplier<SensorSnapshot> current) implements DragOperation {
 
-        /** Returns the operation for a sensor in its state at the start, whose cone is under the mouse. */
-        static TurnSensor at(Vector2 mouse, SensorSnapshot start, Supplier<SensorSnapshot> current) {
-            Sector cone = start.sector();
+        /** Returns the operation for a sensor, whose cone is under the mouse. */
+        static TurnSensor at(Vector2 mouse, SensorSpec spec, Supplier<SensorSnapshot> current) {
+            Sector cone = current.get().sector();
             return new TurnSensor(
-                    start.spec(), mouse.minus(cone.apex()).angle() - cone.axis().angle(), current);
+                    spec, mouse.minus(cone.apex()).angle() - cone.axis().angle(), current);
         }
 
         @Override

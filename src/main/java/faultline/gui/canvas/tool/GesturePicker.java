@@ -6,6 +6,7 @@ import faultline.gui.edit.ShapeHandles;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
+import faultline.sensor.SensorSpec;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
@@ -57,7 +58,9 @@ public final class GesturePicker {
         Optional<SensorSnapshot> cone = turns ? selectedConeAt(at) : Optional.empty();
         if (cone.isPresent()) {
             return dragGesture(
-                    DragOperation.TurnSensor.at(camera().toWorld(at), cone.get(), presentState(cone.get())), at);
+                    DragOperation.TurnSensor.at(
+                            camera().toWorld(at), expectedSpec(cone.get()), presentState(cone.get())),
+                    at);
         }
         if (left && shift) {
             return new RubberBandGesture(model, viewport, at);
@@ -86,7 +89,7 @@ public final class GesturePicker {
     private Optional<DragOperation> obstacleHandleDrag(Obstacle obstacle, Vector2 at) {
         OptionalInt resize = handleAt(ShapeHandles.positions(obstacle), at);
         if (resize.isPresent()) {
-            return Optional.of(new DragOperation.Resize(obstacle, resize.getAsInt()));
+            return Optional.of(new DragOperation.Resize(expected(obstacle), resize.getAsInt()));
         }
         // At a waypoint on the obstacle, the mouse moves the obstacle.
         boolean onObstacle =
@@ -97,6 +100,14 @@ public final class GesturePicker {
                 ? Optional.of(
                         new DragOperation.MoveWaypoint(obstacle, waypoint.getAsInt(), () -> presentState(obstacle)))
                 : Optional.empty();
+    }
+
+    /** Returns an obstacle as it will be when the run has answered, so that a drag of a handle keeps other changes. */
+    private Obstacle expected(Obstacle obstacle) {
+        Obstacle expected = sender.pendingEdits().expected(obstacle);
+        boolean sameHandles = ShapeHandles.positions(expected).size()
+                == ShapeHandles.positions(obstacle).size();
+        return sameHandles ? expected : obstacle;
     }
 
     private Obstacle presentState(Obstacle obstacle) {
@@ -129,16 +140,22 @@ public final class GesturePicker {
         return ConeHitTest.sensorAt(camera(), model.selectedSensor().stream().toList(), at);
     }
 
+    private SensorSpec expectedSpec(SensorSnapshot sensor) {
+        return sender.pendingEdits().robot().sensor(sensor.spec().id()).orElse(sensor.spec());
+    }
+
     private Supplier<SensorSnapshot> presentState(SensorSnapshot sensor) {
         return () -> model.sensor(sensor.spec().id()).orElse(sensor);
     }
 
     private Optional<DragOperation> coneDrag(SensorSnapshot sensor, Vector2 at) {
         if (ConeHitTest.isOnArc(camera(), sensor.sector(), at)) {
-            return Optional.of(new DragOperation.ChangeRange(sensor.spec(), presentState(sensor)));
+            return Optional.of(new DragOperation.ChangeRange(expectedSpec(sensor), presentState(sensor)));
         }
         boolean edge = ConeHitTest.isOnEdge(camera(), sensor.sector(), at);
-        return edge ? Optional.of(new DragOperation.ChangeCone(sensor.spec(), presentState(sensor))) : Optional.empty();
+        return edge
+                ? Optional.of(new DragOperation.ChangeCone(expectedSpec(sensor), presentState(sensor)))
+                : Optional.empty();
     }
 
     private Gesture toggleSelection(Obstacle obstacle, Vector2 at) {

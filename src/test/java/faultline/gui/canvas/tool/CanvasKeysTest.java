@@ -24,6 +24,7 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.SensorSnapshot;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -206,6 +207,26 @@ class CanvasKeysTest {
         runOnEdt(() -> canvas.tools().select(List.of("box")));
         key("Q");
         assertTrue(callOnEdt(() -> sent.get(3)) instanceof Command.MoveObstacle);
+    }
+
+    @Test
+    void aDragOfASensorKeepsAChangeThatTheRunHasNotAnswered() {
+        SensorSpec front = sensor("front", 0);
+        SensorSnapshot shown = SampleFrames.sensor(front, ROBOT, SampleFrames.NOTHING);
+        Frame frame = SampleFrames.frameOf(ROBOT, SampleFrames.pathThrough(ROBOT.position()), List.of(shown));
+        runOnEdt(() -> {
+            canvas.setFrame(frame);
+            sender.pendingEdits().setRobot(frame.snapshot().robot());
+            canvas.tools().selectSensor("front");
+            sender.send(new Command.ConfigureSensor(front.withNoise(0.01)));
+        });
+        Vector2 edge = shown.sector().apex().plus(new Vector2(front.range(), 0));
+        Vector2 arc = callOnEdt(() -> canvas.camera().toScreen(edge));
+        mouse(MouseEvent.MOUSE_PRESSED, arc);
+        mouse(MouseEvent.MOUSE_DRAGGED, arc.plus(new Vector2(20, 0)));
+        SensorSpec dragged = ((Command.ConfigureSensor) callOnEdt(() -> sent.get(1))).sensor();
+        assertNotEquals(front.range(), dragged.range());
+        assertEquals(0.01, dragged.noise());
     }
 
     private static SensorSpec sensor(String id, double bearing) {

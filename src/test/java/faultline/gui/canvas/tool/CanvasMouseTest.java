@@ -105,6 +105,18 @@ class CanvasMouseTest {
         assertEquals(moved.position(), placed.motion().waypoints().get(1));
     }
 
+    @Test
+    void anObstacleIsResizedWhereTheRunWillPutIt() {
+        runOnEdt(() -> {
+            canvas.tools().select(List.of("box"));
+            press("UP");
+        });
+        Pose nudged = ((Command.MoveObstacle) sent.get(0)).pose();
+        drag(screen(new Vector2(4.4, 2)), 20, MouseEvent.BUTTON1);
+        Obstacle resized = ((Command.PlaceObstacle) sent.get(1)).obstacle();
+        assertEquals(nudged.y(), resized.pose().y());
+    }
+
     /** A dialog that opens during a drag gets the release of the button. */
     @Test
     void aDragIsCompleteWhenTheMouseMovesWithoutAButton() {

@@ -134,7 +134,7 @@ class DragOperationTest {
         Vector2 apex = start.sector().apex();
         Vector2 axis = start.sector().axis();
         AtomicReference<SensorSnapshot> now = new AtomicReference<>(start);
-        DragOperation turn = DragOperation.TurnSensor.at(apex.plus(axis.times(0.5)), start, now::get);
+        DragOperation turn = DragOperation.TurnSensor.at(apex.plus(axis.times(0.5)), spec, now::get);
         assertEquals(
                 -150,
                 bearing(
@@ -158,7 +158,7 @@ class DragOperationTest {
         SensorSnapshot sensor = SampleFrames.sensor(spec, new Pose(1, 1, 0), SampleFrames.NOTHING);
         Vector2 apex = sensor.sector().apex();
         Vector2 grip = apex.plus(Vector2.direction(0.1));
-        DragOperation turn = DragOperation.TurnSensor.at(grip, sensor, () -> sensor);
+        DragOperation turn = DragOperation.TurnSensor.at(grip, spec, () -> sensor);
         assertEquals(0, bearing(turn, grip), 1e-9);
         SnapSettings snap = new SnapSettings(0, Degrees.toRadians(15));
         Command command = turn.preview(apex.plus(Vector2.direction(0.1 + Degrees.toRadians(40))), snap)
