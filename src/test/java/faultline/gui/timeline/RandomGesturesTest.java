@@ -5,6 +5,8 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.GainRule;
+import faultline.control.Threshold;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -37,6 +39,8 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -48,8 +52,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Random drags and repeated changes, some of them quick, with undo, redo and restarts. All changes of a gesture are one
- * step: its undo restores the scenario before the first of them, its redo the one after the last. The system property
- * {@code faultline.edits} sets the number of sequences.
+ * step: its undo restores the scenario before the first of them, its redo the one after the last. After moves of the
+ * run, which can divide a gesture, the undo of all steps restores the first scenario, and their redo each one before an
+ * undo. The system property {@code faultline.edits} sets the number of sequences.
  */
 @ExtendWith(EdtChecker.class)
 class RandomGesturesTest {
@@ -72,6 +77,8 @@ class RandomGesturesTest {
     private Random random;
     /** Whether the timeline changes an obstacle that is edited. */
     private boolean planned;
+    /** Whether the run is moved. */
+    private boolean moved;
 
     private final List<String> notes = new ArrayList<>();
     private final Deque<Step> done = new ArrayDeque<>();
@@ -83,7 +90,10 @@ class RandomGesturesTest {
     /** Stands for the drag, null for none. */
     private Object drag;
 
-    private List<String> dragged = List.of();
+    /** Returns the commands of the next message of the drag. */
+    private Supplier<List<Command>> dragging;
+
+    private List<Command> restoring = List.of();
     /** The item that was changed last, as it is since. */
     private TimelineItem lastItem;
 
@@ -123,18 +133,31 @@ class RandomGesturesTest {
     @ParameterizedTest
     @MethodSource("seeds")
     void eachGestureIsAStepOfUndo(int seed) throws Exception {
+        check(seed);
+    }
+
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void allStepsOfAMovedRunAreUndoneAndRedone(int seed) throws Exception {
+        moved = true;
+        check(seed);
+    }
+
+    private void check(int seed) throws Exception {
         random = new Random(seed);
         planned = random.nextBoolean();
         Scenario first = first();
         notes.add("seed " + seed + ": " + first.setup().timeline());
         runOnEdt(() -> new DocumentStore(workspace).create(first));
         SessionFrames.awaitScenario(workspace);
+        long latest = 0;
         for (int i = 0; i < EDITS; i++) {
             step();
+            latest = Math.max(latest, tick());
             assertReloads();
         }
         endDrag();
-        advance(2);
+        advance((int) (latest - tick()) + 2);
         List<Scenario> states = new ArrayList<>(List.of(scenario()));
         while (callOnEdt(undo::canUndo)) {
             undo();
@@ -220,10 +243,17 @@ class RandomGesturesTest {
             case 2 -> redo();
             case 3 -> undoSeveral();
             case 4 -> restart();
-            case 5, 6, 7, 8 -> advance(random.nextInt(30));
+            case 5, 6, 7 -> advance(random.nextInt(30));
+            case 8 -> {
+                if (moved) {
+                    moveRun();
+                }
+            }
             case 9 -> {
                 if (drag == null) {
                     beginDrag();
+                } else if (random.nextInt(3) == 0) {
+                    cancelDrag();
                 } else {
                     endDrag();
                 }
@@ -235,16 +265,12 @@ class RandomGesturesTest {
 
     /** Sends commands about the same thing, or those of the drag, some in quick succession. */
     private void sendSome() {
-        int kind = random.nextInt(5);
+        int kind = random.nextInt(7);
         for (int i = random.nextInt(3); i >= 0; i--) {
             if (drag == null) {
                 send(kind);
             } else {
-                change(
-                        drag,
-                        () -> sender.send(dragged.stream()
-                                .<Command>map(id -> new Command.MoveObstacle(id, pose()))
-                                .toList()));
+                change(drag, () -> sender.send(dragging.get()));
             }
             now += random.nextInt(3) * 300;
         }
@@ -271,7 +297,7 @@ class RandomGesturesTest {
     }
 
     private void undone() {
-        if (!done.isEmpty()) {
+        if (!moved && !done.isEmpty()) {
             Step step = done.pop();
             undone.push(step);
             assertScenario(step.before());
@@ -302,6 +328,15 @@ class RandomGesturesTest {
         }
     }
 
+    /** Moves the run back, or forward past edits that are ahead. */
+    private void moveRun() {
+        long tick = random.nextInt((int) tick() + 30);
+        note("move to " + tick);
+        runOnEdt(() -> run.navigator().seek(tick));
+        rest();
+        SessionFrames.awaitTick(workspace, tick);
+    }
+
     private void advance(int ticks) {
         note("advance by " + ticks);
         long end = tick() + ticks;
@@ -325,8 +360,41 @@ class RandomGesturesTest {
         note("begin a drag");
         last = null;
         drag = new Object();
-        dragged = random.nextBoolean() ? List.of(CHAIR, STAND) : List.of(CHAIR);
+        switch (random.nextInt(3)) {
+            case 0 -> {
+                List<String> ids = random.nextBoolean() ? List.of(CHAIR, STAND) : List.of(CHAIR);
+                dragging = () -> ids.stream().map(id -> move(id, pose())).toList();
+                restoring =
+                        ids.stream().map(id -> move(id, obstacle(id).pose())).toList();
+            }
+            case 1 -> {
+                Obstacle chair = obstacle(CHAIR);
+                boolean keys = random.nextBoolean();
+                dragging = () -> List.of(
+                        keys && random.nextInt(3) == 0
+                                ? move(CHAIR, pose())
+                                : new Command.PlaceObstacle(new Obstacle(CHAIR, circle(0.05), chair.pose())));
+                // If a key has moved the obstacle, too, a cancelled drag is a step without effect.
+                restoring = keys ? List.of() : List.of(new Command.PlaceObstacle(chair));
+            }
+            default -> {
+                SensorSpec sensor = frame().snapshot().robot().sensors().get(random.nextInt(2));
+                dragging = () -> List.of(new Command.ConfigureSensor(sensor.withRange(1 + number() / 1000.0)));
+                restoring = List.of(new Command.ConfigureSensor(sensor));
+            }
+        }
         runOnEdt(sender::beginGesture);
+    }
+
+    private static Command move(String id, Pose to) {
+        return new Command.MoveObstacle(id, to);
+    }
+
+    private Obstacle obstacle(String id) {
+        return frame().snapshot().obstacles().stream()
+                .filter(obstacle -> obstacle.id().equals(id))
+                .findFirst()
+                .orElseThrow();
     }
 
     private void endDrag() {
@@ -338,6 +406,15 @@ class RandomGesturesTest {
         }
     }
 
+    /** A drag that has not changed anything yet has nothing to restore. */
+    private void cancelDrag() {
+        if (drag.equals(last) && !restoring.isEmpty()) {
+            note("cancel the drag");
+            change(drag, () -> sender.send(restoring));
+        }
+        endDrag();
+    }
+
     /** Makes a change that is expected to be the same step as the one before if both have equal keys. */
     private void change(Object key, Runnable action) {
         boolean merged = key.equals(last) && (key == drag || now - lastTime <= 1000) && !done.isEmpty();
@@ -346,16 +423,17 @@ class RandomGesturesTest {
         runOnEdt(action);
         rest();
         Scenario after = scenario();
-        if ((merged || !after.equals(before))) {
-            Step step = new Step(merged ? done.pop().before() : before, after);
+        Step step = new Step(merged ? done.pop().before() : before, after);
+        boolean hasEffect = !after.equals(step.before());
+        if (!moved && hasEffect) {
             done.push(step);
+        }
+        if (!moved && (hasEffect || merged)) {
             undone.clear();
         }
-        last = key;
+        // What has no effect is no step that a later change could belong to.
+        last = hasEffect ? key : null;
         lastTime = now;
-        if (!merged && after.equals(before)) {
-            last = null;
-        }
     }
 
     private void send(int kind) {
@@ -367,27 +445,43 @@ class RandomGesturesTest {
             }
             case 1 ->
                 send("platform", new Command.SetPlatform(robot.length(), robot.width(), 0.01 + number() / 100000.0));
-            case 2 -> {
-                WallFollowing follower = (WallFollowing) frame().controller();
-                send("distance", new Command.ConfigureController(follower.withDistance(0.2 + number() / 1000.0)));
+            case 2 -> send("distance", follower().withDistance(0.2 + number() / 1000.0));
+            case 5 -> send("gains", follower().withGainRule(new GainRule.Length(0.2 + number() / 1000.0)));
+            case 6 -> {
+                Threshold threshold = random.nextBoolean() ? Threshold.AHEAD_MARGIN : Threshold.LOST_MARGIN;
+                send(
+                        threshold,
+                        follower().withThreshold(threshold, sometimes(threshold.defaultValue(), number() / 1000.0)));
             }
             case 3 -> {
                 String id = random.nextBoolean() ? CHAIR : STAND;
-                send("move " + id, new Command.MoveObstacle(id, pose()));
+                send("move " + id, move(id, pose()));
             }
             default -> {
-                Obstacle chair = frame().snapshot().obstacles().stream()
-                        .filter(obstacle -> obstacle.id().equals(CHAIR))
-                        .findFirst()
-                        .orElseThrow();
                 // A new size is never a repetition.
-                send(new Object(), new Command.PlaceObstacle(new Obstacle(CHAIR, circle(0.05), chair.pose())));
+                send(
+                        new Object(),
+                        new Command.PlaceObstacle(new Obstacle(
+                                CHAIR, circle(0.05), obstacle(CHAIR).pose())));
             }
         }
     }
 
+    private WallFollowing follower() {
+        return (WallFollowing) frame().controller();
+    }
+
+    private void send(Object key, WallFollowing controller) {
+        send(key, new Command.ConfigureController(controller));
+    }
+
     private void send(Object key, Command command) {
         change(key, () -> sender.send(command));
+    }
+
+    /** Returns a value that a change may restore, or a new one. */
+    private double sometimes(double usual, double other) {
+        return random.nextInt(3) == 0 ? usual : other;
     }
 
     private Pose pose() {
@@ -403,22 +497,15 @@ class RandomGesturesTest {
         SimulationSetup setup = scenario().setup();
         switch (random.nextInt(planned ? 2 : 6)) {
             case 0 -> {
-                long seed = number();
-                change(
-                        "seed",
-                        () -> properties.edit(
-                                "edit.properties",
-                                open -> open.withSetup(open.setup().withSeed(seed)),
-                                open -> open.withSetup(open.setup().withSeed(setup.seed()))));
+                long seed = (long) sometimes(1, number());
+                editScenario("properties", open -> open.withSeed(seed), open -> open.withSeed(setup.seed()));
             }
             case 1 -> {
-                double rate = 1 + number() / 1000.0;
-                change(
+                double rate = sometimes(1, 1 + number() / 1000.0);
+                editScenario(
                         "drive",
-                        () -> properties.edit(
-                                "edit.drive",
-                                open -> withRate(open, rate),
-                                open -> withRate(open, setup.robot().turnRate())));
+                        open -> withRate(open, rate),
+                        open -> withRate(open, setup.robot().turnRate()));
             }
             case 2 -> {
                 TimelineItem item = item();
@@ -428,8 +515,22 @@ class RandomGesturesTest {
         }
     }
 
-    private static Scenario withRate(Scenario open, double rate) {
-        return open.withSetup(open.setup().withRobot(open.setup().robot().withTurnRate(rate)));
+    /** Changes the setup if the change has an effect, as the window does. */
+    private void editScenario(
+            String name, UnaryOperator<SimulationSetup> change, UnaryOperator<SimulationSetup> inverse) {
+        SimulationSetup setup = scenario().setup();
+        if (!change.apply(setup).equals(setup)) {
+            change(
+                    name,
+                    () -> properties.edit(
+                            "edit." + name,
+                            open -> open.withSetup(change.apply(open.setup())),
+                            open -> open.withSetup(inverse.apply(open.setup()))));
+        }
+    }
+
+    private static SimulationSetup withRate(SimulationSetup open, double rate) {
+        return open.withRobot(open.robot().withTurnRate(rate));
     }
 
     private TimelineItem item() {
