@@ -128,6 +128,17 @@ class EditHistoryTest {
         assertFalse(edit.isNoOp());
     }
 
+    @Test
+    void aDragDoesNotReadTheTimeline() {
+        history.setPlan(tick -> fail());
+        Command first = new Command.MoveObstacle("box", new Pose(1, 1, 0));
+        Command second = new Command.MoveObstacle("box", new Pose(2, 2, 0));
+        CommandEdit drag = execute(1, first, new Command.MoveObstacle("box", new Pose(3, 3, 0)));
+        nextGesture--;
+        execute(2, second, first);
+        assertDoneAndUndone(drag, null);
+    }
+
     /** Follows a run without events. */
     private boolean moveTo(long tick) {
         return history.moveTo(tick, false, (edit, executed) -> fail());
