@@ -241,7 +241,13 @@ class RandomGesturesTest {
         switch (random.nextInt(20)) {
             case 0, 1 -> undo();
             case 2 -> redo();
-            case 3 -> undoSeveral();
+            case 3 -> {
+                if (moved) {
+                    undoAndRedo();
+                } else {
+                    undoSeveral();
+                }
+            }
             case 4 -> restart();
             case 5, 6, 7 -> advance(random.nextInt(30));
             case 8 -> {
@@ -294,6 +300,25 @@ class RandomGesturesTest {
             undone.push(done.pop());
         }
         undone();
+    }
+
+    /** Undoes an edit, of which the run may have executed only a part, and redoes it: the run is as it was. */
+    private void undoAndRedo() {
+        SimulationSetup setup = scenario().setup();
+        long next = tick() + 1;
+        // A run that is simulated again, because the setup changes, shows what the timeline does at the next tick.
+        boolean comparable = setup.timeline().stream().noneMatch(timed -> setup.tickAt(timed.time()) == next);
+        if (comparable && callOnEdt(undo::canUndo)) {
+            List<Object> before = shown();
+            undo();
+            redo();
+            assertEquals(before, shown(), notes::toString);
+        }
+    }
+
+    private List<Object> shown() {
+        return List.of(
+                List.copyOf(frame().snapshot().obstacles()), frame().snapshot().robot(), frame().controller());
     }
 
     private void undone() {
