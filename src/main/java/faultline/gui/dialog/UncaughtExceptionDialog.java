@@ -4,6 +4,7 @@ import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextWrap;
 import java.awt.EventQueue;
+import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -21,10 +22,23 @@ public final class UncaughtExceptionDialog implements Thread.UncaughtExceptionHa
 
     @Override
     public void uncaughtException(Thread thread, Throwable fault) {
+        if (!isReported(fault)) {
+            LOG.log(Level.FINE, fault, () -> "no preferences on thread " + thread.getName());
+            return;
+        }
         LOG.log(Level.SEVERE, fault, () -> "uncaught on thread " + thread.getName());
         if (showing.compareAndSet(false, true)) {
             EventQueue.invokeLater(() -> showFault(fault));
         }
+    }
+
+    /**
+     * Returns whether the user must know of an error. The JDK also writes preferences on a thread of its own, which
+     * fails if the disk is full, and nothing of the user's work is concerned.
+     */
+    static boolean isReported(Throwable fault) {
+        return Arrays.stream(fault.getStackTrace())
+                .noneMatch(frame -> frame.getClassName().startsWith("java.util.prefs."));
     }
 
     private void showFault(Throwable fault) {
