@@ -34,8 +34,7 @@ final class ApproachCheck {
     static boolean applies(MountedCone cone) {
         // The check applies only on the side away from the wall; on the other side the wall itself enters and leaves
         // the cone.
-        double bearing = -cone.bearing();
-        return bearing > cone.half() + 0.2 && bearing < 1.2;
+        return cone.bearing() < 0 && cone.looksDiagonally();
     }
 
     /**

@@ -117,11 +117,6 @@ final class EvidenceMarker {
         return Math.abs(cone.bearing()) > AHEAD && cone.bearing() < BESIDE || cone.bearing() > BACK;
     }
 
-    /** Returns whether straight ahead is outside a sensor's cone. */
-    static boolean looksAside(MountedCone cone) {
-        return Math.abs(cone.bearing()) > cone.half();
-    }
-
     /**
      * Begins an inspection of all sensors.
      *
@@ -156,7 +151,7 @@ final class EvidenceMarker {
             markFree(
                     sensor,
                     near ? Math.min(radius, NEAR) : radius,
-                    alert || small || !looksAside(sensor.cone()) ? RowParity.ALL : schedule.nextRows());
+                    alert || small || !sensor.cone().looksAside() ? RowParity.ALL : schedule.nextRows());
         }
     }
 

@@ -70,11 +70,6 @@ final class MissedSurfaces {
         this.reckoning = reckoning;
     }
 
-    /** Returns whether a sensor is tested, because it looks ahead. */
-    static boolean applies(MountedCone cone) {
-        return Math.abs(cone.bearing()) < cone.half();
-    }
-
     /**
      * Tests whether a sensor that looks diagonally ahead predicts a surface that the front sensor does not see.
      *
@@ -89,7 +84,7 @@ final class MissedSurfaces {
         if (ApproachCheck.applies(cone)) {
             testFront(cone, ApproachCheck.expectedAhead(sensor), readings, oldest, time);
         }
-        if (NearSurfaceCheck.applies(cone)
+        if (cone.looksDiagonally()
                 && assessment.mayBeRight(sensor.index())
                 && reckoning.odometer().v() > DRIVING) {
             double turnRate = reckoning.odometer().omega();
@@ -114,7 +109,7 @@ final class MissedSurfaces {
         }
         for (InspectedSensor front : sensors) {
             double due = expected + by.x() - front.cone().x();
-            boolean blind = applies(front.cone())
+            boolean blind = front.cone().looksAhead()
                     && assessment.isTrusted(front.index())
                     && readings[front.index()] >= front.cone().range()
                     && due + PredictedSurface.FARTHER < front.cone().range();

@@ -15,6 +15,12 @@ import faultline.sensor.SensorSpec;
  */
 public record MountedCone(double x, double y, double bearing, double half, double range) {
 
+    /** The least angle between straight ahead and a cone that looks diagonally ahead, radians. */
+    private static final double MIN_ASIDE = 0.2;
+
+    /** The bearing of a cone that looks diagonally ahead is less than this, radians. */
+    private static final double MAX_DIAGONAL = 1.2;
+
     static MountedCone of(SensorSpec sensor, WallSide side) {
         return new MountedCone(
                 sensor.mountPosition().x(),
@@ -22,6 +28,21 @@ public record MountedCone(double x, double y, double bearing, double half, doubl
                 Angles.normalize(side.sign() * sensor.bearing()),
                 sensor.cone() / 2,
                 sensor.range());
+    }
+
+    /** Returns whether straight ahead is inside the cone. */
+    boolean looksAhead() {
+        return Math.abs(bearing) < half;
+    }
+
+    /** Returns whether straight ahead is outside the cone; false as well if it is on the cone's border. */
+    boolean looksAside() {
+        return Math.abs(bearing) > half;
+    }
+
+    /** Returns whether the cone looks diagonally ahead, on either side. */
+    boolean looksDiagonally() {
+        return Math.abs(bearing) > half + MIN_ASIDE && Math.abs(bearing) < MAX_DIAGONAL;
     }
 
     /** Returns the range as far as it is certainly within a distance of the robot's centre, metres. */

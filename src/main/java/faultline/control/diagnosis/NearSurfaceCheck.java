@@ -35,11 +35,6 @@ final class NearSurfaceCheck {
 
     private NearSurfaceCheck() {}
 
-    static boolean applies(MountedCone cone) {
-        double bearing = Math.abs(cone.bearing());
-        return bearing > cone.half() + 0.2 && bearing < 1.2;
-    }
-
     /**
      * Returns the distance ahead of the sensor at which the surface crosses the path if it faces the sensor, metres;
      * infinite if none is near.

@@ -98,7 +98,7 @@ final class SensorInspection extends PacedCheck {
         bodyRadius = Math.min(radius, EvidenceReach.LEAST.distance());
         inOrder = inOrder(sensors);
         diagonal = Arrays.stream(sensors)
-                .filter(sensor -> NearSurfaceCheck.applies(sensor.cone()))
+                .filter(sensor -> sensor.cone().looksDiagonally())
                 .mapToInt(InspectedSensor::index)
                 .toArray();
     }
@@ -193,7 +193,7 @@ final class SensorInspection extends PacedCheck {
             MountedCone cone = sensor.cone();
             double reading = readings[sensor.index()];
             seen |= ApproachCheck.applies(cone) && reading < cone.range();
-            missed |= MissedSurfaces.applies(cone) && reading >= cone.range();
+            missed |= cone.looksAhead() && reading >= cone.range();
         }
         return seen && missed;
     }

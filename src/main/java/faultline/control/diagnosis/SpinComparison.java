@@ -104,9 +104,7 @@ final class SpinComparison extends PacedCheck {
             profile.reset();
         }
         for (InspectedSensor sensor : sensors) {
-            boolean looksAhead =
-                    Math.abs(sensor.cone().bearing()) < sensor.cone().half();
-            if (looksAhead && isWrong(sensor.index())) {
+            if (sensor.cone().looksAhead() && isWrong(sensor.index())) {
                 return sensor.index();
             }
         }

@@ -83,9 +83,7 @@ final class StuckCheck {
         held += motion.unsteadiness();
         heldSteps++;
         return Math.abs(turn) > STUCK_TURN + WHEEL_CURVATURE * Math.abs(distance)
-                || Math.abs(distance * axisCos) > STUCK_DISTANCE
-                        && Math.abs(cone.bearing()) < cone.half()
-                        && !mayBeBeside(reading)
+                || Math.abs(distance * axisCos) > STUCK_DISTANCE && cone.looksAhead() && !mayBeBeside(reading)
                 || isHeld()
                 || reading < TOUCHING && Math.abs(distance) + Math.abs(turn) > STUCK_DISTANCE;
     }

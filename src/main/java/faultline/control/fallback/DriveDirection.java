@@ -30,14 +30,14 @@ enum DriveDirection {
     /** Returns the direction for the trusted sensors: backwards if none of them looks ahead or faces the wall. */
     static DriveDirection of(SensorDiagnosis diagnosis) {
         for (int i = 0; i < diagnosis.sensors(); i++) {
-            if (diagnosis.isTrusted(i) && looksAhead(diagnosis.cone(i))) {
+            if (diagnosis.isTrusted(i) && looksAheadOrAtWall(diagnosis.cone(i))) {
                 return FORWARDS;
             }
         }
         return BACKWARDS;
     }
 
-    private static boolean looksAhead(MountedCone cone) {
+    private static boolean looksAheadOrAtWall(MountedCone cone) {
         return cone.bearing() >= -AHEAD && cone.bearing() <= QUARTER + BESIDE;
     }
 

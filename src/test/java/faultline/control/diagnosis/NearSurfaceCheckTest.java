@@ -48,23 +48,6 @@ class NearSurfaceCheckTest {
         assertEquals(0.05 * Math.sqrt(2) + 0.1, expected(0.1, 0.07, 0.06, 0.05), 1e-12);
     }
 
-    @ParameterizedTest
-    @CsvSource({
-        "0, false",
-        "20, false",
-        "23, true",
-        "-23, true",
-        "45, true",
-        "-45, true",
-        "68, true",
-        "70, false",
-        "180, false"
-    })
-    void itAppliesToSensorsThatLookDiagonallyAhead(double degrees, boolean applies) {
-        MountedCone cone = new MountedCone(0, 0, Math.toRadians(degrees), Math.toRadians(10), 0.8);
-        assertEquals(applies, NearSurfaceCheck.applies(cone));
-    }
-
     @Test
     void aSurfaceIsNearUpToFourteenCentimetres() {
         assertEquals(Reading.NOTHING, expected(0.25, 0.141, 0.141, 0.141));
