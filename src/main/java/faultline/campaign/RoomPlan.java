@@ -1,5 +1,6 @@
 package faultline.campaign;
 
+import faultline.geometry.EvenOddRule;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
@@ -106,19 +107,9 @@ final class RoomPlan {
 
     /** Returns whether a point is inside the ring and outside all items. */
     boolean surrounds(Vector2 point) {
-        return isInside(point, ring)
-                && items.stream().noneMatch(item -> item.outline().size() > 1 && isInside(point, item.outline()));
-    }
-
-    static boolean isInside(Vector2 point, List<Vector2> ring) {
-        boolean inside = false;
-        for (int i = 0; i < ring.size(); i++) {
-            Vector2 a = ring.get(i);
-            Vector2 b = ring.get((i + 1) % ring.size());
-            boolean crosses = a.y() > point.y() != b.y() > point.y();
-            inside ^= crosses && point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-        }
-        return inside;
+        return EvenOddRule.isInside(ring, point)
+                && items.stream()
+                        .noneMatch(item -> item.outline().size() > 1 && EvenOddRule.isInside(item.outline(), point));
     }
 
     /** Returns the walls and all items. */

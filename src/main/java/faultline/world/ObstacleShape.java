@@ -1,5 +1,6 @@
 package faultline.world;
 
+import faultline.geometry.EvenOddRule;
 import faultline.geometry.Vector2;
 import java.util.List;
 import java.util.function.Function;
@@ -194,7 +195,7 @@ public sealed interface ObstacleShape {
 
         @Override
         public boolean contains(Vector2 local) {
-            return isInsideEvenOdd(points, local);
+            return EvenOddRule.isInside(points, local);
         }
 
         @Override
@@ -292,19 +293,6 @@ public sealed interface ObstacleShape {
         RingList points() {
             return (RingList) rings;
         }
-    }
-
-    private static boolean isInsideEvenOdd(List<Vector2> ring, Vector2 p) {
-        boolean inside = false;
-        Vector2 a = ring.get(ring.size() - 1);
-        for (int i = 0; i < ring.size(); i++) {
-            Vector2 b = ring.get(i);
-            if (a.y() > p.y() != b.y() > p.y() && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-                inside = !inside;
-            }
-            a = b;
-        }
-        return inside;
     }
 
     private static double maxLength(List<Vector2> points) {

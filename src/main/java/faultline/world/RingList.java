@@ -1,6 +1,7 @@
 package faultline.world;
 
 import faultline.geometry.ConvexShape;
+import faultline.geometry.EvenOddRule;
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
@@ -94,7 +95,7 @@ final class RingList extends AbstractList<List<Vector2>> implements RandomAccess
         for (int ring = 1; ring < starts.length; ring++) {
             int size = starts[ring] - starts[ring - 1];
             if (size < 3) {
-                throw new IllegalArgumentException("a plan needs at least 3 points: " + size);
+                throw new IllegalArgumentException("a ring of a plan needs at least 3 points: " + size);
             }
         }
         return starts;
@@ -143,9 +144,7 @@ final class RingList extends AbstractList<List<Vector2>> implements RandomAccess
         boolean inside = false;
         for (int a = 0; a < xs.length; a++) {
             int b = next[a];
-            if (ys[a] > y != ys[b] > y && x < xs[a] + (y - ys[a]) / (ys[b] - ys[a]) * (xs[b] - xs[a])) {
-                inside = !inside;
-            }
+            inside ^= EvenOddRule.crosses(x, y, xs[a], ys[a], xs[b], ys[b]);
         }
         return inside;
     }
