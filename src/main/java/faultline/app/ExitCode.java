@@ -9,7 +9,7 @@ final class ExitCode {
     static final int EXPECTATION_FAILED = 1;
     /** The usage or a file is invalid, or an output cannot be written. */
     static final int BAD_INPUT = 2;
-    /** The run failed with an internal error. */
+    /** A run broke, or the program failed with an internal error. */
     static final int RUN_FAILED = 3;
 
     private ExitCode() {}

@@ -1,6 +1,9 @@
 package faultline.engine;
 
-/** Observes a run at tick 0 and after every tick, on the run's own thread. It must not change the run. */
+/**
+ * Observes a run at tick 0 and after every tick, on the run's own thread. It must not change what happens in the run;
+ * it may end the recording of the path by {@link Simulation#stopRecordingPath}.
+ */
 @FunctionalInterface
 public interface TickObserver {
 

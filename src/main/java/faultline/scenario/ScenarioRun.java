@@ -112,7 +112,10 @@ public final class ScenarioRun {
         return result.collision();
     }
 
-    /** {@return the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed} */
+    /**
+     * {@return the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed or its
+     * path is too long}
+     */
     public OptionalDouble coverage() {
         return result.coverage();
     }

@@ -59,7 +59,7 @@ public sealed interface Fault
         return spec;
     }
 
-    /** {@return the greatest angle of incidence at which a surface still answers the sensor, radians} */
+    /** {@return the greatest angle of incidence at which any flat surface is sensed, radians} */
     default double specularAngle() {
         return StrictMath.PI / 2;
     }

@@ -30,7 +30,8 @@ public interface FaultDescriptor<F> {
      *
      * @param value its number; ignored by kinds without one
      * @param length its mean length, seconds; ignored by kinds without one
-     * @throws IllegalArgumentException if the number is outside [{@link #minValue()}, {@link #maxValue()}]
+     * @throws IllegalArgumentException if the number is outside [{@link #minValue()}, {@link #maxValue()}], or the
+     *     length outside [{@link FaultKind#MIN_LENGTH}, {@link FaultKind#MAX_LENGTH}]
      */
     F createFault(double value, double length);
 

@@ -46,7 +46,7 @@ public final class CarryOnMetrics implements TickObserver {
     /** The least distance between two points of the robot's path that are looked at, metres. */
     private static final double MIN_STEP = 0.02;
 
-    /** The greatest distance: points farther apart could miss a place, metres. */
+    /** The greatest distance between two such points, metres; between points farther apart a place could be missed. */
     private static final double MAX_STEP = 0.05;
 
     /** The distance that the robot must drive before a pass of the same place counts again, metres. */

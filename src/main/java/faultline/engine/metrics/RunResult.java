@@ -12,7 +12,7 @@ import java.util.OptionalDouble;
  * The result of a headless run.
  *
  * @param ticks the number of ticks made
- * @param simulatedSeconds ticks times dt
+ * @param simulatedSeconds the simulated time, seconds, without a rounding error
  * @param realTimeFactor simulated seconds per second of real time
  * @param finalState the controller's last state
  * @param visitedStates all states of the controller in the order of their first appearance
@@ -50,7 +50,7 @@ public record RunResult(
      * Creates a result from copies of the lists.
      *
      * @param ticks the number of ticks made
-     * @param simulatedSeconds ticks times dt
+     * @param simulatedSeconds the simulated time, seconds, without a rounding error
      * @param realTimeFactor simulated seconds per second of real time
      * @param finalState the controller's last state
      * @param visitedStates all states of the controller in the order of their first appearance

@@ -15,7 +15,10 @@ public final class Coverage {
     /** The greatest distance at which the robot passes a place, metres. */
     static final double TOLERANCE = 0.05;
 
-    /** Points of the robot's path farther from each other than this could miss a place, metres. */
+    /**
+     * The greatest distance between two points of the robot's path that are looked at, metres; between points farther
+     * apart a place could be missed.
+     */
     public static final double MAX_STEP = TOLERANCE / 2;
 
     /**

@@ -3,7 +3,7 @@ package faultline.gui.gallery;
 import faultline.gui.text.Messages;
 import java.util.Set;
 
-/** A group of examples. The first group whose files include an example is its own. */
+/** A group of examples. An example is of the first group whose files include it, or else of {@link #ROOMS}. */
 enum ExampleGroup {
     /** All examples. */
     ALL(Set.of()),

@@ -1,5 +1,5 @@
 /**
  * The examples that ship with the program, with small pictures of them. Event dispatch thread only; the pictures are
- * made off it.
+ * rendered on a background thread.
  */
 package faultline.gui.gallery;

@@ -97,11 +97,11 @@ public final class CanvasModel {
         return sensor;
     }
 
-    /** Called for every frame: ids are unique, so counting is enough. */
     private boolean hasAny(Set<String> ids) {
         return !ids.isEmpty() && obstacles().stream().anyMatch(obstacle -> ids.contains(obstacle.id()));
     }
 
+    /** Ids are unique, so counting is enough; this is called for every frame. */
     private boolean hasAll(Set<String> ids) {
         return ids.isEmpty()
                 || obstacles().stream()

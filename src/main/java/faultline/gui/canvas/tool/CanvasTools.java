@@ -228,7 +228,7 @@ public final class CanvasTools {
         return sensor;
     }
 
-    /** Selects obstacles that are about to be placed, as soon as a frame has them all. */
+    /** Selects obstacles that are about to be placed: in the first frame that has any of them, those that it has. */
     public void selectWhenPresent(Collection<String> ids) {
         context.model().selectWhenPresent(ids);
     }
