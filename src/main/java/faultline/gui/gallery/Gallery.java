@@ -12,6 +12,7 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.FlowLayout;
+import java.awt.Point;
 import java.awt.Window;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
@@ -36,6 +37,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingUtilities;
 
 /**
  * A modal dialog that shows the examples and opens the selected one. Modal, so that a window manager that activates the
@@ -147,7 +149,8 @@ public final class Gallery extends JDialog {
         list.addMouseListener(new MouseAdapter() {
             @Override
             public void mouseClicked(MouseEvent event) {
-                if (event.getClickCount() == 2) {
+                boolean left = SwingUtilities.isLeftMouseButton(event);
+                if (left && event.getClickCount() == 2 && isOnExample(event.getPoint())) {
                     open();
                 }
             }
@@ -158,6 +161,12 @@ public final class Gallery extends JDialog {
         scroll.setPreferredSize(new Dimension(
                 COLUMNS * ExampleCard.SIZE.width + scroll.getVerticalScrollBar().getPreferredSize().width + 4, HEIGHT));
         return scroll;
+    }
+
+    /** Returns whether a point of the list is on an example, not on the empty place after the last one. */
+    private boolean isOnExample(Point at) {
+        int nearest = list.locationToIndex(at);
+        return nearest >= 0 && list.getCellBounds(nearest, nearest).contains(at);
     }
 
     private JPanel footer(boolean atStart, Consumer<Boolean> atStartChanged, Runnable onTour) {

@@ -247,6 +247,25 @@ class OpenRobotTest {
     }
 
     @Test
+    void onlyADoubleClickWithTheLeftButtonOnAnExampleOpensIt() {
+        driver.chooseLater("examples");
+        JDialog gallery = driver.dialog("Examples");
+        JList<?> list =
+                ComponentFinder.findAll(gallery, JList.class).findFirst().orElseThrow();
+        driver.robot().waitFor("ten examples are there", () -> list.getModel().getSize() >= 10);
+        JTextField search = ComponentFinder.find(gallery, JTextField.class, "Search");
+        runOnEdt(() -> search.setText("yard"));
+        driver.robot().waitFor("the yard is the only one", () -> list.getModel().getSize() == 1);
+        driver.robot().doubleClick(list, 20, list.getHeight() - 20);
+        assertTrue(callOnEdt(gallery::isShowing), "a double click beside the example opened it");
+        driver.robot().click(list, 20, 20, InputEvent.BUTTON3_DOWN_MASK);
+        driver.robot().click(list, 20, 20, InputEvent.BUTTON3_DOWN_MASK);
+        assertTrue(callOnEdt(gallery::isShowing), "a double click with the right button opened the example");
+        driver.robot().doubleClick(list, 20, 20);
+        driver.robot().waitFor("the gallery is gone", () -> !gallery.isShowing());
+    }
+
+    @Test
     void theHeadingOfANarrowGalleryIsNotCut() {
         driver.chooseLater("examples");
         JDialog gallery = driver.dialog("Examples");
