@@ -195,7 +195,7 @@ final class MainPanel extends JPanel {
         if (obstacles.isShowing()) {
             obstacles.setObstacles(frame.snapshot().obstacles());
         }
-        statusBar.setFrame(frame.frame(), now);
+        statusBar.setFrame(frame, now);
     }
 
     /** Asks for a fault of the motors of a side, and adds it to the run. */

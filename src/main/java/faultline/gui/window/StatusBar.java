@@ -1,7 +1,7 @@
 package faultline.gui.window;
 
 import faultline.control.FollowerState;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -76,7 +76,7 @@ final class StatusBar extends JPanel {
     }
 
     /** Shows the state of the run. */
-    void setFrame(Frame frame, SessionStatus status) {
+    void setFrame(SessionFrame frame, SessionStatus status) {
         assert EventQueue.isDispatchThread();
         Snapshot world = frame.snapshot();
         running.setStatusText(Messages.get(
@@ -87,7 +87,7 @@ final class StatusBar extends JPanel {
                                 : status.running() ? "status.running" : "status.paused"));
         time.setStatusText(NumberText.format("t %.3f s", world.time()));
         tick.setStatusText(tickText(world.tick()));
-        boolean stalled = stalledRun.isStalled(world, status);
+        boolean stalled = stalledRun.isStalled(frame, status);
         pace.setStatusText(
                 status.achievedSpeed() > 0 && !stalled
                         ? NumberText.format("%.2f× ", status.achievedSpeed()) + Messages.get("status.realTime")

@@ -6,9 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.FollowerState;
+import faultline.control.Telemetry;
 import faultline.engine.Frame;
 import faultline.engine.RunProblem;
 import faultline.engine.SampleFrames;
+import faultline.engine.recording.Recording;
+import faultline.engine.session.SampleSessionFrames;
 import faultline.engine.session.SessionStatus;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
@@ -18,6 +22,7 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.paint.surface.Camera;
 import faultline.world.Refusal;
+import faultline.world.Snapshot;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -72,6 +77,33 @@ class StatusBarTest {
         assertFalse(texts().contains("2.00× real time"));
         show(frame, new SessionStatus(false, 1, 0, 0, null, null));
         assertFalse(texts().contains("Waiting for an answer from the controller"));
+    }
+
+    /** Two ticks of 10 ms take 5 s at this speed. */
+    @Test
+    void atALowSpeedTheFirstAnswerMayTakeTwoTicks() {
+        SessionStatus slow = new SessionStatus(true, 0.004, 0, 0, null, null);
+        Snapshot later = SampleFrames.frameOf(new Pose(1, 1, 0)).snapshot();
+        Snapshot start = new Snapshot(
+                0,
+                0,
+                later.width(),
+                later.height(),
+                later.enclosed(),
+                later.robot(),
+                later.pose(),
+                later.wheelSpeeds(),
+                later.motorFaults(),
+                later.sensors(),
+                later.obstacles(),
+                later.contacts(),
+                later.collisions());
+        Frame frame = new Frame(start, Telemetry.ofState(FollowerState.SEARCH), 0, 0, SampleFrames.pathThrough(), 0);
+        show(frame, slow);
+        show(4900, frame, slow);
+        assertFalse(texts().contains("Waiting for an answer from the controller"));
+        show(5100, frame, slow);
+        assertTrue(texts().contains("Waiting for an answer from the controller"));
     }
 
     @Test
@@ -211,7 +243,7 @@ class StatusBarTest {
     }
 
     private void show(Frame frame, SessionStatus status) {
-        runOnEdt(() -> bar.setFrame(frame, status));
+        runOnEdt(() -> bar.setFrame(SampleSessionFrames.unmeasured(frame, Recording.EMPTY), status));
     }
 
     private void show(long atMillis, Frame frame, SessionStatus status) {
