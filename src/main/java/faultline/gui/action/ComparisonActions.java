@@ -98,7 +98,7 @@ public final class ComparisonActions {
                 : Optional.of(Messages.get(
                         "ghost.measures",
                         ExpectationText.percent(measures.coverage()),
-                        ExpectationText.number("%.2f", measures.laps()),
+                        NumberText.formatOrDash("%.2f", measures.laps()),
                         ExpectationText.millimetres(measures.distanceRms())));
     }
 }

@@ -106,7 +106,7 @@ public final class RunPanel extends JPanel {
                     scenario.setup().dt());
         }
         double left = scenario.setup().duration() - frame.snapshot().time();
-        timeLeft.setValue(left > 0 ? ExpectationText.number("%.1f s", left) : Messages.get("run.noTimeLeft"));
+        timeLeft.setValue(left > 0 ? NumberText.formatOrDash("%.1f s", left) : Messages.get("run.noTimeLeft"));
         expectations.setFacts(scenario.expectation().conditions(), frame, left <= 0);
     }
 
@@ -123,7 +123,7 @@ public final class RunPanel extends JPanel {
         linear.setValue(NumberText.format("%.3f m/s", velocity.linear()));
         angular.setValue(NumberText.format("%.1f °/s", Math.toDegrees(velocity.angular())));
         coverage.setValue(ExpectationText.percent(measures.coverage()));
-        laps.setValue(ExpectationText.number("%.2f", measures.laps()));
+        laps.setValue(NumberText.formatOrDash("%.2f", measures.laps()));
         straightRms.setValue(ExpectationText.millimetres(measures.distanceRms()));
         followRms.setValue(ExpectationText.millimetres(measures.followRms()));
         rung.setValue(rungText(frame.telemetry().diagnosis().rung()));

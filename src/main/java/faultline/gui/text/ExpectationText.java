@@ -5,7 +5,6 @@ import faultline.engine.metrics.Expectation.ConditionCases;
 import faultline.engine.metrics.RunFacts;
 import faultline.io.DecimalText;
 import java.math.BigDecimal;
-import java.util.Locale;
 
 /** Describes what is expected of a run, and its result so far, in percent and millimetres. */
 public final class ExpectationText {
@@ -46,16 +45,11 @@ public final class ExpectationText {
 
     /** Returns a share in percent, or a dash for NaN. */
     public static String percent(double share) {
-        return number("%.1f %%", Math.pow(10, PERCENT_DIGITS) * share);
+        return NumberText.formatOrDash("%.1f %%", Math.pow(10, PERCENT_DIGITS) * share);
     }
 
     /** Returns a distance in metres in millimetres, or a dash for NaN. */
     public static String millimetres(double metres) {
-        return number("%.1f mm", Math.pow(10, MILLIMETRE_DIGITS) * metres);
-    }
-
-    /** Returns a number in a format, or a dash for NaN. */
-    public static String number(String format, double value) {
-        return Double.isNaN(value) ? "–" : String.format(Locale.ROOT, format, value);
+        return NumberText.formatOrDash("%.1f mm", Math.pow(10, MILLIMETRE_DIGITS) * metres);
     }
 }

@@ -12,4 +12,9 @@ public final class NumberText {
     public static String format(String pattern, Object... values) {
         return DecimalText.withoutSignOfZero(String.format(Locale.ROOT, pattern, values));
     }
+
+    /** Returns a number with a pattern of {@link String#format}, or a dash for NaN. */
+    public static String formatOrDash(String pattern, double value) {
+        return Double.isNaN(value) ? "–" : format(pattern, value);
+    }
 }

@@ -3,7 +3,7 @@ package faultline.gui.window;
 import faultline.engine.Frame;
 import faultline.gui.document.RunNavigator;
 import faultline.gui.text.Messages;
-import java.util.Locale;
+import faultline.gui.text.NumberText;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
 
@@ -36,7 +36,7 @@ final class ReplayNotifier {
 
     private void update(long tick, long end, double time) {
         if (tick == end && !ended) {
-            notifier.accept(Messages.get("replay.ended", String.format(Locale.ROOT, "%.2f", time)));
+            notifier.accept(Messages.get("replay.ended", NumberText.format("%.2f", time)));
         } else if (tick == 0 && !announced) {
             notifier.accept(Messages.get("replay.begun"));
         }
