@@ -2,8 +2,8 @@ package faultline.gui.batch;
 
 import faultline.campaign.plan.ValueSyntax;
 import faultline.gui.panel.FormConstraints;
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.gui.text.TextListener;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
@@ -84,10 +84,10 @@ final class FaultChoices extends JPanel {
         RefreshSteps.add(
                 value,
                 self -> self.setToolTipText(
-                        Messages.get(MotorFaultText.valueKeyOf(kind)) + ". " + Messages.get("batch.syntax")));
+                        Messages.get(FaultText.valueKeyOf(kind)) + ". " + Messages.get("batch.syntax")));
         RefreshSteps.add(box, self -> {
-            self.setText(MotorFaultText.nameOf(kind));
-            self.setToolTipText(MotorFaultText.describe(kind));
+            self.setText(FaultText.nameOf(kind));
+            self.setToolTipText(FaultText.describe(kind));
             value.getAccessibleContext().setAccessibleName(Messages.get("batch.valueOf", self.getText()));
         });
         value.getDocument().addDocumentListener(new TextListener(onChange));
@@ -95,7 +95,7 @@ final class FaultChoices extends JPanel {
         grid.add(box);
         if (kind.takesValue()) {
             grid.add(value);
-            grid.add(RefreshSteps.add(unit, label -> label.setText(MotorFaultText.fieldUnitOf(kind))));
+            grid.add(RefreshSteps.add(unit, label -> label.setText(FaultText.fieldUnitOf(kind))));
         }
         return new FaultChoiceRow(kind, box, value, unit);
     }

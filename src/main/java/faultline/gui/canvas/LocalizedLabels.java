@@ -1,7 +1,7 @@
 package faultline.gui.canvas;
 
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.gui.theme.TextSize;
 import faultline.paint.scene.SceneLabels;
 import faultline.paint.surface.DrawContext;
@@ -28,8 +28,8 @@ public final class LocalizedLabels {
                 Messages.get("picture.faults"),
                 Messages.get("picture.off"),
                 Messages.get("reading.off"),
-                MotorFaultText::motors,
-                kind -> kind == FaultKind.OFF ? Messages.get("picture.fault.off") : MotorFaultText.nameOf(kind),
+                FaultText::motors,
+                kind -> kind == FaultKind.OFF ? Messages.get("picture.fault.off") : FaultText.nameOf(kind),
                 font);
     }
 }

@@ -1,7 +1,7 @@
 package faultline.gui.edit;
 
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -53,10 +53,10 @@ final class EditNames {
                 injectFault -> new EditName("edit.fault", injectFault.sensor()),
                 clearFault -> new EditName("edit.repair", clearFault.sensor()),
                 clearFaults -> new EditName("edit.repair", "edit.repairSeveral", clearFaults.sensor()),
-                injectMotorFault -> new EditName("edit.fault", MotorFaultText.motors(injectMotorFault.motor())),
-                clearMotorFault -> new EditName("edit.repair", MotorFaultText.motors(clearMotorFault.motor())),
-                clearMotorFaults -> new EditName(
-                        "edit.repair", "edit.repairMotors", MotorFaultText.motors(clearMotorFaults.motor())),
+                injectMotorFault -> new EditName("edit.fault", FaultText.motors(injectMotorFault.motor())),
+                clearMotorFault -> new EditName("edit.repair", FaultText.motors(clearMotorFault.motor())),
+                clearMotorFaults ->
+                        new EditName("edit.repair", "edit.repairMotors", FaultText.motors(clearMotorFaults.motor())),
                 this::nameOfMove,
                 this::nameOfPlacement,
                 removeObstacle -> new EditName("edit.remove", "edit.removeSeveral", removeObstacle.obstacle()),

@@ -3,8 +3,8 @@ package faultline.gui.motor;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.panel.FaultFields;
 import faultline.gui.panel.FormDialog;
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
@@ -37,7 +37,7 @@ public final class MotorFaultDialog {
         // Fields stay where they are when the dialog is higher than they need.
         JPanel content = new JPanel(new BorderLayout());
         content.add(form, BorderLayout.NORTH);
-        String title = Messages.get("motors.fault", MotorFaultText.motors(side));
+        String title = Messages.get("motors.fault", FaultText.motors(side));
         if (FormDialog.showDialog(
                 parent, title, content, fields.kindField(), () -> FormDialog.findRefusedNumber(form))) {
             fields.commitFault().ifPresent(fault -> {

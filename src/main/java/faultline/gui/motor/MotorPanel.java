@@ -5,8 +5,8 @@ import faultline.gui.edit.CommandSender;
 import faultline.gui.panel.FaultList;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.WrappingGridLayout;
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import faultline.robot.MotorSide;
@@ -54,7 +54,7 @@ public final class MotorPanel extends JPanel {
         JButton button = UiText.button("motors.add." + side.fileName());
         button.setEnabled(false);
         return RefreshSteps.add(button, self -> {
-            self.setToolTipText(Messages.get("motors.add.tip", MotorFaultText.motors(side)));
+            self.setToolTipText(Messages.get("motors.add.tip", FaultText.motors(side)));
             self.getAccessibleContext().setAccessibleName(self.getToolTipText());
         });
     }

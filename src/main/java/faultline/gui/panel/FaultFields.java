@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import faultline.gui.theme.RefreshSteps;
@@ -43,9 +43,9 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private final JComboBox<K> kind;
 
-    private final NumberSpinner value = new NumberSpinner(MotorFaultText.NUMBER_PATTERN, 0, 1, 0.05, ignored -> {});
-    private final NumberSpinner length = new NumberSpinner(
-            MotorFaultText.NUMBER_PATTERN, FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, 0.1, ignored -> {});
+    private final NumberSpinner value = new NumberSpinner(FaultText.NUMBER_PATTERN, 0, 1, 0.05, ignored -> {});
+    private final NumberSpinner length =
+            new NumberSpinner(FaultText.NUMBER_PATTERN, FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, 0.1, ignored -> {});
     private final JLabel lengthLabel = FormConstraints.label("faults.length", length);
     private final MutedLabel unit = new MutedLabel("m");
     private final MutedLabel lengthUnit = new MutedLabel("s");
@@ -88,7 +88,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     }
 
     private void configureKind(int count) {
-        kind.setRenderer(NamedChoice.rendererOf(MotorFaultText::nameOf, MotorFaultText::describe));
+        kind.setRenderer(NamedChoice.rendererOf(FaultText::nameOf, FaultText::describe));
         kind.setMaximumRowCount(count);
         kind.addActionListener(event -> updateKind());
         UiText.name(kind, "faults.kind");
@@ -141,9 +141,9 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     }
 
     private void updateTexts() {
-        unit.setText(MotorFaultText.fieldUnitOf(selected()));
-        value.setTip(MotorFaultText.valueKeyOf(selected()));
-        description.setText(MotorFaultText.describe(selected()));
+        unit.setText(FaultText.fieldUnitOf(selected()));
+        value.setTip(FaultText.valueKeyOf(selected()));
+        description.setText(FaultText.describe(selected()));
         kind.setToolTipText(description.getText());
         updateProblem();
     }

@@ -3,10 +3,9 @@ package faultline.gui.panel;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.TimelineEvents;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.gui.text.NumberText;
-import faultline.gui.text.ReadingText;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import faultline.gui.theme.RefreshSteps;
@@ -79,7 +78,7 @@ public final class FaultList extends JPanel {
 
         @Override
         public String text() {
-            return ReadingText.format(fault);
+            return FaultText.format(fault);
         }
 
         @Override
@@ -103,12 +102,12 @@ public final class FaultList extends JPanel {
 
         @Override
         public String owner() {
-            return MotorFaultText.motors(side);
+            return FaultText.motors(side);
         }
 
         @Override
         public String text() {
-            return MotorFaultText.format(fault);
+            return FaultText.format(fault);
         }
 
         @Override

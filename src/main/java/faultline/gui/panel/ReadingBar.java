@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.ReadingText;
 import faultline.gui.theme.AccessibleComponent;
@@ -94,7 +95,7 @@ final class ReadingBar extends AccessibleComponent {
 
     private void updateToolTip(SensorSnapshot snapshot) {
         String tip = Messages.get(readingKind.key, sensor) + ": " + text
-                + (faulty ? " (" + Messages.get("sensor.faulty", ReadingText.format(snapshot.faults())) + ")" : "");
+                + (faulty ? " (" + Messages.get("sensor.faulty", FaultText.format(snapshot.faults())) + ")" : "");
         if (!tip.equals(getToolTipText())) {
             setToolTipText(tip);
             getAccessibleContext().setAccessibleDescription(tip);

@@ -5,10 +5,9 @@ import faultline.engine.metrics.Expectation;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.gui.text.ExpectationText;
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.gui.text.NumberText;
-import faultline.gui.text.ReadingText;
 import faultline.robot.MotorFaults;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
@@ -122,7 +121,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
     static String faultText(Collision collision) {
         Map<String, List<String>> sensors = new LinkedHashMap<>();
         collision.faults().forEach((id, faults) -> sensors.computeIfAbsent(
-                        ReadingText.format(faults), text -> new ArrayList<>())
+                        FaultText.format(faults), text -> new ArrayList<>())
                 .add(id));
         collision.switchedOff().forEach(id -> sensors.computeIfAbsent(
                         Messages.get("reading.off"), text -> new ArrayList<>())
@@ -148,7 +147,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
     }
 
     private static Stream<String> motorEntries(MotorFaults faults, MotorSide side) {
-        return faults.of(side).stream().map(fault -> MotorFaultText.motors(side) + " " + MotorFaultText.format(fault));
+        return faults.of(side).stream().map(fault -> FaultText.motors(side) + " " + FaultText.format(fault));
     }
 
     /** Returns the tick to go to in order to see what went wrong. */

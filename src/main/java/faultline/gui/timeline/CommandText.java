@@ -1,10 +1,9 @@
 package faultline.gui.timeline;
 
 import faultline.gui.panel.ControllerText;
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.gui.text.NumberText;
-import faultline.gui.text.ReadingText;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.world.Command;
@@ -25,13 +24,12 @@ public final class CommandText {
                         NumberText.format(
                                 "%.1f", Math.toDegrees(configureSensor.sensor().cone()))),
                 injectFault ->
-                        Messages.get("command.inject", injectFault.sensor(), ReadingText.format(injectFault.fault())),
-                clearFault ->
-                        Messages.get("command.clear", clearFault.sensor(), ReadingText.format(clearFault.fault())),
+                        Messages.get("command.inject", injectFault.sensor(), FaultText.format(injectFault.fault())),
+                clearFault -> Messages.get("command.clear", clearFault.sensor(), FaultText.format(clearFault.fault())),
                 clearFaults -> Messages.get("command.clearAll", clearFaults.sensor()),
                 injectMotorFault -> motorText("command.inject", injectMotorFault.motor(), injectMotorFault.fault()),
                 clearMotorFault -> motorText("command.clear", clearMotorFault.motor(), clearMotorFault.fault()),
-                clearMotorFaults -> Messages.get("command.clearAll", MotorFaultText.motors(clearMotorFaults.motor())),
+                clearMotorFaults -> Messages.get("command.clearAll", FaultText.motors(clearMotorFaults.motor())),
                 moveObstacle -> Messages.get(
                         "command.move",
                         moveObstacle.obstacle(),
@@ -52,6 +50,6 @@ public final class CommandText {
     }
 
     private static String motorText(String key, MotorSide motor, MotorFault fault) {
-        return Messages.get(key, MotorFaultText.motors(motor), MotorFaultText.format(fault));
+        return Messages.get(key, FaultText.motors(motor), FaultText.format(fault));
     }
 }

@@ -1,7 +1,7 @@
 package faultline.gui.timeline;
 
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.robot.MotorSide;
 
 /** A lane of the time line. */
@@ -25,7 +25,7 @@ public sealed interface Lane {
     record MotorLane(MotorSide side) implements Lane {
         @Override
         public String label() {
-            return MotorFaultText.motors(side);
+            return FaultText.motors(side);
         }
     }
 

@@ -1,9 +1,8 @@
 package faultline.gui.timeline;
 
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.gui.text.NumberText;
-import faultline.gui.text.ReadingText;
 import faultline.world.Command;
 
 /** Describes the items of the time line in the user's language. */
@@ -14,10 +13,10 @@ final class TimelineText {
     /** Returns a short name without the sensor or motors: the fault, or what the command does. */
     static String label(TimelineItem item) {
         if (item.command() instanceof Command.InjectFault injected) {
-            return ReadingText.format(injected.fault());
+            return FaultText.format(injected.fault());
         }
         if (item.command() instanceof Command.InjectMotorFault injected) {
-            return MotorFaultText.format(injected.fault());
+            return FaultText.format(injected.fault());
         }
         return item.command() instanceof Command.SwitchSensor switched && !switched.on()
                 ? Messages.get("timeline.off")

@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.text.FaultText;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.gui.theme.Theme;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
@@ -113,7 +113,7 @@ class FaultFieldsTest {
             JComboBox<FaultKind> kind = ComponentFinder.find(form, JComboBox.class, "Fault");
             JComponent item = (JComponent) kind.getRenderer()
                     .getListCellRendererComponent(new JList<>(), FaultKind.CROSS_TALK, 0, false, false);
-            assertEquals(MotorFaultText.describe(FaultKind.CROSS_TALK), item.getToolTipText());
+            assertEquals(FaultText.describe(FaultKind.CROSS_TALK), item.getToolTipText());
             assertEquals(item.getToolTipText(), item.getAccessibleContext().getAccessibleDescription());
         });
     }

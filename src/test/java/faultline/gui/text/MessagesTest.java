@@ -66,8 +66,8 @@ class MessagesTest {
                 .forEach(kind -> assertTrue(Messages.contains("fault." + kind.fileName()), kind.fileName()));
         Stream.concat(Stream.of(FaultKind.values()), Stream.of(MotorFaultKind.values()))
                 .forEach(kind -> {
-                    assertFalse(MotorFaultText.describe(kind).isBlank(), kind.fileName());
-                    assertTrue(Messages.contains(MotorFaultText.valueKeyOf(kind)), kind.fileName());
+                    assertFalse(FaultText.describe(kind).isBlank(), kind.fileName());
+                    assertTrue(Messages.contains(FaultText.valueKeyOf(kind)), kind.fileName());
                 });
         Stream.of(TaskKind.values()).forEach(task -> assertTrue(Messages.contains("failed." + task), task.name()));
     }

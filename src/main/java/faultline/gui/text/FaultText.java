@@ -3,26 +3,30 @@ package faultline.gui.text;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
+import faultline.sensor.Fault;
 import faultline.sensor.FaultDescriptor;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 
-/** The faults of motors, and what faults of both motors and sensors have in common, in the user's language. */
-public final class MotorFaultText {
+/** Describes the faults of sensors and motors in the user's language. */
+public final class FaultText {
 
     /** The pattern of the numbers of faults, in texts and in fields. */
     public static final String NUMBER_PATTERN = "0.00##";
 
     private static final String DEGREES = "°";
 
-    private MotorFaultText() {}
+    private FaultText() {}
 
     /** Returns the name of a side's motors. */
     public static String motors(MotorSide side) {
         return Messages.get("motors." + side.fileName());
     }
 
+    /** Returns the name of a kind of fault. */
     public static String nameOf(FaultDescriptor<?> kind) {
         return Messages.get(keyOf(kind));
     }
@@ -41,7 +45,17 @@ public final class MotorFaultText {
         return (kind instanceof MotorFaultKind ? "motorFault." : "fault.") + kind.fileName();
     }
 
-    /** Formats a fault, for example "weak 0.70". */
+    /** Formats the faults of a sensor. */
+    public static String format(List<Fault> faults) {
+        return faults.stream().map(FaultText::format).collect(Collectors.joining(", "));
+    }
+
+    /** Formats a fault of a sensor, for example "stuck 0.40 m". */
+    public static String format(Fault fault) {
+        return format(nameOf(fault.kind()), fault.kind(), fault.value());
+    }
+
+    /** Formats a fault of motors, for example "weak 0.70". */
     public static String format(MotorFault fault) {
         return format(nameOf(fault.kind()), fault.kind(), fault.value());
     }

@@ -7,7 +7,7 @@ import faultline.sensor.FaultDescriptor;
 import faultline.sensor.FaultKind;
 import org.junit.jupiter.api.Test;
 
-class MotorFaultTextTest {
+class FaultTextTest {
 
     @Test
     void aNumberHasAsManyDecimalsAsItNeeds() {
@@ -20,6 +20,6 @@ class MotorFaultTextTest {
     }
 
     private static String text(FaultDescriptor<?> kind, double value) {
-        return MotorFaultText.format("name", kind, value);
+        return FaultText.format("name", kind, value);
     }
 }
