@@ -67,8 +67,9 @@ public final class SimulationCanvas extends AccessibleComponent {
         renderer = new CachedSceneRenderer(clock);
         CanvasListeners listeners = new CanvasListeners();
         mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, sender, listeners), listeners);
-        tools = new CanvasTools(new ToolContext(model, viewport, sender, listeners), mouse, this);
-        new CanvasKeys(model, sender, mouse).install(this);
+        ToolContext context = new ToolContext(model, viewport, sender, listeners);
+        tools = new CanvasTools(context, mouse, this);
+        new CanvasKeys(context, mouse).install(this);
         mouse.install(this);
         model.selection().addListener(selected -> repaint());
         model.sensor().addListener(selected -> repaint());

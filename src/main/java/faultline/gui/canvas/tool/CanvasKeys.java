@@ -4,7 +4,6 @@ import faultline.geometry.Angles;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.Rounding;
 import faultline.gui.theme.KeyBindings;
 import faultline.paint.scene.ObstacleOutlines;
@@ -31,13 +30,11 @@ public final class CanvasKeys {
     private static final double BIG_PAN_PIXELS = 300;
     private static final double TURN_ANGLE = Degrees.toRadians(5);
 
-    private final CanvasModel model;
-    private final CommandSender sender;
+    private final ToolContext context;
     private final CanvasMouse mouse;
 
-    public CanvasKeys(CanvasModel model, CommandSender sender, CanvasMouse mouse) {
-        this.model = model;
-        this.sender = sender;
+    public CanvasKeys(ToolContext context, CanvasMouse mouse) {
+        this.context = context;
         this.mouse = mouse;
     }
 
@@ -65,7 +62,7 @@ public final class CanvasKeys {
 
     private void nudge(double dx, double dy, double pixels) {
         Vector2 step = new Vector2(dx, dy);
-        if (mouse.tool().get().isPresent() || model.selected().isEmpty()) {
+        if (mouse.tool().get().isPresent() || context.model().selected().isEmpty()) {
             mouse.moveKeyPoint(step, pixels);
             return;
         }
@@ -74,7 +71,7 @@ public final class CanvasKeys {
     }
 
     private void turn(double turn) {
-        List<Obstacle> expected = expectedSelection();
+        List<Obstacle> expected = context.expectedSelection();
         if (expected.isEmpty()) {
             turnSensor(turn);
         } else {
@@ -84,21 +81,19 @@ public final class CanvasKeys {
     }
 
     private void turnSensor(double turn) {
-        model.sensor()
+        context.model()
+                .sensor()
                 .get()
-                .flatMap(id -> sender.pendingEdits().robot().sensor(id))
+                .flatMap(id -> context.sender().pendingEdits().robot().sensor(id))
                 .map(sensor -> sensor.withBearing(Rounding.roundAngle(Angles.normalize(sensor.bearing() + turn))))
-                .ifPresent(turned -> sender.send(new Command.ConfigureSensor(turned)));
+                .ifPresent(turned -> context.sender().send(new Command.ConfigureSensor(turned)));
     }
 
     private void moveSelected(Function<Obstacle, Pose> change) {
-        sender.send(expectedSelection().stream()
-                .<Command>map(obstacle -> new Command.MoveObstacle(obstacle.id(), moved(obstacle, change)))
-                .toList());
-    }
-
-    private List<Obstacle> expectedSelection() {
-        return sender.pendingEdits().expected(model.selected());
+        context.sender()
+                .send(context.expectedSelection().stream()
+                        .<Command>map(obstacle -> new Command.MoveObstacle(obstacle.id(), moved(obstacle, change)))
+                        .toList());
     }
 
     private static Pose moved(Obstacle obstacle, Function<Obstacle, Pose> change) {
@@ -112,8 +107,8 @@ public final class CanvasKeys {
 
     private void cancelOrDeselect() {
         if (!mouse.cancel()) {
-            model.select(Set.of());
-            model.sensor().set(Optional.empty());
+            context.model().select(Set.of());
+            context.model().sensor().set(Optional.empty());
         }
     }
 

@@ -148,7 +148,7 @@ public final class CanvasTools {
 
     /** Returns the selected obstacles as they will be after the commands that were sent, in drawing order. */
     public List<Obstacle> expectedSelection() {
-        return context.sender().pendingEdits().expected(selected());
+        return context.expectedSelection();
     }
 
     /** Selects obstacles and no others; unknown ids are ignored. */

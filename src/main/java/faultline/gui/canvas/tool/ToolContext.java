@@ -25,6 +25,11 @@ public record ToolContext(CanvasModel model, Viewport viewport, CommandSender se
         return true;
     }
 
+    /** Returns the selected obstacles as they will be after the commands that were sent, in drawing order. */
+    List<Obstacle> expectedSelection() {
+        return sender.pendingEdits().expected(model.selected());
+    }
+
     void showNote(String sentence) {
         listeners.fireNote(sentence, world -> true);
     }
