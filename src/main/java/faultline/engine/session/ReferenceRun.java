@@ -30,7 +30,7 @@ public final class ReferenceRun {
     private final RobotPath path;
     private final RunMeasures measures;
 
-    private ReferenceRun(Journal journal, Simulation simulation, LongPredicate onward) {
+    private ReferenceRun(Journal journal, Simulation simulation, LongPredicate shouldContinue) {
         int size = (int) Math.min(journal.ticks() + 1, HashTraceRecorder.MAX_HASHES);
         setup = journal.setup();
         x = new double[size];
@@ -41,7 +41,7 @@ public final class ReferenceRun {
         JournalPlayer replay = new JournalPlayer(journal);
         record(simulation, recorder, meter);
         while (simulation.ticks() < size - 1) {
-            if (!onward.test(simulation.ticks())) {
+            if (!shouldContinue.test(simulation.ticks())) {
                 throw new CancellationException("given up at tick " + simulation.ticks());
             }
             replay.tick(simulation);
@@ -57,13 +57,13 @@ public final class ReferenceRun {
      * {@link HashTraceRecorder#MAX_HASHES} hashes}
      *
      * @param journal the journal of the earlier run
-     * @param onward called before each tick with the tick before; false cancels the run
+     * @param shouldContinue called before each tick with the tick before; false cancels the run
      * @throws RunFailedException if the controller threw an exception
      * @throws CancellationException if the run was cancelled
      */
-    public static ReferenceRun replay(Journal journal, LongPredicate onward) {
+    public static ReferenceRun replay(Journal journal, LongPredicate shouldContinue) {
         try (Simulation simulation = new Simulation(journal.setup(), ControllerMode.DIRECT)) {
-            return new ReferenceRun(journal, simulation, onward);
+            return new ReferenceRun(journal, simulation, shouldContinue);
         }
     }
 

@@ -101,8 +101,8 @@ public final class ComparisonController implements WorkspaceListener {
         return replay(name, journal, tick -> progress.isActive());
     }
 
-    private static RunComparison replay(String name, Journal journal, LongPredicate onward) {
-        return new RunComparison(name, ReferenceRun.replay(journal, onward), false);
+    private static RunComparison replay(String name, Journal journal, LongPredicate shouldContinue) {
+        return new RunComparison(name, ReferenceRun.replay(journal, shouldContinue), false);
     }
 
     /** Replays a reference run. */

@@ -104,13 +104,13 @@ public final class RunNavigator implements WorkspaceListener {
             long tick = end.applyAsLong(past.join());
             synchronized (replaying) {
                 task.progress().throwIfCancelled();
-                LongPredicate onward = reached -> {
+                LongPredicate shouldContinue = reached -> {
                     task.progress().setFraction((double) reached / tick);
                     return true;
                 };
                 return now.withSession(workspace, choice -> {
                     SimulationSetup setup = choice.apply(journal.setup());
-                    return replay.start(new Journal(setup, journal.entries(), journal.ticks()), tick, onward);
+                    return replay.start(new Journal(setup, journal.entries(), journal.ticks()), tick, shouldContinue);
                 });
             }
         };

@@ -79,7 +79,7 @@ class SessionReplayTest {
     @Test
     void atEveryTickTheReplayedSessionHasTheBitsOfTheOriginal() {
         for (long tick : new long[] {0, 1, 399, 400, 401, 699, 700, 1000}) {
-            try (Session session = Session.replay(JOURNAL, tick, onward -> true)) {
+            try (Session session = Session.replay(JOURNAL, tick, reached -> true)) {
                 assertEquals(tick, session.frame().snapshot().tick());
                 assertEquals(
                         ORIGINAL.hashTrace().hashAt(tick),
@@ -92,7 +92,7 @@ class SessionReplayTest {
 
     @Test
     void steppingOnDoesAgainWhatWasDone() {
-        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
+        try (Session session = Session.replay(JOURNAL, 398, reached -> true)) {
             assertEquals(
                     ORIGINAL.hashTrace().hashAt(420),
                     stepTo(session, 420).frame().trajectoryHash());
@@ -101,7 +101,7 @@ class SessionReplayTest {
 
     @Test
     void aNewCommandMakesItAnotherRun() throws Exception {
-        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
+        try (Session session = Session.replay(JOURNAL, 398, reached -> true)) {
             session.send(new Command.SwitchSensor("front", false));
             stepTo(session, 420);
             assertEquals(
@@ -113,7 +113,7 @@ class SessionReplayTest {
 
     @Test
     void aRefusedCommandLeavesTheReplayAsItIs() throws Exception {
-        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
+        try (Session session = Session.replay(JOURNAL, 398, reached -> true)) {
             session.send(new Command.RemoveObstacle("ghost"));
             assertEquals(JOURNAL, session.fullJournal().get());
             assertEquals(
@@ -124,7 +124,7 @@ class SessionReplayTest {
 
     @Test
     void theFullJournalAlsoHoldsWhatIsStillToCome() throws Exception {
-        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
+        try (Session session = Session.replay(JOURNAL, 398, reached -> true)) {
             assertEquals(
                     new Journal(ROOM, JOURNAL.entries().subList(0, 1), 398),
                     session.journal().get());
@@ -137,7 +137,7 @@ class SessionReplayTest {
 
     @Test
     void theCommandsForTheNextTickAreExecutedAtOnce() throws Exception {
-        try (Session session = Session.replay(JOURNAL, 399, onward -> true)) {
+        try (Session session = Session.replay(JOURNAL, 399, reached -> true)) {
             assertEquals(399, session.frame().snapshot().tick());
             assertEquals(
                     new Journal(ROOM, JOURNAL.entries().subList(0, 3), 399),
@@ -148,8 +148,8 @@ class SessionReplayTest {
 
     @Test
     void steppingBackTwiceLosesNothing() throws Exception {
-        try (Session once = Session.replay(JOURNAL, 999, onward -> true);
-                Session twice = Session.replay(once.fullJournal().get(), 398, onward -> true)) {
+        try (Session once = Session.replay(JOURNAL, 999, reached -> true);
+                Session twice = Session.replay(once.fullJournal().get(), 398, reached -> true)) {
             assertEquals(ORIGINAL.hashTrace().hashAt(398), twice.frame().frame().trajectoryHash());
             assertEquals(JOURNAL, twice.fullJournal().get());
         }
@@ -157,7 +157,7 @@ class SessionReplayTest {
 
     @Test
     void theReplayIsRecordedToo() {
-        try (Session session = Session.replay(JOURNAL, 1000, onward -> true)) {
+        try (Session session = Session.replay(JOURNAL, 1000, reached -> true)) {
             Recording recording = session.frame().recording();
             assertEquals(1001, recording.trace().tickCount());
             assertEquals(
@@ -176,7 +176,7 @@ class SessionReplayTest {
     void aReferenceRunKnowsWhereTheRobotWas() {
         assertEquals(1000, ORIGINAL.lastTick());
         assertEquals(ROOM.start(), ORIGINAL.pose(0));
-        try (Session session = Session.replay(JOURNAL, 600, onward -> true)) {
+        try (Session session = Session.replay(JOURNAL, 600, reached -> true)) {
             assertEquals(session.frame().snapshot().pose(), ORIGINAL.pose(600));
         }
         assertEquals(ORIGINAL.pose(1000), ORIGINAL.pose(5000), "it stays at the end");
@@ -193,7 +193,7 @@ class SessionReplayTest {
         assertEquals(expected.coverage().orElseThrow(), reference.coverage());
         assertEquals(expected.distanceRms().orElseThrow(), reference.distanceRms());
         assertEquals(expected.followRms().orElseThrow(), reference.followRms());
-        try (Session session = Session.replay(journal, 4000, onward -> true)) {
+        try (Session session = Session.replay(journal, 4000, reached -> true)) {
             assertEquals(reference, session.frame().measures());
             assertEquals(expected.coverage(), session.frame().coverage());
             assertEquals(expected.distanceRms(), session.frame().distanceRms());
@@ -206,7 +206,7 @@ class SessionReplayTest {
         SimulationSetup setup = ROOM.withStart(new Pose(0.5, 2, 0));
         Command move = new Command.MoveObstacle("pole", new Pose(1, 2, 0));
         Journal journal = new Journal(setup, List.of(new Journal.Entry(1, move)), 5);
-        try (Session session = Session.replay(journal, 0, onward -> true)) {
+        try (Session session = Session.replay(journal, 0, reached -> true)) {
             assertEquals(
                     0.9 - 0.625,
                     session.frame().snapshot().sensors().get(0).truth().encoded(),
@@ -219,11 +219,11 @@ class SessionReplayTest {
         TimedCommand timed = new TimedCommand(4, new Command.SwitchSensor("left", false));
         Journal.Entry later = new Journal.Entry(401, new Command.SwitchSensor("right", false));
         Journal journal = new Journal(ROOM.withTimeline(List.of(timed)), List.of(later), 1000);
-        try (Session session = Session.resimulate(journal, 399, onward -> true)) {
+        try (Session session = Session.resimulate(journal, 399, reached -> true)) {
             assertSame(journal.setup(), session.setup());
             assertEquals(List.of("left"), sensorsThatAreOff(session));
         }
-        try (Session session = Session.resimulate(journal, 400, onward -> true)) {
+        try (Session session = Session.resimulate(journal, 400, reached -> true)) {
             assertEquals(List.of("left", "right"), sensorsThatAreOff(session));
             assertEquals(journal, session.fullJournal().get());
         }

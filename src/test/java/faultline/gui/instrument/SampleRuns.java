@@ -40,7 +40,7 @@ final class SampleRuns {
     }
 
     static SessionFrame frame(SimulationSetup setup, long tick) {
-        try (Session session = Session.replay(new Journal(setup, List.of(), tick), tick, onward -> true)) {
+        try (Session session = Session.replay(new Journal(setup, List.of(), tick), tick, reached -> true)) {
             return session.frame();
         }
     }
