@@ -19,11 +19,11 @@ public enum TraceFormat {
      * @param robot the robot
      */
     public List<TraceColumn> columns(RobotSpec robot) {
-        return cells(robot).stream().flatMap(cells -> cells.columns().stream()).toList();
+        return groups(robot).stream().flatMap(group -> group.columns().stream()).toList();
     }
 
-    /** Returns what writes the rows of one trace. */
-    List<ColumnGroup> cells(RobotSpec robot) {
+    /** Returns the groups of columns for a robot, which write the rows of one trace. */
+    List<ColumnGroup> groups(RobotSpec robot) {
         if (this == ONE) {
             return List.of(new MotionColumns(false), new ReadingColumns(robot));
         }

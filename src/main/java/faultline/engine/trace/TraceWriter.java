@@ -36,7 +36,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
         return thread;
     });
 
-    private List<ColumnGroup> cells = List.of();
+    private List<ColumnGroup> groups = List.of();
     private TraceText text;
     private TraceRows rows;
     /** Blocks that have been handed over, the oldest first; all but the last one have been written. */
@@ -74,11 +74,11 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
      */
     @Override
     public void observe(Simulation simulation) {
-        if (cells.isEmpty()) {
+        if (groups.isEmpty()) {
             begin(simulation);
         }
-        for (int i = 0; i < cells.size(); i++) {
-            cells.get(i).append(simulation, rows);
+        for (int i = 0; i < groups.size(); i++) {
+            groups.get(i).append(simulation, rows);
         }
         rows.endRow();
         if (rows.isFull()) {
@@ -87,8 +87,8 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
     }
 
     private void begin(Simulation simulation) {
-        cells = format.cells(simulation.robot());
-        List<String> header = cells.stream()
+        groups = format.groups(simulation.robot());
+        List<String> header = groups.stream()
                 .flatMap(group -> group.columns().stream())
                 .map(TraceColumn::name)
                 .toList();
@@ -136,7 +136,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
     public void flush() throws IOException {
         try {
             throwFailure();
-            if (!cells.isEmpty()) {
+            if (!groups.isEmpty()) {
                 write(rows);
                 rows.clear();
             }
