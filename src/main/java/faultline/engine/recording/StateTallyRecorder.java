@@ -20,24 +20,25 @@ final class StateTallyRecorder {
     private final Map<TransitionKey, Counter> transitions = new LinkedHashMap<>();
     private Counter current = new Counter();
 
-    public void start(ControllerState state) {
+    /** Begins in a state, or enters one. */
+    void start(ControllerState state) {
         current = states.computeIfAbsent(state, name -> new Counter());
         current.visits++;
     }
 
     /** Counts a transition, which may lead to the same state. */
-    public void recordTransition(ControllerState from, ControllerState to) {
+    void recordTransition(ControllerState from, ControllerState to) {
         transitions.computeIfAbsent(new TransitionKey(from, to), ends -> new Counter()).visits++;
         start(to);
     }
 
     /** Counts a tick. */
-    public void tick() {
+    void tick() {
         current.ticks++;
     }
 
     /** Returns the counts so far. */
-    public StateTally view() {
+    StateTally view() {
         List<StateTally.StateVisits> visited = new ArrayList<>();
         states.forEach((state, count) -> visited.add(new StateTally.StateVisits(state, count.ticks, count.visits)));
         List<StateTally.TransitionCount> taken = new ArrayList<>();

@@ -24,7 +24,7 @@ final class TraceRecorder {
     private final List<TraceLevelRecorder> levels = new ArrayList<>();
 
     /** Creates an empty recording of some channels. */
-    public TraceRecorder(int channels) {
+    TraceRecorder(int channels) {
         levels.add(new TraceLevelRecorder(channels, 1, 1, MAX_FINEST_CHUNKS));
         for (int ticks = FACTOR; levels.size() < LEVEL_COUNT; ticks *= FACTOR) {
             levels.add(new TraceLevelRecorder(channels, ticks, FACTOR, MAX_COARSE_CHUNKS));
@@ -36,7 +36,7 @@ final class TraceRecorder {
      *
      * @param values the values of all channels; copied
      */
-    public void add(float[] values) {
+    void add(float[] values) {
         float[] low = values;
         float[] high = values;
         for (TraceLevelRecorder level : levels) {
@@ -48,8 +48,8 @@ final class TraceRecorder {
         }
     }
 
-    /** {@return an immutable view of everything recorded so far} */
-    public Trace view() {
+    /** Returns an immutable view of everything recorded so far. */
+    Trace view() {
         return new Trace(levels.stream().map(TraceLevelRecorder::view).toList());
     }
 }
