@@ -8,10 +8,22 @@ import faultline.control.diagnosis.DeadReckoning;
  */
 final class FreeDirectionFinder {
 
+    /** The angle between two directions that are tried, radians. */
     private static final double STEP = StrictMath.toRadians(5);
+
+    /** The number of directions that are tried: together less than a turn. */
     private static final int DIRECTIONS = 66;
+
+    /** The distance between two places that are tested along a strip, metres. */
     private static final double SPACING = 0.03;
+
+    /** The distance of the first of these places from the platform's front, metres. */
     private static final double MARGIN = 0.025;
+
+    /**
+     * In the middle of the path, surfaces may be nearer than wanted, or than they are at its start, by this, metres.
+     */
+    private static final double NEARER = 0.02;
 
     private final LocalMap map;
     private double direction;
@@ -55,7 +67,7 @@ final class FreeDirectionFinder {
             return false;
         }
         double middle = map.toSurface(at.x() + length / 2 * cos, at.y() + length / 2 * sin);
-        return middle >= Math.min(distance, map.toSurface(at.x(), at.y())) - 0.02;
+        return middle >= Math.min(distance, map.toSurface(at.x(), at.y())) - NEARER;
     }
 
     /**
@@ -67,7 +79,7 @@ final class FreeDirectionFinder {
      * @param limit metres
      * @param front from the centre to the platform's front, metres
      * @param half half the platform's width, metres
-     * @return metres
+     * @return metres; less than 0 if the first place is not known to be free
      */
     double known(DeadReckoning at, double towards, double limit, double front, double half) {
         double cos = StrictMath.cos(towards);

@@ -51,8 +51,12 @@ final class LocalMap {
     /**
      * Updates this map from the evidence; older evidence than a limit does not count. Places near the robot are free
      * unless a surface was seen there, because no sensor can see them.
+     *
+     * @param diagnosis the evidence, and the sensors that are trusted
+     * @param memory the limit, on the motion clock
+     * @param bodyRadius the distance from the robot's centre up to which places are near, metres
      */
-    void refresh(SensorDiagnosis diagnosis, int bodySource, int memory, double bodyRadius) {
+    void refresh(SensorDiagnosis diagnosis, int memory, double bodyRadius) {
         EvidenceGrid grid = diagnosis.grid();
         resize(diagnosis.reach().windowSize());
         exact = diagnosis.reach().isLarge();
@@ -62,7 +66,8 @@ final class LocalMap {
         row = EvidenceGrid.cellOf(y) - window / 2;
         since = diagnosis.now() - memory;
         ownSquare = bodyRadius * bodyRadius / (EvidenceGrid.CELL * EvidenceGrid.CELL);
-        int asked = diagnosis.trusted() | 1 << bodySource;
+        // The source after all sensors is the robot's body.
+        int asked = diagnosis.trusted() | 1 << diagnosis.sensors();
         Arrays.fill(surface, FAR);
         surfaceCount = 0;
         for (int r = 0; r < window; r++) {

@@ -157,7 +157,7 @@ public final class MapFollower {
         if (untilPlan <= 0) {
             untilPlan = path.isScanning() ? SCAN_PLAN_INTERVAL : PLAN_INTERVAL;
             driveDirection = DriveDirection.of(diagnosis);
-            map.refresh(diagnosis, diagnosis.sensors(), MEMORY, robot.boundingRadius() + UNSEEN_NEAR_BODY);
+            map.refresh(diagnosis, MEMORY, robot.boundingRadius() + UNSEEN_NEAR_BODY);
             plan();
             wallControl = measured();
         }
@@ -213,7 +213,7 @@ public final class MapFollower {
     }
 
     private boolean findOpenDirection(double distance) {
-        return directionFinder.find(at, wall.radians(), LOOK_AHEAD, distance);
+        return directionFinder.find(at, wall.direction(), LOOK_AHEAD, distance);
     }
 
     /**
@@ -222,7 +222,7 @@ public final class MapFollower {
      */
     private void leaveDeadEnd() {
         boolean turned = Math.abs(offDirection()) < Steering.ASIDE;
-        if (turned && wall.radians() - direction > TURNED_BACK) {
+        if (turned && wall.direction() - direction > TURNED_BACK) {
             wall.replace(direction + QUARTER, plannedDistance() + WALL_WITHIN);
         }
     }

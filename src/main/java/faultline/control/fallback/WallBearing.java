@@ -15,7 +15,7 @@ final class WallBearing {
     private static final double SECTOR = StrictMath.toRadians(75);
 
     private final LocalMap map;
-    private double radians;
+    private double direction;
     private double rolledUnseen;
 
     WallBearing(LocalMap map) {
@@ -29,7 +29,7 @@ final class WallBearing {
      * @param atWall whether the robot is at it: the wall is lost only after a while
      */
     void begin(double expected, boolean atWall) {
-        radians = expected;
+        direction = expected;
         rolledUnseen = atWall ? LOST_AFTER / 2 : LOST_AFTER + 1;
     }
 
@@ -39,8 +39,8 @@ final class WallBearing {
     }
 
     /** Returns the direction of the wall, or the last one if no wall is seen. */
-    double radians() {
-        return radians;
+    double direction() {
+        return direction;
     }
 
     boolean isLost() {
@@ -49,9 +49,9 @@ final class WallBearing {
 
     /** Updates the direction to that of the nearest surface near the last direction and within a distance, metres. */
     void follow(double within) {
-        double seen = map.bearingOfSurface(radians, SECTOR, within);
+        double seen = map.bearingOfSurface(direction, SECTOR, within);
         if (!Double.isNaN(seen)) {
-            radians += Angles.difference(radians, seen);
+            direction += Angles.difference(direction, seen);
             rolledUnseen = 0;
         }
     }
@@ -65,7 +65,7 @@ final class WallBearing {
     void find(double ahead, double within) {
         double seen = map.bearingOfSurface(ahead, StrictMath.PI, within);
         if (!Double.isNaN(seen)) {
-            radians = seen;
+            direction = seen;
             rolledUnseen = 0;
         }
     }
@@ -79,6 +79,6 @@ final class WallBearing {
      */
     void replace(double towards, double within) {
         double seen = map.bearingOfSurface(towards, SECTOR, within);
-        radians = Double.isNaN(seen) ? radians : seen;
+        direction = Double.isNaN(seen) ? direction : seen;
     }
 }

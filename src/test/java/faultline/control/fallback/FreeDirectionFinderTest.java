@@ -33,7 +33,7 @@ class FreeDirectionFinderTest {
     }
 
     private void refresh(double known) {
-        map.refresh(diagnosis, diagnosis.sensors(), 1000, known);
+        map.refresh(diagnosis, 1000, known);
     }
 
     /** Marks a wall through a point at some distance from the robot, perpendicular to a direction. */
@@ -132,7 +132,7 @@ class FreeDirectionFinderTest {
                 fresh.markUnseen(x, side * 0.08);
             }
             LocalMap around = new LocalMap();
-            around.refresh(fresh, 0, 1000, 0.5);
+            around.refresh(fresh, 1000, 0.5);
             FreeDirectionFinder strip = new FreeDirectionFinder(around);
             double known = strip.known(fresh.reckoning(), 0, 0.3, 0.1, 0.08);
             assertEquals(0.06, known, 1e-9, "line " + side);

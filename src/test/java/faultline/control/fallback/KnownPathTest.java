@@ -33,7 +33,7 @@ class KnownPathTest {
         for (int i = 0; i < ticks; i++) {
             diagnosis.update(new Observation(tick++, 0.01, robot, readings), left, right, 1);
         }
-        map.refresh(diagnosis, diagnosis.sensors(), 1000, knownRadius);
+        map.refresh(diagnosis, 1000, knownRadius);
     }
 
     @Test

@@ -46,7 +46,7 @@ class LocalMapTest {
     }
 
     private void refresh() {
-        map.refresh(diagnosis, diagnosis.sensors(), MEMORY, 0.1);
+        map.refresh(diagnosis, MEMORY, 0.1);
     }
 
     /** The length of the shortest path of straight steps of 5 and diagonal steps of 7, in metres. */
@@ -114,9 +114,9 @@ class LocalMapTest {
         assertEquals(0, map.toSurface(0.5, 0.5));
         // The clock runs for one metre: 1000 ticks, and 50 for five seconds.
         drive(BLIND, 2, 2, 500);
-        map.refresh(diagnosis, 0, 1040, 0.1);
+        map.refresh(diagnosis, 1040, 0.1);
         assertTrue(map.toSurface(0.5, 0.5) > 10);
-        map.refresh(diagnosis, 0, 1060, 0.1);
+        map.refresh(diagnosis, 1060, 0.1);
         assertEquals(0, map.toSurface(0.5, 0.5));
     }
 

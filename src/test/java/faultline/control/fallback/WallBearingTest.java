@@ -19,17 +19,17 @@ class WallBearingTest {
 
     WallBearingTest() {
         diagnosis.update(new Observation(0, 0.01, RobotSpec.DEFAULT.withSensors(List.of()), new double[0]), 0, 0, 1);
-        map.refresh(diagnosis, diagnosis.sensors(), 1000, 0.1);
+        map.refresh(diagnosis, 1000, 0.1);
     }
 
     /** Marks a surface half a metre from the robot, in the middle of a cell as far as possible. */
     private void mark(double degrees) {
         diagnosis.markUnseen(0.5 * Math.cos(Math.toRadians(degrees)), 0.5 * Math.sin(Math.toRadians(degrees)));
-        map.refresh(diagnosis, diagnosis.sensors(), 1000, 0.1);
+        map.refresh(diagnosis, 1000, 0.1);
     }
 
     private void assertDegrees(double expected) {
-        assertEquals(expected, Math.toDegrees(wall.radians()), 2);
+        assertEquals(expected, Math.toDegrees(wall.direction()), 2);
     }
 
     @Test
