@@ -16,7 +16,7 @@ import javax.swing.UIManager;
  */
 public final class RefreshSteps {
 
-    private static final Object STEPS = new StringBuilder("faultline.refreshSteps");
+    private static final String STEPS = "faultline.refreshSteps";
 
     private record Steps(List<Runnable> all) {}
 
