@@ -51,8 +51,8 @@ public final class FaultContext {
      * Advances to a tick and returns this context.
      *
      * @param newTick the tick
-     * @param newRange the new range of the sensor, metres
-     * @param newNeighbourReading the reading of the next sensor without faults
+     * @param newRange the sensor's range at this tick, metres
+     * @param newNeighbourReading the reading of the next sensor at this tick, without faults
      * @param draws the sensor's random numbers for this tick
      * @return this context
      */
