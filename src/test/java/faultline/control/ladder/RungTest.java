@@ -1,6 +1,7 @@
 package faultline.control.ladder;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Observation;
 import faultline.control.WallSide;
@@ -11,6 +12,9 @@ import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -91,10 +95,24 @@ class RungTest {
     }
 
     @Test
-    void theLadderListsAllRungsFromTheTop() {
-        assertEquals(List.of(Rung.ALL, Rung.REDUCED, Rung.THREE, Rung.TWO, Rung.ONE, Rung.STOP), Rung.LADDER);
-        assertEquals("no trusted sensor on the side of the wall", StopReason.NO_SENSOR.condition());
-        assertEquals("no progress", StopReason.NO_PROGRESS.condition());
-        assertEquals("the wanted distance is too large for the local map", StopReason.TOO_FAR.condition());
+    void losingASensorNeverLeadsToAHigherRung() {
+        List<String> ids = RobotSpec.DEFAULT.sensorIds();
+        Rung[] rungs = new Rung[1 << ids.size()];
+        for (int on = 0; on < rungs.length; on++) {
+            int mask = on;
+            String trusted = IntStream.range(0, ids.size())
+                    .filter(i -> (mask >> i & 1) == 1)
+                    .mapToObj(ids::get)
+                    .collect(Collectors.joining(" "));
+            rungs[on] = Rung.of(diagnosis(RobotSpec.DEFAULT, WallSide.LEFT, trusted));
+        }
+        for (int on = 0; on < rungs.length; on++) {
+            for (int lost = 1; lost < rungs.length; lost <<= 1) {
+                assertTrue(
+                        Rung.LADDER.indexOf(rungs[on & ~lost]) >= Rung.LADDER.indexOf(rungs[on]),
+                        Integer.toBinaryString(on) + " without " + Integer.toBinaryString(lost));
+            }
+        }
+        assertEquals(Rung.LADDER.size(), Stream.of(rungs).distinct().count());
     }
 }
