@@ -185,7 +185,8 @@ public final class ExportController implements WorkspaceListener {
     private void endRecording(RenderRequest request) {
         long start = recordingStart;
         recording(request).ifPresent(recording -> {
-            while (!write("exportGif", ".gif", recording, () -> {}, () -> resumeRecording(start))) {
+            Optional<Path> file = selectFile("exportGif", ".gif");
+            while (file.isEmpty()) {
                 Optional<Boolean> discard = discardQuestion.get();
                 if (discard.isEmpty()) {
                     resumeRecording(start);
@@ -193,7 +194,9 @@ public final class ExportController implements WorkspaceListener {
                 if (discard.orElse(true)) {
                     return;
                 }
+                file = selectFile("exportGif", ".gif");
             }
+            write(file.get(), recording, () -> {}, () -> resumeRecording(start));
         });
     }
 
@@ -231,15 +234,11 @@ public final class ExportController implements WorkspaceListener {
 
     private void saveRecording(RenderRequest request, Runnable then) {
         recording(request).ifPresent(recording -> {
-            boolean ignored = write(
-                    "exportGif",
-                    ".gif",
-                    recording,
-                    () -> {
-                        recordGif.setOn(false);
-                        then.run();
-                    },
-                    () -> {});
+            Runnable written = () -> {
+                recordGif.setOn(false);
+                then.run();
+            };
+            selectFile("exportGif", ".gif").ifPresent(file -> write(file, recording, written, () -> {}));
         });
     }
 
@@ -285,25 +284,29 @@ public final class ExportController implements WorkspaceListener {
         }
     }
 
+    /** Asks for a file and starts to write it. */
     private void write(String action, String ending, FileExport export) {
-        boolean ignored = write(action, ending, export, () -> {}, () -> {});
+        selectFile(action, ending).ifPresent(file -> write(file, export, () -> {}, () -> {}));
+    }
+
+    /** Asks for a file; returns none if the choice is cancelled, or if it is the file of the open scenario. */
+    private Optional<Path> selectFile(String action, String ending) {
+        Optional<Path> file = fileSelector.apply(action, ending);
+        if (file.isPresent()
+                && LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file.get()))
+                        .isPresent()) {
+            MessageException ownInput = new MessageException("", WriteProblem.OWN_INPUT.with(), null);
+            errorDialog.accept(failureText(file.get(), ownInput));
+            return Optional.empty();
+        }
+        return file;
     }
 
     /**
-     * Asks for a file and starts to write it; returns whether it does. {@code then} runs when it is written, or
-     * {@code otherwise} when that has failed or was cancelled.
+     * Starts to write a file. {@code then} runs when it is written, or {@code otherwise} when that has failed or was
+     * cancelled.
      */
-    private boolean write(String action, String ending, FileExport export, Runnable then, Runnable otherwise) {
-        Optional<Path> chosen = fileSelector.apply(action, ending);
-        if (chosen.isEmpty()) {
-            return false;
-        }
-        Path file = chosen.get();
-        if (LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file))
-                .isPresent()) {
-            errorDialog.accept(failureText(file, new MessageException("", WriteProblem.OWN_INPUT.with(), null)));
-            return false;
-        }
+    private void write(Path file, FileExport export, Runnable then, Runnable otherwise) {
         String writing = Messages.get("export.writing", FileNames.lastOf(file));
         notes.show(writing);
         new ExportTask(
@@ -322,7 +325,6 @@ public final class ExportController implements WorkspaceListener {
                             }
                         })
                 .start();
-        return true;
     }
 
     private void showErrorDialog(String sentence) {
