@@ -273,7 +273,8 @@ public final class ExportController implements WorkspaceListener {
         PrintablePage page = new PrintablePage(request);
         job.setPrintable(page, page.oriented(job.defaultPage()));
         if (job.printDialog()) {
-            BackgroundTasks.perform(job::print, () -> notes.show(Messages.get("note.printed")), this::printFailed);
+            BackgroundTasks.performBeforeExit(
+                    job::print, () -> notes.show(Messages.get("note.printed")), this::printFailed);
         }
     }
 
