@@ -283,7 +283,7 @@ final class MapYamlReader {
                 .orElseGet(() -> FloorPlanProblem.MISSING_KEY.with(key));
     }
 
-    private FloorPlanException wrong(String key, Object allowed) {
+    private FloorPlanException wrong(String key, Message allowed) {
         YamlEntry entry = entries.get(key);
         return problem(
                 entry.line(),

@@ -32,7 +32,7 @@ final class FactorReader {
     static String columnName(AttributeReader fields, String fallback) {
         String name = fields.text("name").orElse(fallback);
         if (!name.matches("[a-z][a-z0-9_]{0,60}")) {
-            fields.report("name", name, NAME_RULE);
+            fields.report("name", name, Allowed.UNTRANSLATED.with(NAME_RULE));
         }
         return name;
     }
@@ -66,16 +66,17 @@ final class FactorReader {
         String text = fields.id("attribute");
         Optional<AttributePath> path = AttributePath.parse(text);
         if (path.isEmpty() && fields.isValid("attribute", text)) {
-            fields.report("attribute", text, AttributePath.RULE);
+            fields.report("attribute", text, Allowed.UNTRANSLATED.with(AttributePath.RULE));
         }
         return path;
     }
 
     private static Optional<List<AttributeValue>> readValues(AttributeReader fields, String stream, boolean isText) {
-        String text = fields.requiredText("value", ValueSyntax.RULE).orElse("");
+        String text = fields.requiredText("value", Allowed.UNTRANSLATED.with(ValueSyntax.RULE))
+                .orElse("");
         Optional<List<AttributeValue>> values = ValueSyntax.parse(text, stream, isText);
         if (values.isEmpty() && fields.isPresent("value")) {
-            fields.report("value", text, ValueSyntax.RULE);
+            fields.report("value", text, Allowed.UNTRANSLATED.with(ValueSyntax.RULE));
         }
         return values;
     }
@@ -102,7 +103,7 @@ final class FactorReader {
         AttributeReader fields = new AttributeReader(node, problems);
         String name = fields.id("name");
         if (!names.add(name)) {
-            fields.report("name", name, "a unique name");
+            fields.report("name", name, Allowed.UNTRANSLATED.with("a unique name"));
         }
         fields.reportUnknownAndMissing();
         List<ScenarioChange> edits = new ArrayList<>();
@@ -114,7 +115,8 @@ final class FactorReader {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         Optional<AttributePath> path = readPath(fields);
-        String value = fields.requiredText("value", "what the attribute of the scenario may be")
+        String value = fields.requiredText(
+                        "value", Allowed.UNTRANSLATED.with("what the attribute of the scenario may be"))
                 .orElse("");
         fields.reportUnknownAndMissing();
         return path.map(
@@ -135,7 +137,10 @@ final class FactorReader {
         node.childrenNamed("mask").forEach(child -> masks.add(readMask(child, sensors, sets)));
         if (masks.isEmpty()) {
             if (sensors.size() > MAX_MASKED) {
-                fields.report("sensors", ValueSyntax.formatIdList(sensors), "at most " + MAX_MASKED + " of them");
+                fields.report(
+                        "sensors",
+                        ValueSyntax.formatIdList(sensors),
+                        Allowed.UNTRANSLATED.with("at most " + MAX_MASKED + " of them"));
                 return Optional.empty();
             }
             masks.addAll(subsets(sensors));
@@ -155,11 +160,16 @@ final class FactorReader {
         List<String> on = idList(
                 fields,
                 "on",
-                fields.requiredText("on", "the sensors that are on").orElse(""));
+                fields.requiredText("on", Allowed.UNTRANSLATED.with("the sensors that are on"))
+                        .orElse(""));
         if (!sensors.containsAll(on)) {
-            fields.report("on", ValueSyntax.formatIdList(on), "some of " + Allowed.names(sensors));
+            fields.report(
+                    "on", ValueSyntax.formatIdList(on), Allowed.UNTRANSLATED.with("some of " + Allowed.names(sensors)));
         } else if (!earlier.add(Set.copyOf(on))) {
-            fields.report("on", ValueSyntax.formatIdList(on), "a set of sensors that no other <mask> has");
+            fields.report(
+                    "on",
+                    ValueSyntax.formatIdList(on),
+                    Allowed.UNTRANSLATED.with("a set of sensors that no other <mask> has"));
         }
         fields.reportUnknownAndMissing();
         return on;
@@ -204,7 +214,7 @@ final class FactorReader {
     private static List<String> idList(AttributeReader fields, String name, String text) {
         Optional<List<String>> ids = ValueSyntax.parseIdList(text);
         if (ids.isEmpty()) {
-            fields.report(name, text, ValueSyntax.ID_LIST_RULE);
+            fields.report(name, text, Allowed.UNTRANSLATED.with(ValueSyntax.ID_LIST_RULE));
         }
         return ids.orElse(List.of());
     }

@@ -1,5 +1,6 @@
 package faultline.campaign.plan;
 
+import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problems;
@@ -118,7 +119,8 @@ final class FaultsReader {
         Optional<List<AttributeValue>> values =
                 isIds ? ValueSyntax.parseIds(text, stream) : ValueSyntax.parse(text, stream, false);
         if (values.isEmpty()) {
-            fields.report(key, text, isIds && text.contains("\"") ? ValueSyntax.ID_RULE : ValueSyntax.RULE);
+            String rule = isIds && text.contains("\"") ? ValueSyntax.ID_RULE : ValueSyntax.RULE;
+            fields.report(key, text, Allowed.UNTRANSLATED.with(rule));
         }
         return values.orElse(List.of(AttributeValue.NONE));
     }

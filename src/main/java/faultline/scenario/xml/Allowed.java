@@ -72,6 +72,8 @@ public enum Allowed implements Message.Template {
     STATES("one of the controller''s states: {0}"),
     /** The name of a controller. */
     CONTROLLERS("{0} or a controller in Java from --jar"),
+    /** A text that is not translated, such as names of a file. */
+    UNTRANSLATED("{0}"),
     /** A list of names with a suggestion. */
     HINT("{0}; did you mean \"{1}\"?"),
     /** A list of names that is cut short. */
@@ -104,9 +106,9 @@ public enum Allowed implements Message.Template {
      *
      * @param names the names
      */
-    public static Object names(Collection<String> names) {
+    public static Message names(Collection<String> names) {
         String first = names.stream().limit(MAX_NAMES).map(MessageText::excerpt).collect(Collectors.joining(", "));
-        return names.size() > MAX_NAMES ? MORE.with(first, names.size() - MAX_NAMES) : first;
+        return names.size() > MAX_NAMES ? MORE.with(first, names.size() - MAX_NAMES) : UNTRANSLATED.with(first);
     }
 
     /**
@@ -115,7 +117,7 @@ public enum Allowed implements Message.Template {
      * @param names the names
      * @param given the given name
      */
-    public static Object names(Collection<String> names, String given) {
+    public static Message names(Collection<String> names, String given) {
         return withHint(names(names), given, names);
     }
 
@@ -126,9 +128,9 @@ public enum Allowed implements Message.Template {
      * @param given the given name
      * @param known the known names
      */
-    public static Object withHint(Object rule, String given, Collection<String> known) {
+    public static Message withHint(Message rule, String given, Collection<String> known) {
         return DidYouMean.nearest(given, known)
-                .<Object>map(name -> HINT.with(rule, MessageText.excerpt(name)))
+                .map(name -> HINT.with(rule, MessageText.excerpt(name)))
                 .orElse(rule);
     }
 }

@@ -34,7 +34,7 @@ public final class AttributeReader {
     /** Few names: a list is smaller and faster than a set. */
     private final List<String> requested = new ArrayList<>(8);
 
-    private final Map<String, Supplier<Object>> missing = new LinkedHashMap<>();
+    private final Map<String, Supplier<Message>> missing = new LinkedHashMap<>();
 
     /**
      * Creates a reader of one element's attributes.
@@ -94,7 +94,7 @@ public final class AttributeReader {
      * @param name the attribute
      * @param allowed the allowed values, for the problem
      */
-    public Optional<String> requiredText(String name, Object allowed) {
+    public Optional<String> requiredText(String name, Message allowed) {
         return required(name, () -> allowed);
     }
 
@@ -293,7 +293,7 @@ public final class AttributeReader {
      * @param given its value
      * @param allowed the allowed values
      */
-    public void report(String name, String given, Object allowed) {
+    public void report(String name, String given, Message allowed) {
         reportValue(name, given, () -> allowed);
     }
 
@@ -304,7 +304,7 @@ public final class AttributeReader {
      * @param given its value
      * @param allowed makes the allowed values
      */
-    public void reportValue(String name, String given, Supplier<Object> allowed) {
+    public void reportValue(String name, String given, Supplier<Message> allowed) {
         problems.add(node, () -> ProblemKind.VALUE.with(name, node.name(), MessageText.excerpt(given), allowed.get()));
     }
 
@@ -328,7 +328,7 @@ public final class AttributeReader {
                 problems.add(node, () -> ProblemKind.MISSING_ATTRIBUTE.with(node.name(), name, allowed.get())));
     }
 
-    private Optional<String> required(String name, Supplier<Object> allowed) {
+    private Optional<String> required(String name, Supplier<Message> allowed) {
         Optional<String> text = text(name);
         if (text.isEmpty()) {
             missing.put(name, allowed);

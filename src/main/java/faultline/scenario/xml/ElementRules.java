@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.io.XmlText;
 import java.util.Collection;
@@ -46,7 +47,7 @@ public final class ElementRules {
         }
     }
 
-    private static void reportUnknown(XmlElement node, XmlElement child, Supplier<Object> allowed, Problems problems) {
+    private static void reportUnknown(XmlElement node, XmlElement child, Supplier<Message> allowed, Problems problems) {
         problems.add(
                 child,
                 () -> ProblemKind.UNKNOWN_ELEMENT.with(node.name(), MessageText.excerpt(child.name()), allowed.get()));
