@@ -87,7 +87,13 @@ final class ExecutedEvents {
         onTimeline = null;
         Object subject = subjectOf(namedResult);
         if (events.containsKey(edit)) {
-            owners.put(subject, new Owner(edit, result.command()));
+            Owner owner = new Owner(edit, result.command());
+            if (namedResult.isNoOp()) {
+                // A redo without an effect has changed nothing before others.
+                addTo(owner, namedResult);
+                return;
+            }
+            owners.put(subject, owner);
             waiting.getOrDefault(subject, List.of()).forEach(earlier -> addTo(owners.get(subject), earlier));
             waiting.remove(subject);
         }

@@ -79,6 +79,26 @@ class UndoneEventsTest {
         assertEquals(edited, run.scenario());
     }
 
+    /** The fault and its repair, which both are on the timeline, change nothing without the first fault. */
+    @Test
+    void aRepairThatHadNoEffectWhenItWasRedoneIsNotTheEditBeforeAnother() {
+        Command repair = new Command.ClearFaults("left");
+        run.send(FAULT);
+        run.restart();
+        run.advance(20);
+        run.send(repair);
+        run.send(FAULT);
+        run.seek(2);
+        run.redo();
+        run.advance(20);
+        run.send(repair);
+        run.advance(10);
+        run.undo();
+        run.undo();
+        assertEquals(original, run.scenario());
+        assertFalse(callOnEdt(run.edits()::canUndo));
+    }
+
     /** The sensor is repaired at the present time in the first run, and has never been broken in the second one. */
     @Test
     void anEventThatIsUndoneAfterItsTimeIsNotOnTheTimelineAndTheRunIsSimulatedAgain() {
