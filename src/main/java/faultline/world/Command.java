@@ -38,6 +38,16 @@ public sealed interface Command {
     }
 
     /**
+     * {@return this command, which keeps the switch of a robot's sensor if it changes settings of the sensor} A user
+     * who edits settings does not switch the sensor, whatever has switched it in the meantime.
+     *
+     * @param robot the robot before this command
+     */
+    default Command keepingSwitch(RobotSpec robot) {
+        return this;
+    }
+
+    /**
      * A function for each kind of command.
      *
      * @param <R> the type of the results
@@ -177,6 +187,13 @@ public sealed interface Command {
         @Override
         public RobotSpec appliedTo(RobotSpec robot) {
             return robot.indexOf(sensor.id()) < 0 ? robot : robot.withSensor(sensor);
+        }
+
+        @Override
+        public ConfigureSensor keepingSwitch(RobotSpec robot) {
+            return robot.sensor(sensor.id())
+                    .map(present -> new ConfigureSensor(sensor.withOn(present.on())))
+                    .orElse(this);
         }
     }
 

@@ -7,6 +7,8 @@ import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.Expectation;
@@ -24,7 +26,9 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -169,6 +173,31 @@ class ScenarioReaderTest {
                         new TimedCommand(42, new Command.RemoveObstacle("extra")),
                         new TimedCommand(43, new Command.SetPlatform(0.25, 0.2, 0.2))),
                 timeline);
+    }
+
+    @Test
+    void aTuneSwitchesASensorAsItSaysAndOtherwiseAsTheRobotElementDoes() throws ScenarioException {
+        String tunes =
+                """
+                <timeline>
+                    <tune at="0.01" sensor="left" on="false"/>
+                    <tune at="0.02" sensor="left" range="0.7"/>
+                    <switch at="0.03" sensor="probe" on="false"/>
+                    <tune at="0.04" sensor="probe" range="0.7"/>
+                    <tune at="0.05" sensor="probe" on="false"/>
+                """;
+        Scenario scenario = SampleScenario.read(SampleScenario.withReplacement("<timeline>", tunes));
+        List<String> off = new ArrayList<>();
+        try (Simulation simulation = new Simulation(scenario.setup(), ControllerMode.DIRECT)) {
+            for (int tick = 1; tick <= 5; tick++) {
+                simulation.tick();
+                off.add(simulation.robot().sensors().stream()
+                        .filter(sensor -> !sensor.on())
+                        .map(SensorSpec::id)
+                        .collect(Collectors.joining()));
+            }
+        }
+        assertEquals(List.of("left", "", "probe", "", "probe"), off);
     }
 
     @Test

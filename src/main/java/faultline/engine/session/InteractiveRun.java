@@ -78,7 +78,7 @@ final class InteractiveRun implements AutoCloseable {
     }
 
     private CommandResult execute(Command command) {
-        CommandResult result = simulation.execute(command);
+        CommandResult result = JournalPlayer.execute(simulation, command);
         if (result.refusal().isPresent()) {
             refusals++;
             lastRefusal = result.refusal().get();

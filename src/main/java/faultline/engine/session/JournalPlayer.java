@@ -2,6 +2,8 @@ package faultline.engine.session;
 
 import faultline.engine.Journal;
 import faultline.engine.Simulation;
+import faultline.world.Command;
+import faultline.world.CommandResult;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -27,8 +29,18 @@ final class JournalPlayer {
     /** Executes the journal's commands for the next tick. */
     void executeCommands(Simulation simulation) {
         while (!pending.isEmpty() && pending.peek().tick() <= simulation.ticks() + 1) {
-            simulation.execute(pending.remove().command());
+            execute(simulation, pending.remove().command());
         }
+    }
+
+    /**
+     * Executes a command from outside. Settings of a sensor leave its switch as it is after the timeline's commands for
+     * the tick. In a replay with the same setup, that is how the earlier run left it; the timeline of another setup may
+     * switch the sensor at other times.
+     */
+    static CommandResult execute(Simulation simulation, Command command) {
+        simulation.executeDueCommands();
+        return simulation.execute(command.keepingSwitch(simulation.robot()));
     }
 
     /** Discards the rest of the journal, because the run now differs from it. */

@@ -120,7 +120,8 @@ public final class Session implements SessionView, AutoCloseable {
 
     /**
      * Sends a command, which is executed and journaled at the start of the next tick. While the session is paused, the
-     * next frame shows its effect.
+     * next frame shows its effect. A {@link Command.ConfigureSensor} leaves the sensor's switch alone: its result and
+     * the journal have the switch that the sensor has at that tick.
      *
      * @param command the command
      */

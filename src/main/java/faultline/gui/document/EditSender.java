@@ -34,7 +34,8 @@ final class EditSender {
                             .map(result -> open.document().named(open.inTicksOfScenario(result)))
                             .toList();
                     commandsExecuted(open, named);
-                    onExecuted.accept(named);
+                    onExecuted.accept(
+                            named.stream().map(EditedSetup::withoutSwitch).toList());
                 }));
     }
 
@@ -123,9 +124,10 @@ final class EditSender {
                 CommandResult result = sent
                         ? document.named(open.inTicksOfScenario(ofRun.next()))
                         : open.inTicksOfScenario(executedAt(tick, change.inScenario()));
-                results.add(result);
+                CommandResult edit = EditedSetup.withoutSwitch(result);
+                results.add(edit);
                 if (result.refusal().isEmpty()) {
-                    document.changedLater(result.tick(), change.resultInScenario(result), sent ? result : null);
+                    document.changedLater(result.tick(), change.resultInScenario(edit), sent ? result : null);
                 }
             }
         });

@@ -97,7 +97,7 @@ final class EditedSetup {
         return result.command()
                 .match(CommandCases.ofSetup(
                         timed -> NOTHING,
-                        configureSensor -> setup -> setup.setSensor(configureSensor.sensor()),
+                        configureSensor -> setup -> setup.configure(configureSensor),
                         move -> setup -> setup.obstacles.move(result.tick(), move.obstacle(), move.pose()),
                         place -> setup -> setup.obstacles.place(result.tick(), place.obstacle()),
                         remove -> setup -> setup.obstacles.remove(result.tick(), remove.obstacle()),
@@ -105,9 +105,30 @@ final class EditedSetup {
                         configure -> setup -> setup.controller = configure.controller()));
     }
 
-    private void setSensor(SensorSpec sensor) {
-        SensorSpec before = robot.sensor(sensor.id()).orElseThrow();
-        robot = robot.withSensor(sensor.withOn(before.on()));
+    /**
+     * Returns the result of an edit, all of whose sensors are on if it is about settings of a sensor. The run leaves
+     * the switch as it is at the tick, so an edit and what undoes it would differ if the sensor is switched in between.
+     */
+    static CommandResult withoutSwitch(CommandResult result) {
+        return result.command() instanceof Command.ConfigureSensor
+                        && result.refusal().isEmpty()
+                ? new CommandResult.Executed(
+                        result.tick(),
+                        withoutSwitch(result.command()),
+                        result.inverse().stream()
+                                .map(EditedSetup::withoutSwitch)
+                                .toList())
+                : result;
+    }
+
+    private static Command withoutSwitch(Command command) {
+        return command instanceof Command.ConfigureSensor configure
+                ? new Command.ConfigureSensor(configure.sensor().withOn(true))
+                : command;
+    }
+
+    private void configure(Command.ConfigureSensor command) {
+        robot = command.keepingSwitch(robot).appliedTo(robot);
     }
 
     /** Returns what restores, after a command, what the setup has now. */
@@ -121,7 +142,7 @@ final class EditedSetup {
                             SensorSpec sensor = robotNow.sensor(
                                             configureSensor.sensor().id())
                                     .orElseThrow();
-                            return setup -> setup.setSensor(sensor);
+                            return setup -> setup.configure(new Command.ConfigureSensor(sensor));
                         },
                         move -> restoring(obstacles.moveBack(result.tick(), move.obstacle())),
                         place -> restoring(obstacles.reversal(

@@ -117,7 +117,7 @@ final class SetupEditor {
      * about a sensor that has been removed while the run was busy with the command.
      */
     void add(CommandResult result) {
-        add(result.tick(), result, result);
+        add(result.tick(), EditedSetup.withoutSwitch(result), result);
     }
 
     /**

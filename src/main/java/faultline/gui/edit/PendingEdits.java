@@ -50,7 +50,8 @@ public final class PendingEdits {
 
     /** Returns the robot as it will be after all pending commands. */
     public RobotSpec robot() {
-        return applied(shownRobot, Command::appliedTo);
+        return applied(
+                shownRobot, (command, robot) -> command.keepingSwitch(robot).appliedTo(robot));
     }
 
     /** Takes the controller's settings of the newest frame of the run. */

@@ -13,7 +13,9 @@ import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Obstacle;
@@ -309,6 +311,25 @@ class SessionTest {
         assertTrue(own.hasEnded());
         for (Thread thread : threads) {
             thread.join();
+        }
+    }
+
+    @Test
+    void settingsOfASensorLeaveItsSwitchAsItIsInTheirTick() throws Exception {
+        SimulationSetup setup = session.setup();
+        SensorSpec left = setup.robot().sensor("left").orElseThrow();
+        Command off = new Command.SwitchSensor("left", false);
+        try (Session timed = Session.start(setup.withTimeline(List.of(new TimedCommand(setup.dt(), off))))) {
+            CompletableFuture<List<CommandResult>> answer = new CompletableFuture<>();
+            timed.send(List.of(new Command.ConfigureSensor(left.withRange(2))), answer::complete);
+            SensorSpec longer = left.withRange(2).withOn(false);
+            CommandResult executed = new CommandResult.Executed(
+                    1, new Command.ConfigureSensor(longer), List.of(new Command.ConfigureSensor(left.withOn(false))));
+            assertEquals(List.of(executed), answer.get());
+            assertEquals(
+                    List.of(new Journal.Entry(1, executed.command())),
+                    timed.journal().get().entries());
+            assertEquals(longer, timed.frame().snapshot().robot().sensor("left").orElseThrow());
         }
     }
 

@@ -4,26 +4,31 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.SessionFrames;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
+import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
-import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Function;
 import java.util.function.IntFunction;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -33,8 +38,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Random switches, faults and repairs in a run whose timeline has some as well, with undo and redo, moves, cancelled
- * ones, restarts and moves of the start. The edited scenario always leads to the run that the window shows. The system
- * property {@code faultline.edits} sets the number of sequences.
+ * ones, restarts and moves of the start. The edited scenario always leads to the run that the window shows. Without any
+ * edits, also of settings, it is the first one again. The system property {@code faultline.edits} sets the number of
+ * sequences.
  */
 @ExtendWith(EdtChecker.class)
 class RandomUndoTest {
@@ -79,6 +85,22 @@ class RandomUndoTest {
         return kinds.get(kind).apply(kind);
     }
 
+    /** Returns an event, or a change of settings that the timeline leaves alone. */
+    private Command edit(Random random) {
+        if (random.nextInt(3) > 0) {
+            return event(random);
+        }
+        RobotSpec robot = SessionFrames.frame(run.workspace()).snapshot().robot();
+        SensorSpec sensor = robot.sensors().get(random.nextBoolean() ? FRONT : LEFT);
+        double value = (1 + random.nextInt(9)) / 10.0;
+        List<Supplier<Command>> kinds = List.of(
+                () -> new Command.ConfigureSensor(sensor.withRange(value)),
+                () -> new Command.ConfigureSensor(sensor.withNoise(value / 100)),
+                () -> new Command.SetPlatform(robot.length(), robot.width(), value),
+                () -> new Command.ConfigureController(ControllerSpec.WallFollowing.DEFAULT.withDistance(value)));
+        return kinds.get(random.nextInt(kinds.size())).get();
+    }
+
     private String sensor(Random random) {
         return sensorId(random.nextBoolean() ? FRONT : LEFT);
     }
@@ -96,12 +118,12 @@ class RandomUndoTest {
         run.rest();
     }
 
-    private void step(Random random) {
+    private void step(Random random, Function<Random, Command> command) {
         int kind = random.nextInt(23);
         if (kind < 6) {
-            Command event = event(random);
-            note(event.toString());
-            run.send(event);
+            Command sent = command.apply(random);
+            note(sent.toString());
+            run.send(sent);
         } else if (kind == 6) {
             note("repair all");
             run.send(
@@ -172,7 +194,7 @@ class RandomUndoTest {
         Random random = new Random(seed);
         plan(random);
         for (int i = 0; i < STEPS; i++) {
-            step(random);
+            step(random, this::event);
             if (run.tick() > 0) {
                 assertEquals(
                         headlessHash(run.scenario(), run.tick()),
@@ -197,28 +219,34 @@ class RandomUndoTest {
         SimulationSetup planned = run.scenario().setup();
         long last = MAX_TICKS;
         for (int i = 0; i < STEPS; i++) {
-            step(random);
+            step(random, this::edit);
             last = Math.max(last, run.tick());
         }
+        undoAll();
+        // An edit that was undone at a later tick is in effect until then, whenever the run is made again.
+        run.advanceTo(Math.max(last, run.tick()) + 2);
+        // The run has passed edits that are redone because they were ahead of it.
+        undoAll();
+        try (Session expected = Session.replay(new Journal(planned, List.of(), 0), run.tick(), tick -> true)) {
+            assertEquals(
+                    state(expected.frame()),
+                    state(SessionFrames.frame(run.workspace())),
+                    "seed " + seed + ": " + planned.timeline() + "\n" + steps);
+        }
+        assertEquals(planned.withTimeline(List.of()), run.scenario().setup().withTimeline(List.of()));
+    }
+
+    private void undoAll() {
         for (int i = 0; i < STEPS && callOnEdt(run.edits()::canUndo); i++) {
             note("undo " + callOnEdt(run.edits()::undoName));
             run.undo();
         }
-        // An edit that was undone at a later tick is in effect until then, whenever the run is made again.
-        run.advanceTo(Math.max(last, run.tick()) + 2);
-        try (Session expected = Session.replay(new Journal(planned, List.of(), 0), run.tick(), tick -> true)) {
-            assertEquals(
-                    state(expected.frame().snapshot()),
-                    state(SessionFrames.frame(run.workspace()).snapshot()),
-                    "seed " + seed + ": " + planned.timeline() + "\n" + steps);
-        }
     }
 
-    private static List<Object> state(Snapshot snapshot) {
-        List<Object> state = new ArrayList<>();
-        for (SensorSnapshot sensor : snapshot.sensors()) {
-            state.add(List.of(sensor.spec().id(), sensor.spec().on(), sorted(sensor.faults())));
-        }
+    private static List<Object> state(SessionFrame frame) {
+        Snapshot snapshot = frame.snapshot();
+        List<Object> state = new ArrayList<>(List.of(snapshot.robot(), frame.controller()));
+        snapshot.sensors().forEach(sensor -> state.add(sorted(sensor.faults())));
         state.add(sorted(snapshot.motorFaults().left()));
         return state;
     }
