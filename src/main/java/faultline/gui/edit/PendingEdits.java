@@ -80,6 +80,15 @@ public final class PendingEdits {
                 .toList();
     }
 
+    /** Returns whether a pending command moves an obstacle. */
+    public boolean isMoved(String id) {
+        return applied(
+                false,
+                (command, moved) -> moved
+                        || command instanceof Command.MoveObstacle move
+                                && move.obstacle().equals(id));
+    }
+
     private boolean isRemoved(String id) {
         return applied(false, (command, removed) -> {
             if (command instanceof Command.PlaceObstacle place) {

@@ -16,6 +16,7 @@ import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
+import faultline.world.WaypointPath;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -128,28 +129,37 @@ public sealed interface DragOperation {
         }
     }
 
-    /** Moves a waypoint of an obstacle, which may be moving itself. */
-    record MoveWaypoint(Obstacle start, int index, Supplier<Obstacle> current) implements DragOperation {
+    /**
+     * Moves a waypoint of an obstacle, which may be moving itself.
+     *
+     * @param start the obstacle at the start
+     * @param index the index of the waypoint
+     * @param expected the obstacle as it will be after all commands that have been sent
+     */
+    record MoveWaypoint(Obstacle start, int index, Supplier<Obstacle> expected) implements DragOperation {
 
         @Override
         public DragPreview preview(Vector2 mouse, SnapSettings snap) {
             Vector2 to = snap.point(start.motion().waypoints().get(index), mouse);
-            List<Vector2> waypoints = new ArrayList<>(start.motion().waypoints());
-            waypoints.set(index, to);
             return new DragPreview(
-                    List.of(withWaypoints(waypoints)),
+                    List.of(withWaypoint(to)),
                     List.of(),
                     Messages.get("value.place", ShapeHandles.formatMetres(to.x()), ShapeHandles.formatMetres(to.y())));
         }
 
-        private Command withWaypoints(List<Vector2> waypoints) {
-            return new Command.PlaceObstacle(
-                    current.get().withMotion(start.motion().withWaypoints(waypoints)));
+        private Command withWaypoint(Vector2 waypoint) {
+            Obstacle obstacle = expected.get();
+            WaypointPath motion = obstacle.motion();
+            boolean samePath =
+                    motion.waypoints().size() == start.motion().waypoints().size();
+            List<Vector2> waypoints = new ArrayList<>((samePath ? motion : start.motion()).waypoints());
+            waypoints.set(index, waypoint);
+            return new Command.PlaceObstacle(obstacle.withMotion(motion.withWaypoints(waypoints)));
         }
 
         @Override
         public List<Command> restoreCommands() {
-            return List.of(withWaypoints(start.motion().waypoints()));
+            return List.of(withWaypoint(start.motion().waypoints().get(index)));
         }
 
         @Override
@@ -158,8 +168,15 @@ public sealed interface DragOperation {
         }
     }
 
-    /** Changes the range of a sensor by the arc of its cone; the robot may be driving. */
-    record ChangeRange(SensorSpec spec, Supplier<SensorSnapshot> current) implements DragOperation {
+    /**
+     * Changes the range of a sensor by the arc of its cone; the robot may be driving.
+     *
+     * @param start the sensor at the start
+     * @param expected the sensor as it will be after all commands that have been sent
+     * @param current the present state of the sensor
+     */
+    record ChangeRange(SensorSpec start, Supplier<SensorSpec> expected, Supplier<SensorSnapshot> current)
+            implements DragOperation {
 
         @Override
         public DragPreview preview(Vector2 mouse, SnapSettings snap) {
@@ -167,19 +184,30 @@ public sealed interface DragOperation {
             double rounded = Math.rint(snap.length(free) * 1000) / 1000;
             double range = Math.max(EditLimits.MIN_SENSOR_RANGE, Math.min(EditLimits.MAX_SENSOR_RANGE, rounded));
             return new DragPreview(
-                    List.of(new Command.ConfigureSensor(spec.withRange(range))),
+                    List.of(withRange(range)),
                     List.of(),
                     Messages.get("value.range", ShapeHandles.formatMetres(range)));
         }
 
+        private Command withRange(double range) {
+            return new Command.ConfigureSensor(expected.get().withRange(range));
+        }
+
         @Override
         public List<Command> restoreCommands() {
-            return List.of(new Command.ConfigureSensor(spec));
+            return List.of(withRange(start.range()));
         }
     }
 
-    /** Changes the field of view of a sensor by an edge of its cone; the robot may be driving. */
-    record ChangeCone(SensorSpec spec, Supplier<SensorSnapshot> current) implements DragOperation {
+    /**
+     * Changes the field of view of a sensor by an edge of its cone; the robot may be driving.
+     *
+     * @param start the sensor at the start
+     * @param expected the sensor as it will be after all commands that have been sent
+     * @param current the present state of the sensor
+     */
+    record ChangeCone(SensorSpec start, Supplier<SensorSpec> expected, Supplier<SensorSnapshot> current)
+            implements DragOperation {
 
         /** In a narrower cone the two edges are too close for the mouse; a field of the panel can set such a cone. */
         private static final double MIN_DEGREES = 1;
@@ -195,33 +223,41 @@ public sealed interface DragOperation {
             double free = Math.rint(Math.toDegrees(2 * half) * STEPS_PER_DEGREE) / STEPS_PER_DEGREE;
             double degrees =
                     Math.max(MIN_DEGREES, Math.min(MAX_DEGREES, snap.angleStep() > 0 ? Math.rint(free / 5) * 5 : free));
-            SensorSpec tuned = spec.withCone(Degrees.toRadians(degrees));
             return new DragPreview(
-                    List.of(new Command.ConfigureSensor(tuned)),
+                    List.of(withCone(Degrees.toRadians(degrees))),
                     List.of(),
                     Messages.get("value.cone", String.format(Locale.ROOT, "%.1f", degrees)));
         }
 
+        private Command withCone(double cone) {
+            return new Command.ConfigureSensor(expected.get().withCone(cone));
+        }
+
         @Override
         public List<Command> restoreCommands() {
-            return List.of(new Command.ConfigureSensor(spec));
+            return List.of(withCone(start.cone()));
         }
     }
 
     /**
      * Turns a sensor about its mounting point; the robot may be driving.
      *
-     * @param spec the sensor at the start
+     * @param start the sensor at the start
      * @param grip the angle from the axis of the cone to the point under the mouse, radians
+     * @param expected the sensor as it will be after all commands that have been sent
      * @param current the present state of the sensor
      */
-    record TurnSensor(SensorSpec spec, double grip, Supplier<SensorSnapshot> current) implements DragOperation {
+    record TurnSensor(SensorSpec start, double grip, Supplier<SensorSpec> expected, Supplier<SensorSnapshot> current)
+            implements DragOperation {
 
         /** Returns the operation for a sensor, whose cone is under the mouse. */
-        static TurnSensor at(Vector2 mouse, SensorSpec spec, Supplier<SensorSnapshot> current) {
+        static TurnSensor at(Vector2 mouse, Supplier<SensorSpec> expected, Supplier<SensorSnapshot> current) {
             Sector cone = current.get().sector();
             return new TurnSensor(
-                    spec, mouse.minus(cone.apex()).angle() - cone.axis().angle(), current);
+                    expected.get(),
+                    mouse.minus(cone.apex()).angle() - cone.axis().angle(),
+                    expected,
+                    current);
         }
 
         @Override
@@ -231,14 +267,18 @@ public sealed interface DragOperation {
             double free = mouse.minus(now.sector().apex()).angle() - grip - robotHeading;
             double bearing = snap.angle(Angles.normalize(free));
             return new DragPreview(
-                    List.of(new Command.ConfigureSensor(spec.withBearing(bearing))),
+                    List.of(withBearing(bearing)),
                     List.of(),
                     Messages.get("value.bearing", AngleText.degrees(bearing, 1)));
         }
 
+        private Command withBearing(double bearing) {
+            return new Command.ConfigureSensor(expected.get().withBearing(bearing));
+        }
+
         @Override
         public List<Command> restoreCommands() {
-            return List.of(new Command.ConfigureSensor(spec));
+            return List.of(withBearing(start.bearing()));
         }
     }
 }

@@ -98,7 +98,7 @@ public final class GesturePicker {
                 onObstacle ? OptionalInt.empty() : handleAt(obstacle.motion().waypoints(), at);
         return waypoint.isPresent()
                 ? Optional.of(
-                        new DragOperation.MoveWaypoint(obstacle, waypoint.getAsInt(), () -> presentState(obstacle)))
+                        new DragOperation.MoveWaypoint(obstacle, waypoint.getAsInt(), () -> expectedState(obstacle)))
                 : Optional.empty();
     }
 
@@ -108,6 +108,18 @@ public final class GesturePicker {
         boolean sameHandles = ShapeHandles.positions(expected).size()
                 == ShapeHandles.positions(obstacle).size();
         return sameHandles ? expected : obstacle;
+    }
+
+    /**
+     * Returns an obstacle as it will be when the run has answered. It is where the frame shows it unless a command
+     * moves it: the others have its pose of an earlier frame, and it may have moved since.
+     */
+    private Obstacle expectedState(Obstacle obstacle) {
+        Obstacle shown = presentState(obstacle);
+        Obstacle expected = sender.pendingEdits().expected(shown);
+        boolean resized =
+                !expected.withPose(shown.pose()).withMotion(shown.motion()).equals(shown);
+        return resized || sender.pendingEdits().isMoved(shown.id()) ? expected : expected.withPose(shown.pose());
     }
 
     private Obstacle presentState(Obstacle obstacle) {
@@ -140,8 +152,8 @@ public final class GesturePicker {
         return ConeHitTest.sensorAt(camera(), model.selectedSensor().stream().toList(), at);
     }
 
-    private SensorSpec expectedSpec(SensorSnapshot sensor) {
-        return sender.pendingEdits().robot().sensor(sensor.spec().id()).orElse(sensor.spec());
+    private Supplier<SensorSpec> expectedSpec(SensorSnapshot sensor) {
+        return () -> sender.pendingEdits().robot().sensor(sensor.spec().id()).orElse(sensor.spec());
     }
 
     private Supplier<SensorSnapshot> presentState(SensorSnapshot sensor) {
@@ -149,12 +161,13 @@ public final class GesturePicker {
     }
 
     private Optional<DragOperation> coneDrag(SensorSnapshot sensor, Vector2 at) {
+        Supplier<SensorSpec> expected = expectedSpec(sensor);
         if (ConeHitTest.isOnArc(camera(), sensor.sector(), at)) {
-            return Optional.of(new DragOperation.ChangeRange(expectedSpec(sensor), presentState(sensor)));
+            return Optional.of(new DragOperation.ChangeRange(expected.get(), expected, presentState(sensor)));
         }
         boolean edge = ConeHitTest.isOnEdge(camera(), sensor.sector(), at);
         return edge
-                ? Optional.of(new DragOperation.ChangeCone(expectedSpec(sensor), presentState(sensor)))
+                ? Optional.of(new DragOperation.ChangeCone(expected.get(), expected, presentState(sensor)))
                 : Optional.empty();
     }
 

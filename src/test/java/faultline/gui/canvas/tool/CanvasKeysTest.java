@@ -227,6 +227,17 @@ class CanvasKeysTest {
         SensorSpec dragged = ((Command.ConfigureSensor) callOnEdt(() -> sent.get(1))).sensor();
         assertNotEquals(front.range(), dragged.range());
         assertEquals(0.01, dragged.noise());
+        SensorSpec noisier = front.withNoise(0.02);
+        runOnEdt(() -> {
+            sender.send(new Command.ConfigureSensor(noisier));
+            sent.clear();
+        });
+        mouse(MouseEvent.MOUSE_DRAGGED, arc.plus(new Vector2(30, 0)));
+        assertEquals(
+                0.02,
+                ((Command.ConfigureSensor) callOnEdt(() -> sent.get(0)))
+                        .sensor()
+                        .noise());
     }
 
     private static SensorSpec sensor(String id, double bearing) {

@@ -316,6 +316,32 @@ class CanvasMouseTest {
         assertTrue(sent.get(0) instanceof Command.MoveObstacle, "the obstacle covers its waypoint");
     }
 
+    /** Neither the nudge before the drag nor the one during it has been answered. */
+    @Test
+    void aDragOfAWaypointKeepsWhereKeysMoveTheObstacle() {
+        WaypointPath motion = new WaypointPath(0.2, true, List.of(new Vector2(2, 3), new Vector2(5, 3)));
+        Obstacle visitor =
+                new Obstacle("visitor", new ObstacleShape.CircleShape(0.2), new Pose(4, 2, 0)).withMotion(motion);
+        runOnEdt(() -> {
+            canvas.setFrame(SampleFrames.frameOf(new Pose(1, 1, 0), visitor));
+            canvas.tools().select(List.of("visitor"));
+            press("RIGHT");
+        });
+        mouse(MouseEvent.MOUSE_PRESSED, screen(new Vector2(5, 3)), MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(5, 1)), MouseEvent.NOBUTTON);
+        runOnEdt(() -> press("RIGHT"));
+        mouse(MouseEvent.MOUSE_DRAGGED, screen(new Vector2(5, 2)), MouseEvent.NOBUTTON);
+        assertEquals(
+                List.of(4.01, 4.01, 4.02, 4.02),
+                sent.stream().map(CanvasMouseTest::placeX).toList());
+    }
+
+    private static double placeX(Command command) {
+        return command instanceof Command.PlaceObstacle place
+                ? place.obstacle().pose().x()
+                : ((Command.MoveObstacle) command).pose().x();
+    }
+
     @Test
     void whatIsUnderTheCursorDecidesAboutTheMenu() {
         MenuTarget[] targets = callOnEdt(() ->

@@ -15,6 +15,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.SensorSnapshot;
+import faultline.world.WaypointPath;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
@@ -118,13 +119,58 @@ class DragOperationTest {
         SensorSpec spec = RobotSpec.DEFAULT.sensors().get(0);
         SensorSnapshot sensor = SampleFrames.sensor(spec, new Pose(1, 1, 0), SampleFrames.NOTHING);
         Vector2 apex = sensor.sector().apex();
-        DragPreview rim = new DragOperation.ChangeRange(spec, () -> sensor)
+        DragPreview rim = new DragOperation.ChangeRange(spec, () -> spec, () -> sensor)
                 .preview(apex.plus(new Vector2(0.6, 0)), SnapSettings.NONE);
         assertEquals(List.of(new Command.ConfigureSensor(spec.withRange(0.6))), rim.commands());
-        DragPreview edge = new DragOperation.ChangeCone(spec, () -> sensor)
+        DragPreview edge = new DragOperation.ChangeCone(spec, () -> spec, () -> sensor)
                 .preview(apex.plus(new Vector2(0.5, 0.5)), SnapSettings.NONE);
         assertEquals(List.of(new Command.ConfigureSensor(spec.withCone(Degrees.toRadians(90)))), edge.commands());
         assertEquals("cone 90.0\u00b0", edge.valueText());
+    }
+
+    @Test
+    void dragsOfAConeKeepWhatElseChangesMeanwhile() {
+        SensorSpec start = RobotSpec.DEFAULT.sensors().get(0);
+        SensorSnapshot sensor = SampleFrames.sensor(start, new Pose(1, 1, 0), SampleFrames.NOTHING);
+        Vector2 apex = sensor.sector().apex();
+        AtomicReference<SensorSpec> expected = new AtomicReference<>(start);
+        List<DragOperation> drags = List.of(
+                new DragOperation.ChangeRange(start, expected::get, () -> sensor),
+                new DragOperation.ChangeCone(start, expected::get, () -> sensor),
+                DragOperation.TurnSensor.at(apex.plus(new Vector2(0.5, 0)), expected::get, () -> sensor));
+        SensorSpec noisy = start.withNoise(0.1);
+        for (int i = 0; i < drags.size(); i++) {
+            expected.set(noisy);
+            Command command = drags.get(i)
+                    .preview(apex.plus(new Vector2(0, 0.5)), SnapSettings.NONE)
+                    .commands()
+                    .get(0);
+            SensorSpec sent = ((Command.ConfigureSensor) command).sensor();
+            assertEquals(0.1, sent.noise());
+            expected.set(sent);
+            assertEquals(
+                    List.of(new Command.ConfigureSensor(noisy)), drags.get(i).restoreCommands());
+        }
+    }
+
+    @Test
+    void aDragOfAWaypointKeepsWhatElseChangesMeanwhile() {
+        WaypointPath path = new WaypointPath(0.2, true, List.of(new Vector2(2, 3), new Vector2(5, 3)));
+        AtomicReference<Obstacle> expected = new AtomicReference<>(BOX.withMotion(path));
+        DragOperation drag = new DragOperation.MoveWaypoint(expected.get(), 1, expected::get);
+        WaypointPath faster = new WaypointPath(0.4, true, List.of(new Vector2(2, 4), new Vector2(5, 3)));
+        Obstacle changed = BOX.withPose(new Pose(3, 1, 0)).withMotion(faster);
+        expected.set(changed);
+        assertEquals(
+                List.of(new Command.PlaceObstacle(
+                        changed.withMotion(faster.withWaypoints(List.of(new Vector2(2, 4), new Vector2(6, 3)))))),
+                drag.preview(new Vector2(6, 3), SnapSettings.NONE).commands());
+        assertEquals(List.of(new Command.PlaceObstacle(changed)), drag.restoreCommands());
+        Obstacle shorter = changed.withMotion(faster.withWaypoints(List.of(new Vector2(1, 1))));
+        expected.set(shorter);
+        assertEquals(
+                List.of(new Command.PlaceObstacle(changed.withMotion(faster.withWaypoints(path.waypoints())))),
+                drag.restoreCommands());
     }
 
     @Test
@@ -134,7 +180,7 @@ class DragOperationTest {
         Vector2 apex = start.sector().apex();
         Vector2 axis = start.sector().axis();
         AtomicReference<SensorSnapshot> now = new AtomicReference<>(start);
-        DragOperation turn = DragOperation.TurnSensor.at(apex.plus(axis.times(0.5)), spec, now::get);
+        DragOperation turn = DragOperation.TurnSensor.at(apex.plus(axis.times(0.5)), () -> spec, now::get);
         assertEquals(
                 -150,
                 bearing(
@@ -158,7 +204,7 @@ class DragOperationTest {
         SensorSnapshot sensor = SampleFrames.sensor(spec, new Pose(1, 1, 0), SampleFrames.NOTHING);
         Vector2 apex = sensor.sector().apex();
         Vector2 grip = apex.plus(Vector2.direction(0.1));
-        DragOperation turn = DragOperation.TurnSensor.at(grip, spec, () -> sensor);
+        DragOperation turn = DragOperation.TurnSensor.at(grip, () -> spec, () -> sensor);
         assertEquals(0, bearing(turn, grip), 1e-9);
         SnapSettings snap = new SnapSettings(0, Degrees.toRadians(15));
         Command command = turn.preview(apex.plus(Vector2.direction(0.1 + Degrees.toRadians(40))), snap)
@@ -177,7 +223,7 @@ class DragOperationTest {
         SensorSpec spec = RobotSpec.DEFAULT.sensors().get(0);
         SensorSnapshot sensor = SampleFrames.sensor(spec, new Pose(1, 1, 0), SampleFrames.NOTHING);
         Vector2 apex = sensor.sector().apex();
-        DragOperation arc = new DragOperation.ChangeRange(spec, () -> sensor);
+        DragOperation arc = new DragOperation.ChangeRange(spec, () -> spec, () -> sensor);
         assertEquals(
                 List.of(new Command.ConfigureSensor(spec.withRange(EditLimits.MIN_SENSOR_RANGE))),
                 arc.preview(apex.plus(new Vector2(0.001, 0)), SnapSettings.NONE).commands());
