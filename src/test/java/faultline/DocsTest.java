@@ -44,7 +44,6 @@ class DocsTest {
             "ScenarioReader → XmlParser",
             "AttributeReader → SensorSpec",
             "PendingEdits → RunController",
-            "RunController → Session",
             "SensorArray → CommandResult",
             "Frame → RunPoller",
             "CanvasModel → BackBuffer",

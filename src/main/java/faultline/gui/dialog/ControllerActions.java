@@ -58,7 +58,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
 
     /** The times of the files that the controller of the session was loaded from. */
     private Map<Path, FileTime> files = Map.of();
-    /** The note about a changed file that was shown last. */
+    /** The note about a changed file, empty if none has changed since the controller was loaded. */
     private String changedNote = "";
 
     /** Read by the threads that start runs. */
@@ -197,6 +197,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
         // The restart has loaded a changed file.
         files = Map.of();
         notes.remove(changedNote);
+        changedNote = "";
         ControllerChoice chosen = started;
         if (!chosen.isScenarioDefault()) {
             BackgroundTasks.compute(
@@ -252,9 +253,10 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     private void compare(Map<Path, FileTime> now) {
         now.forEach((file, time) -> {
             if (files.containsKey(file) && !time.equals(files.get(file))) {
+                notes.remove(changedNote);
                 changedNote = Messages.get(
                         "chooseController.changed", file.getFileName().toString());
-                notes.show(changedNote);
+                notes.keep(changedNote);
             }
         });
         files = now;

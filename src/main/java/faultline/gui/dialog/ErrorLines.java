@@ -57,7 +57,7 @@ final class ErrorLines {
         ErrorLine line = unshown.getAndSet(null);
         if (line.controller() >= driving) {
             shown = line;
-            notes.show(line.text());
+            notes.showLine(line.text());
         }
     }
 

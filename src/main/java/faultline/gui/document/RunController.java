@@ -1,6 +1,7 @@
 package faultline.gui.document;
 
 import faultline.engine.SimulationSetup;
+import faultline.engine.session.Session;
 import faultline.geometry.Pose;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
@@ -278,12 +279,22 @@ public final class RunController implements WorkspaceListener {
 
     /** Resumes or pauses the run. */
     public void toggleRunning() {
-        submit(open -> open.session().toggleRunning(open.session().status().running()));
+        submitUnlessFailed(session -> session.toggleRunning(session.status().running()));
     }
 
     /** Makes one tick and pauses. */
     public void step() {
-        submit(open -> open.session().step());
+        submitUnlessFailed(Session::step);
+    }
+
+    private void submitUnlessFailed(Consumer<Session> request) {
+        submit(open -> {
+            if (open.session().status().failure().isPresent()) {
+                workspace.fire(WorkspaceListener::failedRunResumed);
+            } else {
+                request.accept(open.session());
+            }
+        });
     }
 
     /**

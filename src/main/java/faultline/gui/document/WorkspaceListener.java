@@ -41,6 +41,9 @@ public interface WorkspaceListener {
      */
     default void setupChangeDeferred() {}
 
+    /** The user wants to resume a run that has failed. */
+    default void failedRunResumed() {}
+
     /** A new session has started. */
     default void sessionStarted() {}
 

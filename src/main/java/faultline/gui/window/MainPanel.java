@@ -214,7 +214,7 @@ final class MainPanel extends JPanel {
         timeline.startScenario();
         canvas.tools().startScenario();
         controlPanel.startScenario();
-        statusBar.clearNote();
+        statusBar.clearNotes();
     }
 
     /** Shows the progress of the run of a scenario, whose furthest tick is given, and at its end the verdict. */

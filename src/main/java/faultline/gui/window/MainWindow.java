@@ -71,7 +71,7 @@ public final class MainWindow extends JFrame {
     private final transient RunController runController = new RunController(workspace);
     private final transient ComparisonController comparisonController =
             new ComparisonController(workspace, runController.navigator());
-    private final transient Notes notes = new Notes(this::showNote, this::removeNote);
+    private final transient Notes notes = new Notes(this::showNote, this::keepNote, this::showLine, this::removeNote);
     private final transient ControllerActions controllerActions;
     private final transient CommandSender commandSender = new CommandSender(runController::send);
     private final transient UndoController undoController = new UndoController(commandSender, this::updateEditActions);
@@ -248,6 +248,15 @@ public final class MainWindow extends JFrame {
         runPoller.wake();
     }
 
+    private void keepNote(String sentence) {
+        mainPanel.statusBar().keepNote(sentence, () -> true);
+    }
+
+    private void showLine(String text) {
+        mainPanel.statusBar().showLine(text);
+        runPoller.wake();
+    }
+
     /** Returns whether nothing has happened for a second, so that nothing is polled. */
     boolean isResting() {
         return runPoller.isResting();
@@ -408,6 +417,13 @@ public final class MainWindow extends JFrame {
         @Override
         public void setupChangeDeferred() {
             showNote(Messages.get("edit.deferred"));
+        }
+
+        @Override
+        public void failedRunResumed() {
+            String restart = Keystrokes.toText(
+                    actionRegistry.get("restart").accelerator().orElseThrow());
+            showNote(Messages.get("run.failed", restart));
         }
 
         @Override

@@ -90,12 +90,10 @@ final class RunPoller implements WorkspaceListener {
         boolean changed = !Objects.equals(status, polledStatus) || mainPanel.shownFrame() != before;
         polledStatus = status;
         boolean running = status != null && status.running();
-        // The note of a failure stays.
-        boolean failed = status != null && status.failure().isPresent();
         return changed
                 || workspace.task().isPresent()
                 || running
-                || mainPanel.statusBar().isNoteShown() && !failed;
+                || mainPanel.statusBar().isNoteShown();
     }
 
     /** Shows the newest frame of a session, and returns its status. */

@@ -48,8 +48,6 @@ final class StatusBar extends JPanel {
     private transient Vector2 cursorPoint;
 
     private int shownRefusals;
-    /** Why the run failed at the last frame, empty if it did not. */
-    private String shownFailure = "";
 
     StatusBar() {
         this(System::nanoTime);
@@ -94,19 +92,18 @@ final class StatusBar extends JPanel {
                         : "–");
         state.setStatusText(StateText.name(frame.telemetry().state()));
         pose.setStatusText(poseText(world.pose()));
-        note.removeUnlessHoldsIn(world);
-        showNote(status);
-        showStall(stalled);
+        note.setCondition(conditionOf(status, stalled));
+        note.update(world);
+        if (status.refusals() != shownRefusals) {
+            shownRefusals = status.refusals();
+            status.lastRefusal().map(RefusalText::format).ifPresent(this::showNote);
+        }
     }
 
-    /** Says why nothing moves, and why a run does not pause at once. */
-    private void showStall(boolean stalled) {
-        String sentence = Messages.get("status.stalled");
-        if (stalled) {
-            showNote(sentence);
-        } else {
-            removeNote(sentence);
-        }
+    /** Says why a run has failed, or why nothing moves and a run does not pause at once; empty otherwise. */
+    private static String conditionOf(SessionStatus status, boolean stalled) {
+        String waiting = stalled ? Messages.get("status.stalled") : "";
+        return status.failure().map(reason -> Messages.get(reason)).orElse(waiting);
     }
 
     private static String tickText(long tick) {
@@ -117,29 +114,12 @@ final class StatusBar extends JPanel {
         return NumberText.format("x %.3f  y %.3f  θ %s°", pose.x(), pose.y(), AngleText.degrees(pose.heading(), 1));
     }
 
-    /** Shows why the run failed for as long as it is so, or temporarily why a command was refused. */
-    private void showNote(SessionStatus status) {
-        String failure = status.failure().map(reason -> Messages.get(reason)).orElse("");
-        if (!failure.isEmpty()) {
-            showNote(failure);
-        } else if (!shownFailure.isEmpty()) {
-            removeNote(shownFailure);
-        }
-        shownFailure = failure;
-        if (status.refusals() != shownRefusals) {
-            shownRefusals = status.refusals();
-            status.lastRefusal().map(RefusalText::format).ifPresent(this::showNote);
-        } else {
-            note.removeWhenRead();
-        }
-    }
-
-    /** Removes a note that is shown. */
-    void clearNote() {
+    /** Removes all notes. */
+    void clearNotes() {
         note.clear();
     }
 
-    /** Removes a sentence if it is still shown. */
+    /** Removes a sentence if it is still there. */
     void removeNote(String sentence) {
         note.remove(sentence);
     }
@@ -154,12 +134,17 @@ final class StatusBar extends JPanel {
         note.show(sentence, holds);
     }
 
-    /** Shows a sentence for as long as it holds, unless another one replaces it. */
+    /** Shows a sentence for as long as it holds, except while notes about something else are read. */
     void keepNote(String sentence, BooleanSupplier holds) {
         note.keep(sentence, world -> holds.getAsBoolean());
     }
 
-    /** Returns whether a note is shown that will be removed. */
+    /** Shows a line that a program has printed, while there is nothing else to show. */
+    void showLine(String text) {
+        note.showLine(text);
+    }
+
+    /** Returns whether there is a note that will be removed. */
     boolean isNoteShown() {
         return note.isPresent();
     }

@@ -2,13 +2,15 @@ package faultline.gui.window;
 
 import faultline.gui.theme.UiText;
 import faultline.world.Snapshot;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import javax.swing.JLabel;
 
 /**
- * A sentence that stays for as long as it takes to read, or is kept, and no longer than it holds in the world that is
- * shown.
+ * Shows one sentence. A note that stays for as long as it takes to read hides the notes that are kept, of which the
+ * newest is shown. Below them come the condition of the run, and last the line that a program has printed.
  */
 final class StatusNote extends JLabel {
 
@@ -21,68 +23,119 @@ final class StatusNote extends JLabel {
 
     private static final int NANOS_PER_MILLI = 1_000_000;
 
+    /** A sentence, when it was shown, and whether it still holds in a world. */
+    private record Sentence(String text, long shownNanos, Predicate<Snapshot> holds) {
+        static final Sentence NONE = new Sentence("", 0, world -> true);
+
+        boolean isNone() {
+            return text.isEmpty();
+        }
+
+        boolean isOlderThan(int millis, long nanos) {
+            return nanos - shownNanos > (long) millis * NANOS_PER_MILLI;
+        }
+
+        /** Returns whether the sentence does not hold, after a moment in which it can be noticed. */
+        boolean isOver(Snapshot world, long nanos) {
+            return isOlderThan(MIN_READ_MILLIS, nanos) && !holds.test(world);
+        }
+
+        boolean isRead(long nanos) {
+            return isOlderThan(Math.max(MIN_MILLIS, MILLIS_PER_CHARACTER * text.length()), nanos);
+        }
+    }
+
     private final transient LongSupplier nanoTime;
-    /** The time at which the note was shown. */
-    private long shownNanos;
-    /** How long the note stays, milliseconds; 0 if there is none. */
-    private int stayMillis;
-    /** Whether the note still holds in a world. */
-    private transient Predicate<Snapshot> holds = world -> true;
+    private transient Sentence note = Sentence.NONE;
+    /** The kept notes, the newest last. */
+    private final transient List<Sentence> kept = new ArrayList<>();
+
+    private String condition = "";
+    private transient Sentence line = Sentence.NONE;
 
     StatusNote(LongSupplier nanoTime) {
         this.nanoTime = nanoTime;
         UiText.name(this, "status.note");
     }
 
-    void show(String sentence, Predicate<Snapshot> newHolds) {
-        shownNanos = nanoTime.getAsLong();
-        holds = newHolds;
-        setText(sentence);
-        setToolTipText(sentence);
-        stayMillis = Math.max(MIN_MILLIS, MILLIS_PER_CHARACTER * sentence.length());
+    /** Shows a sentence for as long as it takes to read, and no longer than it holds. */
+    void show(String sentence, Predicate<Snapshot> holds) {
+        note = createSentence(sentence, holds);
+        showFirst();
     }
 
-    /** Shows a sentence for as long as it holds, unless another one replaces it. */
-    void keep(String sentence, Predicate<Snapshot> newHolds) {
-        show(sentence, newHolds);
-        stayMillis = 0;
+    /** Shows a sentence for as long as it holds, except while notes about something else are read. */
+    void keep(String sentence, Predicate<Snapshot> holds) {
+        kept.removeIf(old -> old.text().equals(sentence));
+        kept.add(createSentence(sentence, holds));
+        showFirst();
     }
 
-    /** Removes the sentence. */
+    /** Shows a sentence about the run while no note is shown, empty for none. */
+    void setCondition(String sentence) {
+        condition = sentence;
+        showFirst();
+    }
+
+    /** Shows a line that a program has printed for as long as it takes to read, while there is nothing else to show. */
+    void showLine(String text) {
+        line = createSentence(text, world -> true);
+        showFirst();
+    }
+
+    private Sentence createSentence(String text, Predicate<Snapshot> holds) {
+        return new Sentence(text, nanoTime.getAsLong(), holds);
+    }
+
+    /** Removes all sentences but the condition of the run. */
     void clear() {
-        setText("");
-        setToolTipText(null);
-        stayMillis = 0;
-        holds = world -> true;
+        note = Sentence.NONE;
+        kept.clear();
+        line = Sentence.NONE;
+        showFirst();
     }
 
-    /** Removes a sentence if it is still shown. */
+    /** Removes a sentence if it is still there. */
     void remove(String sentence) {
-        if (getText().equals(sentence)) {
-            clear();
-        }
+        note = note.text().equals(sentence) ? Sentence.NONE : note;
+        kept.removeIf(old -> old.text().equals(sentence));
+        line = line.text().equals(sentence) ? Sentence.NONE : line;
+        showFirst();
     }
 
-    /** Removes the sentence if it does not hold in a world, after a moment in which it can be noticed. */
-    void removeUnlessHoldsIn(Snapshot world) {
-        if (isOlderThan(MIN_READ_MILLIS) && !holds.test(world)) {
-            clear();
+    /** Removes what does not hold in a world, and what has been read. */
+    void update(Snapshot world) {
+        long now = nanoTime.getAsLong();
+        if (note.isOver(world, now) || note.isRead(now)) {
+            note = Sentence.NONE;
         }
+        kept.removeIf(sentence -> sentence.isOver(world, now));
+        if (line.isRead(now)) {
+            line = Sentence.NONE;
+        }
+        showFirst();
     }
 
-    /** Removes the sentence after the time that it takes to read. */
-    void removeWhenRead() {
-        if (isPresent() && isOlderThan(stayMillis)) {
-            clear();
-        }
-    }
-
-    /** Returns whether there is a sentence that will be removed. */
+    /** Returns whether there is a sentence that will be removed when it has been read. */
     boolean isPresent() {
-        return stayMillis > 0;
+        return !note.isNone() || !line.isNone();
     }
 
-    private boolean isOlderThan(int millis) {
-        return nanoTime.getAsLong() - shownNanos > (long) millis * NANOS_PER_MILLI;
+    private void showFirst() {
+        String text = firstText();
+        if (!text.equals(getText())) {
+            setText(text);
+            setToolTipText(text.isEmpty() ? null : text);
+        }
+    }
+
+    private String firstText() {
+        if (!note.isNone()) {
+            return note.text();
+        }
+        if (!kept.isEmpty()) {
+            return kept.get(kept.size() - 1).text();
+        }
+        return condition.isEmpty() ? line.text() : condition;
     }
 }

@@ -181,7 +181,7 @@ class ObstacleActionsTest {
                 canvas.tools(),
                 sender,
                 new SensorActions(workspace, sender, sensors, canvas.tools()),
-                new Notes(notes::add, notes::remove),
+                new Notes(notes::add, notes::add, notes::add, notes::remove),
                 now -> askSpeed(),
                 WindowPreferences.nonPersistent());
         obstacles.addTo(actions);

@@ -51,6 +51,9 @@ class ControllerActionsTest {
 
     private final List<TaskKind> failures = new ArrayList<>();
     private final List<String> notes = new CopyOnWriteArrayList<>();
+    /** The notes that stay until they are removed. */
+    private final List<String> keptNotes = new CopyOnWriteArrayList<>();
+
     private final Map<String, String> stored = new HashMap<>();
     private final WindowPreferences preferences =
             new WindowPreferences(new PreferenceStore(key -> stored.getOrDefault(key, ""), stored::put));
@@ -88,7 +91,7 @@ class ControllerActionsTest {
                     workspace,
                     run,
                     comparison,
-                    new Notes(notes::add, notes::remove),
+                    new Notes(notes::add, keptNotes::add, notes::add, keptNotes::remove),
                     preferences.recentCommands());
             store.open(OFFICE);
         });
@@ -207,7 +210,7 @@ class ControllerActionsTest {
 
     /** A command whose program need not run: its file is only watched. */
     @Test
-    void aNoteSaysOnceThatAFileOfTheControllerHasChanged(@TempDir Path folder) throws IOException {
+    void aNoteSaysUntilARestartThatAFileOfTheControllerHasChanged(@TempDir Path folder) throws IOException {
         Path program = Files.writeString(folder.resolve("follower.py"), "");
         runOnEdt(() -> {
             controllers.select(ControllerChoice.of(ShellWords.quoted(program.toString())));
@@ -215,14 +218,14 @@ class ControllerActionsTest {
         });
         BackgroundThreads.awaitEnd();
         checkFiles();
-        assertEquals(List.of(), notes);
+        assertEquals(List.of(), keptNotes);
         Files.setLastModifiedTime(program, FileTime.fromMillis(1_000_000));
         checkFiles();
         checkFiles();
-        String note = "follower.py has changed; restart the run to load it";
-        assertEquals(List.of(note), notes);
+        assertEquals(List.of("follower.py has changed; restart the run to load it"), keptNotes);
         runOnEdt(controllers::sessionStarted);
-        assertEquals(List.of(), notes, "after a restart");
+        assertEquals(List.of(), keptNotes, "after a restart");
+        assertEquals(List.of(), notes);
     }
 
     private void checkFiles() {

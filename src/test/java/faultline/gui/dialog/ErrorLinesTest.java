@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class ErrorLinesTest {
 
     private final List<String> shown = new ArrayList<>();
-    private final ErrorLines lines = new ErrorLines(new Notes(shown::add, shown::remove));
+    private final ErrorLines lines = new ErrorLines(new Notes(shown::add, shown::add, shown::add, shown::remove));
 
     private void write(Consumer<String> controller, String line) {
         controller.accept(line);

@@ -36,6 +36,8 @@ class DeadRunTest {
     private DocumentStore documentStore;
     private Scenario edited;
     private final List<Throwable> failures = new ArrayList<>();
+    /** How often the user has been informed that the run cannot be resumed. */
+    private int refusals;
 
     @BeforeEach
     void editAndDie() throws Exception {
@@ -48,6 +50,11 @@ class DeadRunTest {
                 @Override
                 public void taskFailed(TaskKind task, Path failed, Throwable failure) {
                     failures.add(failure);
+                }
+
+                @Override
+                public void failedRunResumed() {
+                    refusals++;
                 }
             });
             documentStore.open(file);
@@ -75,6 +82,14 @@ class DeadRunTest {
     void close() {
         runOnEdt(workspace::close);
         assertEquals(List.of(), failures);
+    }
+
+    @Test
+    void whoResumesOrStepsItIsInformed() {
+        runOnEdt(run::toggleRunning);
+        assertEquals(1, callOnEdt(() -> refusals));
+        runOnEdt(run::step);
+        assertEquals(2, callOnEdt(() -> refusals));
     }
 
     @Test

@@ -109,7 +109,7 @@ class ExportControllerTest {
                     (action, extension) ->
                             refusals-- > 0 ? Optional.empty() : Optional.of(folder.resolve("out" + extension)),
                     written::add,
-                    new Notes(notes::add, removedNotes::add));
+                    new Notes(notes::add, notes::add, notes::add, removedNotes::add));
             actions = controller.actions();
             documentStore = new DocumentStore(workspace);
             documentStore.open(Path.of("scenarios/office.xml"));

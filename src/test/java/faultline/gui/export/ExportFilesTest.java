@@ -79,7 +79,7 @@ class ExportFilesTest {
                     canvas,
                     (action, extension) -> Optional.of(folder.resolve("out" + extension)),
                     written::add,
-                    new Notes(note -> {}, note -> {}));
+                    new Notes(note -> {}, note -> {}, note -> {}, note -> {}));
             controller.setErrorDialog(sentences::add);
             actions = controller.actions();
             documentStore = new DocumentStore(workspace);

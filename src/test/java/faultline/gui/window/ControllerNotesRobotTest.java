@@ -62,10 +62,14 @@ class ControllerNotesRobotTest {
         AtomicReference<String> note = new AtomicReference<>();
         driver.robot().waitFor("the new run shows", () -> {
             note.set(driver.statusNote());
-            return ComponentFinder.findAll(driver.window(), StatusCell.class)
-                    .anyMatch(cell -> cell.getText().equals("Paused"));
+            return showsState("Paused");
         });
         assertEquals("", note.get());
+    }
+
+    private boolean showsState(String state) {
+        return ComponentFinder.findAll(driver.window(), StatusCell.class)
+                .anyMatch(cell -> cell.getText().equals(state));
     }
 
     private void makeNewer() {
@@ -76,15 +80,14 @@ class ControllerNotesRobotTest {
     void theNotesOfAFailedControllerGoWithItsRun() throws IOException {
         driver.robot().waitFor("the controller is there", () -> {
             driver.chooseOnEdt("step");
-            return driver.statusNote().contains("ended with exit code 7");
+            return showsState("Failed");
         });
+        waitForNote("ended with exit code 7");
         Files.writeString(script, READY + "exit 8\n");
-        // Until the window rests, the failure hides the note about a change at once.
-        driver.robot()
-                .repeatUntil(
-                        "the note about the change",
-                        () -> driver.statusNote().contains("follower.sh has changed"),
-                        this::makeNewer);
+        driver.choose("run");
+        waitForNote("has failed; restart it with Ctrl+R");
+        makeNewer();
+        waitForNote("follower.sh has changed");
         restart();
         driver.choose("step");
         waitForNote("ended with exit code 8");

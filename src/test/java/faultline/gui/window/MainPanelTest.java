@@ -95,6 +95,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** The contents of the window without a display. */
 class MainPanelTest {
 
+    private static final Notes NO_NOTES = new Notes(text -> {}, text -> {}, text -> {}, text -> {});
+
     /** The actions in menus that the window itself provides. */
     private static final List<String> OTHER_ACTIONS = List.of(
             "nextArea",
@@ -146,13 +148,7 @@ class MainPanelTest {
             files.addTo(actions, () -> {});
             new EditActions(undo).addTo(actions);
             addSensorActions(workspace, new ScenarioEditor(run, undo), sender);
-            new ExportController(
-                            canvas,
-                            workspace,
-                            canvas,
-                            files::chooseExportFile,
-                            file -> {},
-                            new Notes(text -> {}, text -> {}))
+            new ExportController(canvas, workspace, canvas, files::chooseExportFile, file -> {}, NO_NOTES)
                     .actions()
                     .forEach(actions::add);
             ViewActions.addTo(actions, canvas);
@@ -185,7 +181,7 @@ class MainPanelTest {
                 canvas.tools(),
                 sender,
                 sensors,
-                new Notes(sentence -> {}, sentence -> {}),
+                NO_NOTES,
                 now -> OptionalDouble.empty(),
                 WindowPreferences.nonPersistent());
     }

@@ -33,8 +33,8 @@ import org.junit.jupiter.api.Test;
 
 class StatusBarTest {
 
-    private static final SessionStatus FAILED =
-            new SessionStatus(false, 1, 0, 0, null, RunProblem.OTHER.with("the controller does not answer"));
+    private static final String FAILURE = "the controller does not answer";
+    private static final SessionStatus FAILED = new SessionStatus(false, 1, 0, 0, null, RunProblem.OTHER.with(FAILURE));
 
     private final AtomicLong nanos = new AtomicLong();
     private final StatusBar bar = callOnEdt(() -> new StatusBar(nanos::get));
@@ -156,7 +156,7 @@ class StatusBarTest {
     }
 
     @Test
-    void aKeptNoteStaysAsLongAsItHoldsOrUntilAnotherOneReplacesIt() {
+    void aKeptNoteStaysAsLongAsItHoldsAndReturnsAfterAnother() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         AtomicBoolean holds = new AtomicBoolean(true);
         runOnEdt(() -> bar.keepNote("not kept", holds::get));
@@ -170,6 +170,51 @@ class StatusBarTest {
         runOnEdt(() -> bar.keepNote("not kept", holds::get));
         runOnEdt(() -> bar.showNote("saved"));
         assertFalse(texts().contains("not kept"));
+        show(8000, frame, running(1));
+        assertTrue(texts().contains("not kept"));
+    }
+
+    @Test
+    void aKeptNoteIsShownInPlaceOfTheReasonOfAFailureAndOfPrintedLines() {
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
+        show(frame, FAILED);
+        runOnEdt(() -> bar.keepNote("changed", () -> true));
+        show(60_000, frame, FAILED);
+        assertTrue(texts().contains("changed"));
+        assertFalse(texts().contains(FAILURE));
+        runOnEdt(() -> bar.showLine("tick 1"));
+        assertTrue(texts().contains("changed"));
+        runOnEdt(() -> bar.removeNote("changed"));
+        assertTrue(texts().contains(FAILURE));
+    }
+
+    @Test
+    void aNoteIsReadBeforeTheReasonOfAFailureReturns() {
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
+        show(frame, FAILED);
+        runOnEdt(() -> bar.showNote("saved"));
+        show(4900, frame, FAILED);
+        assertTrue(texts().contains("saved"));
+        assertTrue(callOnEdt(bar::isNoteShown));
+        show(5100, frame, FAILED);
+        assertTrue(texts().contains(FAILURE));
+        assertFalse(callOnEdt(bar::isNoteShown), "nothing has to be polled");
+    }
+
+    @Test
+    void aPrintedLineIsShownForSomeTimeAndDoesNotHideANote() {
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
+        runOnEdt(() -> bar.showLine("tick 1"));
+        assertTrue(texts().contains("tick 1"));
+        runOnEdt(() -> bar.showNote("saved"));
+        runOnEdt(() -> bar.showLine("tick 2"));
+        assertTrue(texts().contains("saved"));
+        show(5100, frame, running(1));
+        assertFalse(texts().contains("saved"));
+        runOnEdt(() -> bar.showLine("tick 3"));
+        assertTrue(texts().contains("tick 3"));
+        show(10_300, frame, running(1));
+        assertFalse(texts().contains("tick 3"));
     }
 
     @Test
@@ -196,7 +241,7 @@ class StatusBarTest {
         show(frame, FAILED);
         show(60_000, frame, FAILED);
         assertEquals("Failed", texts().get(0));
-        assertTrue(texts().contains("the controller does not answer"));
+        assertTrue(texts().contains(FAILURE));
     }
 
     @Test
@@ -205,7 +250,7 @@ class StatusBarTest {
         show(frame, FAILED);
         show(frame, new SessionStatus(false, 1, 0, 0, null, null));
         assertEquals("Paused", texts().get(0));
-        assertFalse(texts().contains("the controller does not answer"));
+        assertFalse(texts().contains(FAILURE));
         assertFalse(callOnEdt(bar::isNoteShown));
     }
 
