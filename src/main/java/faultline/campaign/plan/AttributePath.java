@@ -71,9 +71,12 @@ record AttributePath(List<PathStep> steps, String attribute) {
 
     /** Returns whether it leads to the type of the controller. */
     boolean isControllerType() {
-        return attribute.equals("type")
-                && steps.size() == 1
-                && steps.get(0).element().equals("controller");
+        return attribute.equals("type") && isOfController();
+    }
+
+    /** Returns whether it leads to an attribute of the controller that the robot starts with. */
+    boolean isOfController() {
+        return steps.size() == 1 && steps.get(0).element().equals("controller");
     }
 
     /** Parses a path, which may start with {@code scenario/}; returns an empty result if the text is not a path. */

@@ -5,7 +5,9 @@ import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -118,6 +120,22 @@ public final class CampaignPlan {
                 .filter(source -> source instanceof WorldSource.ScenarioFile scenario && scenario.hasFaults())
                 .map(source -> source.label(0))
                 .toList();
+    }
+
+    /**
+     * {@return what the plan sets of the controller although the timeline of a scenario sets it again at a later time,
+     * by the names of the scenarios and sorted} It names attributes, such as {@code distance}.
+     */
+    public Map<String, List<String>> overruledAttributes() {
+        OverruledAttributes overruled = new OverruledAttributes(commonChanges, factors);
+        Map<String, List<String>> found = new LinkedHashMap<>();
+        for (WorldSource source : worlds.kinds()) {
+            if (source instanceof WorldSource.ScenarioFile scenario
+                    && !overruled.in(scenario).isEmpty()) {
+                found.put(scenario.label(), overruled.in(scenario));
+            }
+        }
+        return found;
     }
 
     /** {@return the types of the controllers that drive the robots, in the order of the plan, each once} */

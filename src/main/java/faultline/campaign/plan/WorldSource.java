@@ -13,6 +13,8 @@ import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** A source of worlds of a plan. */
 sealed interface WorldSource {
@@ -53,10 +55,18 @@ sealed interface WorldSource {
 
         /** Returns whether its timeline has faults. */
         boolean hasFaults() {
-            return tree.childrenNamed("timeline")
-                    .flatMap(timeline -> timeline.childrenNamed("fault"))
-                    .findAny()
-                    .isPresent();
+            return timelineElements("fault").findAny().isPresent();
+        }
+
+        /** Returns the names of the attributes in the changes of the controller in its timeline. */
+        Set<String> timelineControllerAttributes() {
+            return timelineElements("controller")
+                    .flatMap(change -> change.attributes().keySet().stream())
+                    .collect(Collectors.toSet());
+        }
+
+        private Stream<XmlElement> timelineElements(String name) {
+            return tree.childrenNamed("timeline").flatMap(timeline -> timeline.childrenNamed(name));
         }
     }
 

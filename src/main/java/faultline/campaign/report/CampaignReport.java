@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 
 /** Makes the report of a campaign: one self-contained HTML page. */
@@ -93,6 +94,7 @@ public final class CampaignReport {
                 "Summary",
                 Html.paragraph(size + meaning + independence())
                         + ownFaults()
+                        + overruledAttributes()
                         + repeats()
                         + undecided()
                         + broken()
@@ -107,6 +109,21 @@ public final class CampaignReport {
                 : Html.paragraph(
                         "The faults in the timeline of a scenario act in all of its runs, also in those that are"
                                 + " called healthy here. Scenarios with such faults: " + Allowed.names(scenarios)
+                                + ".");
+    }
+
+    private String overruledAttributes() {
+        Map<String, List<String>> overruled = campaign.plan().overruledAttributes();
+        return overruled.isEmpty()
+                ? ""
+                : Html.paragraph(
+                        "A change of a built-in controller in the timeline of a scenario replaces what the plan sets,"
+                                + " so runs that differ only in this continue with the same value. Attributes of the"
+                                + " controller that are replaced: "
+                                + overruled.entrySet().stream()
+                                        .map(entry -> String.join(", ", entry.getValue()) + " in "
+                                                + Allowed.names(List.of(entry.getKey())))
+                                        .collect(Collectors.joining("; "))
                                 + ".");
     }
 

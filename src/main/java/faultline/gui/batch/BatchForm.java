@@ -60,6 +60,8 @@ final class BatchForm extends JPanel {
     private final NamedChoice<BatchControllerItem> controller;
     /** What there is to know about the controller, empty for nothing. */
     private final JLabel controllerRemark = new JLabel();
+    /** How the timeline overrules the controller or the diagnosis, empty if it does not. */
+    private final JLabel overruled = new JLabel();
     /** Whether the window starts a program to drive the robot, which a batch does not. */
     private boolean program;
 
@@ -257,6 +259,7 @@ final class BatchForm extends JPanel {
         UiText.name(diagnosis, "batch.diagnosis");
         fields.add(FormConstraints.label("batch.diagnosis", diagnosis), FormConstraints.cell(0, row));
         fields.add(diagnosis, FormConstraints.fillRow(1, row++));
+        fields.add(UiText.tip(overruled, "batch.overruled.tip"), FormConstraints.fillRow(0, row++));
         addField(fields, "batch.jobs", jobs, "");
         UiText.tip(UiText.name(onset, "batch.onset"), "batch.syntax");
         onset.getDocument().addDocumentListener(new TextListener(this::updateCount));
@@ -293,6 +296,8 @@ final class BatchForm extends JPanel {
             BatchPlan plan = plan();
             diagnosis.setEnabled(plan.scenario().setup().controller() instanceof ControllerSpec.WallFollowing);
             updateRemark(plan.scenario());
+            overruled.setText(OverruledChoice.describe(plan, !controllerChoice().isScenarioDefault()));
+            overruled.setVisible(!overruled.getText().isEmpty());
             OptionalLong runs = plan.runCount();
             count.setText(
                     runs.isPresent()

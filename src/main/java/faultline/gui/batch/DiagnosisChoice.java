@@ -21,4 +21,11 @@ enum DiagnosisChoice {
     String setting() {
         return setting;
     }
+
+    /**
+     * Returns whether the controller of a run watches its sensors although a scenario wants otherwise, or vice versa.
+     */
+    boolean differsFrom(boolean watched) {
+        return this == BOTH || this == (watched ? OFF : ON);
+    }
 }

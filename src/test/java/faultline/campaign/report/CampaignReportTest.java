@@ -90,6 +90,23 @@ class CampaignReportTest {
     }
 
     @Test
+    void theSummaryNamesWhatATimelineReplaces() throws Exception {
+        String elements =
+                """
+                <worlds><scenario file="a.xml"/></worlds>
+                <set attribute="controller/@diagnosis" value="on off"/>
+                <set attribute="controller/@distance" value="0.2"/>
+                <set attribute="controller/@period" value="0 0.1"/>
+                """;
+        String sentence = "Attributes of the controller that are replaced: diagnosis, distance in a.";
+        assertFalse(reportOf(elements).contains("are replaced"));
+        folder = folder.resolve("changed");
+        String change = "<timeline><controller at=\"1\" distance=\"0.3\" diagnosis=\"on\"/></timeline></scenario>";
+        String html = reportOf(elements, SamplePlan.ROOM.replace("</scenario>", change));
+        assertTrue(html.contains(sentence), html);
+    }
+
+    @Test
     void aShellUnderstandsTheCommandOfAWorstRun() throws Exception {
         folder = folder.resolve("my <runs>");
         String html = report("");

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.external.ControllerChoice;
 import faultline.external.ControllerNames;
 import faultline.gui.ComponentFinder;
@@ -14,6 +15,7 @@ import faultline.gui.panel.FormDialog;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
+import faultline.world.Command;
 import java.awt.Point;
 import java.nio.file.Path;
 import java.util.List;
@@ -105,6 +107,32 @@ class BatchFormTest {
         Scenario faulty = Scenario.load(Path.of("scenarios/every-fault.xml"));
         form = callOnEdt(() -> new BatchForm(faulty));
         assertTrue(labels().contains(remark), labels());
+    }
+
+    @Test
+    void aRemarkSaysThatTheTimelineOverrulesTheDiagnosis() {
+        ControllerSpec.BuiltIn same = (ControllerSpec.BuiltIn) scenario.setup().controller();
+        open(scenario.withSetup(
+                scenario.setup().withTimeline(List.of(new TimedCommand(0.5, new Command.ConfigureController(same))))));
+        assertFalse(labels().contains("the timeline sets"), labels());
+        choose(DiagnosisChoice.ON);
+        assertFalse(labels().contains("the timeline sets"), "it sets the same");
+        choose(DiagnosisChoice.BOTH);
+        assertTrue(labels().contains("|From 0.50 s on, the timeline sets the diagnosis|"), labels());
+        choose(DiagnosisChoice.OFF);
+        assertTrue(labels().contains("|From 0.50 s on, the timeline sets the diagnosis|"), labels());
+        Command drive = new Command.ConfigureController(new ControllerSpec.Drive(1, 1));
+        open(scenario.withSetup(scenario.setup().withTimeline(List.of(new TimedCommand(2, drive)))));
+        choose(DiagnosisChoice.OFF);
+        assertTrue(labels().contains("|From 2.00 s on, the timeline sets the controller|"), labels());
+    }
+
+    private void open(Scenario changed) {
+        form = callOnEdt(() -> new BatchForm(changed));
+    }
+
+    private void choose(DiagnosisChoice diagnosis) {
+        runOnEdt(() -> ComponentFinder.find(form, JComboBox.class, "Diagnosis").setSelectedItem(diagnosis));
     }
 
     @Test
