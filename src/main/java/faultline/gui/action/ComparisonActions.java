@@ -26,6 +26,7 @@ public final class ComparisonActions {
     private final BiConsumer<ReferenceOverlay, RunEvent.Diverged> view;
     private final UiAction keepAction;
     private final UiAction removeAction;
+    private final GhostNote progressNote;
     /** Null if there is no reference run. */
     private RunComparison shownComparison;
 
@@ -33,14 +34,24 @@ public final class ComparisonActions {
      * Creates the actions. {@code view} shows the reference run and where the two runs first differ, each null if there
      * is none.
      */
-    public ComparisonActions(ComparisonController controller, BiConsumer<ReferenceOverlay, RunEvent.Diverged> view) {
+    public ComparisonActions(
+            ComparisonController controller, BiConsumer<ReferenceOverlay, RunEvent.Diverged> view, Notes notes) {
         this.controller = controller;
         this.view = view;
         keepAction = UiAction.of("keepGhost", controller::captureCurrentRun)
                 .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_G));
         keepAction.setEnabled(false);
-        removeAction = UiAction.of("removeGhost", controller::removeReference);
+        removeAction = UiAction.of("removeGhost", this::removeOrCancel);
         removeAction.setEnabled(false);
+        progressNote = new GhostNote(controller, notes);
+    }
+
+    private void removeOrCancel() {
+        if (controller.isLoading()) {
+            controller.cancelPending();
+        } else {
+            controller.removeReference();
+        }
     }
 
     /** Adds the actions to a registry; {@code chooseFile} asks for the file of a reference run. */
@@ -55,8 +66,9 @@ public final class ComparisonActions {
         shownComparison = null;
     }
 
-    /** Compares the newest frame and updates the view if the result has changed. */
+    /** Compares the newest frame and updates the view if the result has changed, and the note about the progress. */
     public void update(SessionFrame frame) {
+        progressNote.update();
         RunComparison comparison = controller.update(frame).orElse(null);
         keepAction.setEnabled(controller.canCapture());
         removeAction.setEnabled(comparison != null || controller.isLoading());

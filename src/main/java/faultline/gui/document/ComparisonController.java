@@ -17,7 +17,6 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
-import java.util.function.LongPredicate;
 
 /**
  * Compares the run with a reference run and finds the first tick in which they differ. Opening another scenario removes
@@ -29,7 +28,11 @@ public final class ComparisonController implements WorkspaceListener {
     private final RunNavigator navigator;
     private RunComparison comparison;
     private HashTrace comparedHashes = HashTrace.EMPTY;
-    private TaskProgress pendingTask;
+    /** Null if no reference run is being made. */
+    private PendingReference pending;
+
+    /** A reference run that is being made: its name, and the progress of its replay. */
+    public record PendingReference(String name, TaskProgress progress) {}
 
     /** Creates the controller of a workspace, without a reference run. */
     public ComparisonController(Workspace workspace, RunNavigator navigator) {
@@ -57,7 +60,7 @@ public final class ComparisonController implements WorkspaceListener {
             CompletableFuture<Journal> executed = now.session().journal();
             CompletableFuture<Journal> whole = now.session().fullJournal();
             String name = now.document().initial().name();
-            start(now.document().displayPath(), progress -> {
+            start(name, now.document().displayPath(), progress -> {
                 Journal past = executed.join();
                 boolean foreign = past.setup().controller() instanceof ControllerSpec.Foreign;
                 return replay(name, foreign ? past.withRecordedController() : whole.join(), progress);
@@ -67,7 +70,7 @@ public final class ComparisonController implements WorkspaceListener {
 
     /** Runs the scenario of a file, such as a saved journal, and makes it the reference run, asynchronously. */
     public void loadReference(Path file) {
-        start(file, progress -> {
+        start(FileNames.lastOf(file), file, progress -> {
             Scenario scenario = Scenario.load(file);
             SimulationSetup setup = scenario.setup();
             return replay(scenario.name(), new Journal(setup, List.of(), setup.ticks()), progress);
@@ -82,27 +85,30 @@ public final class ComparisonController implements WorkspaceListener {
     public void compareWith(ControllerChoice controller, Consumer<String> errors, Runnable onStarted) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
-            start(now.document().displayPath(), progress -> {
+            String name =
+                    controller.isScenarioDefault() ? now.document().edited().name() : controller.text();
+            start(name, now.document().displayPath(), progress -> {
                 Scenario scenario = edited.join();
                 assert !EventQueue.isDispatchThread();
                 SimulationSetup setup = controller.applyTo(scenario.setup(), scenario.name(), errors);
-                String name = controller.isScenarioDefault() ? scenario.name() : controller.text();
-                return replay(name, new Journal(setup, List.of(), setup.ticks()), tick -> {
-                    if (tick == 0) {
-                        EventQueue.invokeLater(onStarted);
-                    }
-                    return progress.isActive();
-                });
+                return replay(name, new Journal(setup, List.of(), setup.ticks()), progress, onStarted);
             });
         });
     }
 
     private static RunComparison replay(String name, Journal journal, TaskProgress progress) {
-        return replay(name, journal, tick -> progress.isActive());
+        return replay(name, journal, progress, () -> {});
     }
 
-    private static RunComparison replay(String name, Journal journal, LongPredicate shouldContinue) {
-        return new RunComparison(name, ReferenceRun.replay(journal, shouldContinue), false);
+    private static RunComparison replay(String name, Journal journal, TaskProgress progress, Runnable onStarted) {
+        ReferenceRun run = ReferenceRun.replay(journal, tick -> {
+            if (tick == 0) {
+                EventQueue.invokeLater(onStarted);
+            }
+            progress.setFraction((double) tick / journal.ticks());
+            return true;
+        });
+        return new RunComparison(name, run, false);
     }
 
     /** Replays a reference run. */
@@ -110,32 +116,32 @@ public final class ComparisonController implements WorkspaceListener {
         RunComparison run(TaskProgress progress) throws ScenarioException;
     }
 
-    /** Starts a task instead of the pending one. */
-    private void start(Path name, ReplayTask replay) {
+    /** Starts a task instead of the pending one, given the name of the reference run and the file of its scenario. */
+    private void start(String name, Path file, ReplayTask replay) {
         cancelPendingTask();
         TaskProgress progress = new TaskProgress();
-        pendingTask = progress;
+        pending = new PendingReference(name, progress);
         BackgroundTasks.compute(
                 () -> progress.perform(() -> replay.run(progress)),
                 made -> completeTask(progress, () -> setReference(made)),
                 failure -> completeTask(
                         progress,
-                        () -> workspace.fire(listener -> listener.taskFailed(TaskKind.GHOST, name, failure))));
+                        () -> workspace.fire(listener -> listener.taskFailed(TaskKind.GHOST, file, failure))));
         workspace.fire(WorkspaceListener::comparisonChanged);
     }
 
     private void completeTask(TaskProgress progress, Runnable outcome) {
         if (progress.isActive()) {
-            pendingTask = null;
+            pending = null;
             outcome.run();
             workspace.fire(WorkspaceListener::comparisonChanged);
         }
     }
 
     private void cancelPendingTask() {
-        if (pendingTask != null) {
-            pendingTask.cancel();
-            pendingTask = null;
+        if (pending != null) {
+            pending.progress().cancel();
+            pending = null;
         }
     }
 
@@ -154,14 +160,25 @@ public final class ComparisonController implements WorkspaceListener {
         workspace.fire(WorkspaceListener::comparisonChanged);
     }
 
+    /** Cancels the pending reference run, and returns to the last one if there is one. */
+    public void cancelPending() {
+        cancelPendingTask();
+        workspace.fire(WorkspaceListener::comparisonChanged);
+    }
+
     /** Returns whether a reference run is being loaded. */
     public boolean isLoading() {
-        return pendingTask != null;
+        return pending != null;
+    }
+
+    /** Returns the reference run that is being loaded. */
+    public Optional<PendingReference> pending() {
+        return Optional.ofNullable(pending);
     }
 
     /**
      * Compares the ticks since the last call with the reference run. Returns the comparison so far, the same object as
-     * before if nothing is new; empty if there is no reference run.
+     * before if nothing is new; empty if there is no reference run, or if another one is being loaded.
      */
     public Optional<RunComparison> update(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
@@ -170,7 +187,7 @@ public final class ComparisonController implements WorkspaceListener {
             comparison = compare(comparison, now, now.isContinuationOf(comparedHashes) ? comparedHashes.size() : 0);
         }
         comparedHashes = now;
-        return Optional.ofNullable(comparison);
+        return pending().isPresent() ? Optional.empty() : Optional.ofNullable(comparison);
     }
 
     private RunComparison compare(RunComparison last, HashTrace now, int from) {

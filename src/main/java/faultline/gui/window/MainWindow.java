@@ -117,7 +117,7 @@ public final class MainWindow extends JFrame {
         obstacleActions = createObstacleActions();
         addActions();
         mainPanel = new MainPanel(canvas, createEditors(), actionRegistry, speed, runController.navigator()::seek);
-        comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun);
+        comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun, notes);
         connectExport();
         timelineActions = addTimelineActions();
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
@@ -154,7 +154,11 @@ public final class MainWindow extends JFrame {
 
     private RunPoller createRunPoller() {
         RunPoller poller = new RunPoller(
-                workspace, runController.navigator(), mainPanel, new ProgressDialogs(this, workspace::cancelTask));
+                workspace,
+                runController.navigator(),
+                comparisonController,
+                mainPanel,
+                new ProgressDialogs(this, workspace::cancelTask));
         poller.addListener((frame, status) -> {
             undoController.runAdvanced(frame.snapshot().tick());
             comparisonActions.update(frame);

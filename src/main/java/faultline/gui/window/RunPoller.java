@@ -5,6 +5,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.engine.session.SessionView;
 import faultline.gui.dialog.ProgressDialogs;
+import faultline.gui.document.ComparisonController;
 import faultline.gui.document.RunNavigator;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
@@ -18,6 +19,7 @@ final class RunPoller implements WorkspaceListener {
 
     private final Workspace workspace;
     private final RunNavigator navigator;
+    private final ComparisonController comparison;
     private final MainPanel mainPanel;
     private final ProgressDialogs progressDialogs;
     private final ReplayNotifier replayNotifier;
@@ -29,9 +31,15 @@ final class RunPoller implements WorkspaceListener {
     /** The status at the last poll; null before the first. */
     private SessionStatus polledStatus;
 
-    RunPoller(Workspace workspace, RunNavigator navigator, MainPanel mainPanel, ProgressDialogs progressDialogs) {
+    RunPoller(
+            Workspace workspace,
+            RunNavigator navigator,
+            ComparisonController comparison,
+            MainPanel mainPanel,
+            ProgressDialogs progressDialogs) {
         this.workspace = workspace;
         this.navigator = navigator;
+        this.comparison = comparison;
         this.mainPanel = mainPanel;
         this.progressDialogs = progressDialogs;
         replayNotifier = new ReplayNotifier(navigator, mainPanel.statusBar()::showNote);
@@ -92,6 +100,7 @@ final class RunPoller implements WorkspaceListener {
         boolean running = status != null && status.running();
         return changed
                 || workspace.task().isPresent()
+                || comparison.isLoading()
                 || running
                 || mainPanel.statusBar().isNoteShown();
     }

@@ -281,6 +281,26 @@ class ComparisonControllerTest {
         assertEquals(List.of(), failures, "a cancellation is not a failure");
     }
 
+    @Test
+    void theOldReferenceRunIsHiddenWhileAnotherOneIsMadeAndReturnsIfThatIsCancelled(@TempDir Path folder)
+            throws Exception {
+        String name = callOnEdt(() -> update().orElseThrow().name());
+        Path file = folder.resolve("long.xml");
+        Scenario office = Scenario.load(OFFICE);
+        office.withSetup(office.setup().withDuration(MANY_HOURS)).save(file);
+        runOnEdt(() -> controller.loadReference(file));
+        assertTrue(callOnEdt(() -> update().isEmpty()), "it could be mistaken for the other one");
+        assertEquals(
+                "long.xml", callOnEdt(() -> controller.pending().orElseThrow().name()));
+        Await.until(
+                "some progress",
+                () -> controller.pending().orElseThrow().progress().fraction().orElse(0) > 0);
+        runOnEdt(controller::cancelPending);
+        assertEquals(name, callOnEdt(() -> update().orElseThrow().name()));
+        Await.until("the end of the other one", () -> !isReferenceRunning());
+        assertEquals(List.of(), failures, "a cancellation is not a failure");
+    }
+
     private static boolean isReferenceRunning() {
         return Thread.getAllStackTraces().values().stream().flatMap(Stream::of).anyMatch(call -> call.getClassName()
                 .equals(ReferenceRun.class.getName()));

@@ -161,7 +161,8 @@ class MainPanelTest {
             OTHER_ACTIONS.forEach(key -> actions.add(UiAction.of(key, () -> {})));
             new PreferenceActions(WindowPreferences.nonPersistent(), actions, () -> {});
             mainPanel = createMainPanel(workspace, run, sender, undo, speed);
-            new ComparisonActions(new ComparisonController(workspace, run.navigator()), mainPanel::setReferenceRun)
+            new ComparisonActions(
+                            new ComparisonController(workspace, run.navigator()), mainPanel::setReferenceRun, NO_NOTES)
                     .addTo(actions, Optional::empty);
             menus = Menus.createMenuBar(actions);
             mainPanel.setFrame(unmeasured(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED, List.of());

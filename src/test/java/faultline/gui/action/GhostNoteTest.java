@@ -1,0 +1,74 @@
+package faultline.gui.action;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.gui.Await;
+import faultline.gui.BackgroundThreads;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.ComparisonController;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
+import faultline.scenario.Scenario;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+@ExtendWith(EdtChecker.class)
+class GhostNoteTest {
+
+    private static final int POLLS_OF_HALF_A_SECOND = 30;
+    private static final double MANY_HOURS = 80_000;
+
+    private final List<String> kept = new ArrayList<>();
+    private Workspace workspace;
+    private ComparisonController controller;
+    private GhostNote note;
+
+    @BeforeEach
+    void loadALongRun(@TempDir Path folder) throws Exception {
+        Path office = Path.of("scenarios/office.xml");
+        Path file = folder.resolve("long.xml");
+        Scenario scenario = Scenario.load(office);
+        scenario.withSetup(scenario.setup().withDuration(MANY_HOURS)).save(file);
+        runOnEdt(() -> {
+            workspace = new Workspace();
+            controller = new ComparisonController(workspace, new RunController(workspace).navigator());
+            note = new GhostNote(controller, new Notes(text -> {}, kept::add, text -> {}, kept::remove));
+            new DocumentStore(workspace).open(office);
+        });
+        Await.until("the scenario", () -> workspace.session().isPresent());
+        runOnEdt(() -> controller.loadReference(file));
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(() -> {
+            controller.removeReference();
+            workspace.close();
+        });
+        BackgroundThreads.awaitEnd();
+    }
+
+    @Test
+    void theProgressIsShownAfterHalfASecondAndNoLongerThanTheGhostIsMade() {
+        runOnEdt(() -> {
+            for (int i = 0; i < POLLS_OF_HALF_A_SECOND; i++) {
+                note.update();
+            }
+            assertEquals(List.of(), kept);
+            note.update();
+            assertEquals(List.of("Simulating the ghost: 0 %; Simulation > Remove ghost cancels (long.xml)"), kept);
+        });
+        runOnEdt(controller::cancelPending);
+        runOnEdt(note::update);
+        assertEquals(List.of(), callOnEdt(() -> kept));
+    }
+}
