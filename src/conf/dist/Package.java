@@ -60,6 +60,9 @@ public final class Package {
             makeDebianPackage(common, version);
         }
         writeChecksums();
+        // The app image and the package have copies.
+        deleteTree(INPUT);
+        deleteTree(RUNTIME);
     }
 
     private static void makeDebianPackage(List<String> common, String version) {
