@@ -7,6 +7,7 @@ import faultline.robot.RobotSpec;
 import java.awt.geom.Rectangle2D;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * Keeps a box in a corner of a picture, out of the robot's way. The box stays in its corner until something comes to
@@ -58,13 +59,24 @@ public final class CornerChoice {
      * visible. All are in pixels.
      */
     public Rectangle2D place(Rectangle2D area, Rectangle2D box, List<Rectangle2D> avoided) {
+        return place(area, box, avoided, List.of());
+    }
+
+    /** Returns a place as above that also leaves other areas visible if a corner is free of all of them. */
+    Rectangle2D place(Rectangle2D area, Rectangle2D box, List<Rectangle2D> avoided, List<Rectangle2D> others) {
+        List<Rectangle2D> all = Stream.of(avoided, others).flatMap(List::stream).toList();
+        boolean anyFree = preferred.stream().anyMatch(other -> overlap(other, area, box, all) == 0);
+        moveIfTaken(area, box, anyFree ? all : avoided);
+        return corner.place(area, box);
+    }
+
+    private void moveIfTaken(Rectangle2D area, Rectangle2D box, List<Rectangle2D> avoided) {
         if (overlap(corner, area, box, avoided) > 0) {
             corner = preferred.stream()
                     .min(Comparator.<Corner>comparingDouble(other -> overlap(other, area, box, avoided))
                             .thenComparingDouble(other -> -distance(other.place(area, box), avoided)))
                     .orElseThrow();
         }
-        return corner.place(area, box);
     }
 
     /** Returns the area that a box in a corner would hide, square pixels. */

@@ -13,6 +13,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /** Paints a reference run: its path, its robot as a dashed outline, a mark at the first difference, and a caption. */
 public final class ReferenceOverlayPainter {
@@ -64,7 +65,10 @@ public final class ReferenceOverlayPainter {
                 CornerChoice.Corner.LOWER_LEFT, CornerChoice.Corner.UPPER_RIGHT, CornerChoice.Corner.LOWER_RIGHT);
     }
 
-    /** Paints the marks, and the caption in a corner that hides neither robot nor the covered areas, pixels. */
+    /**
+     * Paints the marks, and the caption in a corner that hides neither robot nor the covered areas, pixels, nor the
+     * cones if there is one that is free of them.
+     */
     public static void paintAnnotations(
             DrawContext context,
             ReferenceOverlay reference,
@@ -84,7 +88,18 @@ public final class ReferenceOverlayPainter {
         world.collision()
                 .ifPresent(collision -> avoided.add(new Rectangle2D.Double(
                         0, 0, context.camera().width(), BADGE_HEIGHT + context.scaleToFont(BADGE_HEIGHT))));
-        paintCaption(context, reference, corner, avoided);
+        List<Rectangle2D> cones = world.sensors().stream()
+                .map(sensor -> ScreenSector.of(context.camera(), sensor.sector())
+                        .outline()
+                        .getBounds2D())
+                .toList();
+        paintCaption(context, reference, size -> corner.place(captionArea(context), size, avoided, cones));
+    }
+
+    private static Rectangle2D captionArea(DrawContext context) {
+        Rectangle2D picture = context.camera().bounds();
+        return new Rectangle2D.Double(
+                MARGIN, MARGIN, picture.getWidth() - 2 * MARGIN, picture.getHeight() - 2 * MARGIN);
     }
 
     private static Shape arrow(RobotSpec robot) {
@@ -107,9 +122,9 @@ public final class ReferenceOverlayPainter {
         context.drawLabel(text, at.x(), at.y() - MARK_RADIUS - context.scaleToFont(LABEL_GAP), colour);
     }
 
-    /** Paints the caption with a sample of the robot's outline. */
+    /** Paints the caption with a sample of the robot's outline, given what places a box of its size. */
     private static void paintCaption(
-            DrawContext context, ReferenceOverlay reference, CornerChoice corner, List<Rectangle2D> avoided) {
+            DrawContext context, ReferenceOverlay reference, UnaryOperator<Rectangle2D> placement) {
         Color colour = context.palette().reference();
         List<String> caption = reference.caption();
         Rectangle2D size = new Rectangle2D.Double(
@@ -117,12 +132,7 @@ public final class ReferenceOverlayPainter {
                 0,
                 BadgePainter.width(context, caption, SAMPLE_LENGTH),
                 BadgePainter.height(context, caption.size()));
-        Rectangle2D picture = context.camera().bounds();
-        Rectangle2D place = corner.place(
-                new Rectangle2D.Double(
-                        MARGIN, MARGIN, picture.getWidth() - 2 * MARGIN, picture.getHeight() - 2 * MARGIN),
-                size,
-                avoided);
+        Rectangle2D place = placement.apply(size);
         Rectangle2D scaleBar = ScaleBarPainter.area(context);
         double top = place.intersects(scaleBar) ? scaleBar.getY() - size.getHeight() - SCALE_BAR_GAP : place.getY();
         Vector2 start = BadgePainter.paint(

@@ -51,6 +51,21 @@ class CornerChoiceTest {
     }
 
     @Test
+    void aCornerThatIsFreeOfTheConesIsPreferred() {
+        Rectangle2D robot = new Rectangle(250, 200, 60, 60);
+        Rectangle2D cone = new Rectangle(150, 250, 100, 100);
+        Rectangle2D other = new Rectangle(400, 20, 50, 50);
+        Rectangle2D third = new Rectangle(400, 320, 50, 50);
+        List<Rectangle2D> robots = List.of(robot);
+        assertEquals(new Rectangle(400, 0, 200, 100), choice.place(PICTURE, BOX, robots, List.of(cone)));
+        assertEquals(new Rectangle(400, 300, 200, 100), choice.place(PICTURE, BOX, robots, List.of(cone, other)));
+        assertEquals(
+                new Rectangle(400, 300, 200, 100),
+                choice.place(PICTURE, BOX, robots, List.of(cone, other, third)),
+                "it stays if no corner is free");
+    }
+
+    @Test
     void theWayAheadOfTheRobotIsKeptFree() {
         Camera camera = Camera.fit(new Rectangle(0, 0, 6, 4), 0, 600, 400);
         Rectangle2D east = CornerChoice.robotArea(camera, RobotSpec.DEFAULT, new Pose(3, 2, 0));
