@@ -5,6 +5,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.FileNames;
 import faultline.gui.document.TaskKind;
+import faultline.gui.properties.FloorPlanFiles;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextWrap;
@@ -17,6 +18,7 @@ import java.awt.Font;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -121,15 +123,24 @@ public final class Dialogs {
                 new TableDialog.DialogColumn(Messages.get("badFile.line"), 60),
                 new TableDialog.DialogColumn(Messages.get("badFile.column"), 70),
                 new TableDialog.DialogColumn(Messages.get("badFile.problem"), 560));
-        String heading = Messages.get("badFile.heading", FileNames.lastOf(file)) + " "
-                + Messages.get(keepsScenario ? "badFile.kept" : "badFile.example");
         return new TableDialog(
                 owner,
                 Messages.get("badFile.title"),
-                heading,
+                headingText(file, keepsScenario),
                 UIManager.getIcon("OptionPane.errorIcon"),
                 columns,
                 rows);
+    }
+
+    /** Returns the sentences above the problems of a file. */
+    static String headingText(Path file, boolean keepsScenario) {
+        List<String> sentences = new ArrayList<>();
+        sentences.add(Messages.get("badFile.heading", FileNames.lastOf(file)));
+        if (FloorPlanFiles.isFloorPlan(file)) {
+            sentences.add(Messages.get("badFile.floorPlan"));
+        }
+        sentences.add(Messages.get(keepsScenario ? "badFile.kept" : "badFile.example"));
+        return String.join(" ", sentences);
     }
 
     private static String positionText(int number) {

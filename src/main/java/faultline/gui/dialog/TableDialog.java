@@ -66,7 +66,7 @@ final class TableDialog extends JDialog {
         ScreenFit.pack(this);
         // The height of a heading that wraps is known after its width.
         content.invalidate();
-        validate();
+        ScreenFit.pack(this);
         setLocationRelativeTo(owner);
     }
 

@@ -4,6 +4,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
+import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
@@ -15,7 +16,6 @@ import faultline.world.Collision;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -48,7 +48,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
                     Messages.get(
                             "verdict.broken",
                             NumberText.format("%.3f", frame.snapshot().time())),
-                    capitalised(Messages.get(status.failure().get())),
+                    ErrorMessages.capitalised(Messages.get(status.failure().get())),
                     frame.snapshot().tick()));
         }
         List<Expectation.Condition> required = scenario.expectation().conditions();
@@ -58,10 +58,6 @@ public record RunVerdict(boolean success, String title, String detail, long even
             return Optional.of(atEnd(frame, required));
         }
         return collision.map(contact -> atCollision(contact, required));
-    }
-
-    private static String capitalised(String sentence) {
-        return sentence.isEmpty() ? "" : sentence.substring(0, 1).toUpperCase(Locale.ROOT) + sentence.substring(1);
     }
 
     private static boolean isEnd(SessionFrame frame, SimulationSetup setup) {

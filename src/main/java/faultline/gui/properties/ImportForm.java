@@ -232,7 +232,7 @@ public final class ImportForm extends JPanel {
     private void showFailure(Throwable failure) {
         picture.setIcon(null);
         camera = null;
-        status.setText(ErrorMessages.describe(failure, file));
+        status.setText(ErrorMessages.describeAsSentence(failure, file));
     }
 
     /** Returns the scenario of the plan; empty while it is read, or if it cannot be read. */

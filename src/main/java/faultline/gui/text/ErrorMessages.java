@@ -10,6 +10,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CompletionException;
 
@@ -57,6 +58,23 @@ public final class ErrorMessages {
         String prefix = file + ": ";
         String text = describe(exception);
         return text.startsWith(prefix) ? text.substring(prefix.length()) : text;
+    }
+
+    /**
+     * Describes an exception about a file without its name by a phrase with a capital letter, unless that begins with
+     * the name of another file.
+     */
+    public static String describeAsSentence(Throwable exception, Path file) {
+        String text = describe(exception, file);
+        boolean named = exception instanceof MessageException problem
+                && !problem.subject().isEmpty()
+                && text.startsWith(problem.subject());
+        return named ? text : capitalised(text);
+    }
+
+    /** Returns a phrase with a capital letter. */
+    public static String capitalised(String phrase) {
+        return phrase.isEmpty() ? "" : phrase.substring(0, 1).toUpperCase(Locale.ROOT) + phrase.substring(1);
     }
 
     /** Describes a file system error, whose message is often only the file's name. */

@@ -19,4 +19,14 @@ class DialogsTest {
                 "room.xml cannot be opened: this is a folder.",
                 Dialogs.failureText(TaskKind.OPEN, root.resolve("room.xml"), cause));
     }
+
+    @Test
+    void whoOpensAMapAsAScenarioLearnsHowToImportIt() {
+        assertEquals(
+                "room.xml cannot be opened. The current scenario remains open.",
+                Dialogs.headingText(Path.of("room.xml"), true));
+        assertEquals(
+                "map.PNG cannot be opened. File > Import floor plan opens maps and images. An example is open instead.",
+                Dialogs.headingText(Path.of("map.PNG"), false));
+    }
 }

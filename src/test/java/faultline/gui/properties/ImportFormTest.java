@@ -207,11 +207,11 @@ class ImportFormTest {
             delimiter = '|',
             textBlock =
                     """
-            broken.pgm  | P5 hello               | w bajcie 3 brakuje szerokości
-            broken.png  | hello                  | format obrazu nie jest obsługiwany; dozwolone: PGM (P2, P5), PNG, BMP, GIF lub TIFF
+            broken.pgm  | P5 hello               | W bajcie 3 brakuje szerokości
+            broken.png  | hello                  | Format obrazu nie jest obsługiwany; dozwolone: PGM (P2, P5), PNG, BMP, GIF lub TIFF
             broken.yaml | resolution: fast       | FILE:1:1: brakuje "image"; plik mapy musi to zawierać
             broken.yaml | {image: a, mode: trinar, resolution: 1} | FILE:1:18: mode to "trinar"; dozwolone: trinary, scale, raw; czy chodziło o "trinary"?
-            tiny.pgm    | P2 2 2 255 9 255 255 9 | robot o długości 0.25 m i szerokości 0.2 m nie mieści się w największym wolnym kole wokół środka lub rogu komórki na mapie o wymiarach 0.1 x 0.1 m; podaj start; być może rozdzielczość, próg lub negate są błędne
+            tiny.pgm    | P2 2 2 255 9 255 255 9 | Robot o długości 0.25 m i szerokości 0.2 m nie mieści się w największym wolnym kole wokół środka lub rogu komórki na mapie o wymiarach 0.1 x 0.1 m; podaj start; być może rozdzielczość, próg lub negate są błędne
             """)
     void aBrokenPlanIsReportedInPolish(String name, String content, String sentence) throws IOException {
         Messages.setLanguage(Language.POLISH);

@@ -106,4 +106,18 @@ class ErrorMessagesTest {
         ScenarioException why = Assertions.assertThrows(ScenarioException.class, () -> Scenario.load(empty));
         assertEquals("the file is empty; expected a scenario", ErrorMessages.describe(why, empty));
     }
+
+    @Test
+    void aSentenceAboutAFileHasACapitalLetterUnlessItNamesAnotherFile() {
+        Path map = Path.of("map.png");
+        Message reason = WriteProblem.IS_FOLDER.with();
+        String phrase = Messages.get(reason);
+        assertEquals(
+                ErrorMessages.capitalised(phrase),
+                ErrorMessages.describeAsSentence(new MessageException("map.png", reason, null), map));
+        assertEquals(
+                "other.png: " + phrase,
+                ErrorMessages.describeAsSentence(new MessageException("other.png", reason, null), map));
+        assertEquals("This fails", ErrorMessages.describeAsSentence(new IOException("this fails"), map));
+    }
 }
