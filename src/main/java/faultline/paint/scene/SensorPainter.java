@@ -13,7 +13,6 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.Collectors;
 
 /**
  * Paints a sensor: its cone, hatched if the sensor is faulty, a dashed grey outline if it is off; an arc at the
@@ -33,6 +32,8 @@ final class SensorPainter {
     private static final double LABEL_GAP = 4;
     /** The minimum length of a labelled cone, pixels. */
     private static final double MIN_LABELLED_RADIUS = 25;
+    /** The maximum number of faults that are named in a label. */
+    private static final int MAX_NAMES = 3;
     /** The minimum difference between true and reported distance that is shown, pixels. */
     private static final double MIN_READING_DIFFERENCE = 2;
 
@@ -143,12 +144,17 @@ final class SensorPainter {
         return !(Math.abs(sensor.reported().encoded() - truth) * cone.scale() < MIN_READING_DIFFERENCE);
     }
 
-    /** Returns the names of the faults of a sensor, or that it is switched off; empty if neither applies. */
+    /**
+     * Returns the names of the first faults of a sensor and the number of the others, or that it is switched off; empty
+     * if neither applies.
+     */
     private static String stateText(SensorSnapshot sensor, SceneLabels labels) {
-        String faults = sensor.faults().stream()
+        List<String> names = sensor.faults().stream()
                 .map(fault -> labels.faultName().apply(fault.kind()))
                 .distinct()
-                .collect(Collectors.joining(", "));
+                .toList();
+        String faults = String.join(", ", names.subList(0, Math.min(MAX_NAMES, names.size())))
+                + (names.size() > MAX_NAMES ? ", +" + (names.size() - MAX_NAMES) : "");
         return faults.isEmpty() && !sensor.spec().on() ? labels.switchedOff() : faults;
     }
 
