@@ -19,7 +19,6 @@ import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
@@ -44,7 +43,7 @@ final class TourCard extends JPanel {
 
     private final transient List<TourStep> steps;
     private final transient Consumer<JComponent> marker;
-    private final JLabel title = new JLabel();
+    private final JTextArea title = UiText.wrappedText();
     private final JTextArea text = UiText.wrappedText();
     private final JScrollPane scroll = ScreenFit.scrolling(text);
     private final JButton back = UiText.button("tour.back");
@@ -119,7 +118,9 @@ final class TourCard extends JPanel {
     Dimension sizeWithin(Dimension available) {
         int width = Math.min(TextSize.scaled(WIDTH), available.width);
         // The height of a text that wraps depends on its width.
-        text.setSize(width - getInsets().left - getInsets().right, Short.MAX_VALUE);
+        for (JTextArea wrapped : List.of(title, text)) {
+            wrapped.setSize(width - getInsets().left - getInsets().right, Short.MAX_VALUE);
+        }
         return new Dimension(width, Math.min(getPreferredSize().height, available.height));
     }
 

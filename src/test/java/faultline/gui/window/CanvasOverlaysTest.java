@@ -25,6 +25,7 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
@@ -121,6 +122,25 @@ class CanvasOverlaysTest {
             assertTrue(bar.getValue() > 0);
             press("UP");
             assertEquals(0, bar.getValue());
+        });
+    }
+
+    @Test
+    void theTitleOfACardThatIsNarrowIsWrapped() {
+        runOnEdt(() -> {
+            build(TextSize.LARGEST);
+            drive(3, 2);
+            card.start();
+            canvas.setSize(200, 373);
+            overlays.update();
+            ComponentFinder.layOut(card);
+            JTextArea title = ComponentFinder.findAll(card, JTextArea.class)
+                    .filter(area -> area.getText().startsWith("1 of 1"))
+                    .findFirst()
+                    .orElseThrow();
+            assertEquals(title.getPreferredSize().height, title.getHeight());
+            int line = title.getFontMetrics(title.getFont()).getHeight();
+            assertTrue(title.getHeight() >= 2 * line, "one line");
         });
     }
 
