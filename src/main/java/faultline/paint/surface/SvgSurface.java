@@ -140,12 +140,14 @@ public final class SvgSurface implements Surface {
 
     @Override
     public void drawHaloedText(String text, double x, double y, Color colour, Color halo, Font font) {
+        // Many viewers do not know the attribute paint-order, and would paint the halo over the letters.
         String attributes = fontSize(font)
-                + SvgFormat.colourAttributes("fill", colour)
+                + SvgFormat.colourAttributes("fill", halo)
                 + SvgFormat.colourAttributes("stroke", halo)
                 + strokeAttributes(DrawContext.HALO_STROKE)
-                + " paint-order=\"stroke\"";
+                + " aria-hidden=\"true\"";
         appendText(x, y, attributes, XmlText.escapeAttribute(text));
+        drawText(text, x, y, colour, font);
     }
 
     private static String fontSize(Font font) {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.geometry.Vector2;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -52,6 +53,17 @@ class SvgSurfaceTest {
         assertEquals(
                 " stroke=\"#123456\" stroke-opacity=\"0.2\"",
                 SvgFormat.colourAttributes("stroke", new Color(0x12, 0x34, 0x56, 51)));
+    }
+
+    /** Many viewers do not know paint-order, so the order of the elements must be that of the painting. */
+    @Test
+    void aHaloIsATextOfItsOwnBelowTheLetters() {
+        Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 10);
+        String[] lines = elements(surface -> surface.drawHaloedText("a<b", 1, 2, Color.BLACK, Color.WHITE, font))
+                .split("\n");
+        assertEquals(2, lines.length);
+        assertTrue(lines[0].matches("<text x=\"1\" y=\"2\".* stroke=\"#ffffff\" .*>a&lt;b</text>"), lines[0]);
+        assertEquals("<text x=\"1\" y=\"2\" font-size=\"10\" fill=\"#000000\">a&lt;b</text>", lines[1]);
     }
 
     @Test
