@@ -58,7 +58,9 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
 
     /** The times of the files that the controller of the session was loaded from. */
     private Map<Path, FileTime> files = Map.of();
-    /** The note about a changed file, empty if none has changed since the controller was loaded. */
+    /** The file that has changed last, null if none has changed since the controller was loaded. */
+    private Path changedFile;
+    /** The note about it, empty if there is none. */
     private String changedNote = "";
 
     /** Read by the threads that start runs. */
@@ -196,8 +198,8 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
         watch.stop();
         // The restart has loaded a changed file.
         files = Map.of();
-        notes.remove(changedNote);
-        changedNote = "";
+        changedFile = null;
+        updateTexts();
         ControllerChoice chosen = started;
         if (!chosen.isScenarioDefault()) {
             BackgroundTasks.compute(
@@ -253,13 +255,23 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     private void compare(Map<Path, FileTime> now) {
         now.forEach((file, time) -> {
             if (files.containsKey(file) && !time.equals(files.get(file))) {
-                notes.remove(changedNote);
-                changedNote = Messages.get(
-                        "chooseController.changed", file.getFileName().toString());
-                notes.keep(changedNote);
+                changedFile = file;
+                updateTexts();
             }
         });
         files = now;
+    }
+
+    /** Updates the note about a changed file, also to the current language. */
+    public void updateTexts() {
+        notes.remove(changedNote);
+        changedNote = changedFile == null
+                ? ""
+                : Messages.get(
+                        "chooseController.changed", changedFile.getFileName().toString());
+        if (changedFile != null) {
+            notes.keep(changedNote);
+        }
     }
 
     private static Map<Path, FileTime> times(List<Path> files) {

@@ -296,6 +296,7 @@ public final class MainWindow extends JFrame {
         setTitle(fileController.documentTitle());
         editActions.update();
         comparisonActions.updateTexts();
+        controllerActions.updateTexts();
     }
 
     private void installCloseHandler() {

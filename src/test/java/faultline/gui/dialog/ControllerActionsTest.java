@@ -23,6 +23,8 @@ import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.settings.WindowPreferences.PreferenceStore;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -223,6 +225,12 @@ class ControllerActionsTest {
         checkFiles();
         checkFiles();
         assertEquals(List.of("follower.py has changed; restart the run to load it"), keptNotes);
+        runOnEdt(() -> {
+            Messages.setLanguage(Language.POLISH);
+            controllers.updateTexts();
+            Messages.setLanguage(Language.ENGLISH);
+        });
+        assertEquals(List.of("Plik follower.py się zmienił; uruchom od nowa, aby go wczytać"), keptNotes);
         runOnEdt(controllers::sessionStarted);
         assertEquals(List.of(), keptNotes, "after a restart");
         assertEquals(List.of(), notes);
