@@ -72,6 +72,36 @@ class TemporaryFolderTest {
         }
     }
 
+    /** In this process, so that the coverage counts it: no other folder has the prefix. */
+    @Test
+    void anAbandonedFolderIsDeletedWithItsContentsAndOthersStay() throws IOException {
+        String prefix = "faultline-" + Long.toUnsignedString(System.nanoTime()) + "-";
+        Path left = Files.createTempDirectory(prefix);
+        Path other = Files.createTempDirectory(prefix);
+        Path recent = Files.createTempDirectory(prefix);
+        try {
+            Files.createFile(left.resolve(".faultline-1.tmp"));
+            age(left);
+            Files.writeString(Files.createDirectories(left.resolve("results")).resolve("runs.csv"), "run\n");
+            Files.createFile(other.resolve("runs.csv"));
+            Files.createFile(recent.resolve(".faultline-1.tmp"));
+            TemporaryFolder first = TemporaryFolder.create(prefix);
+            assertEquals(
+                    List.of(false, true, true),
+                    Stream.of(left, other, recent).map(Files::exists).toList());
+            age(first.path());
+            TemporaryFolder second = TemporaryFolder.create(prefix);
+            assertTrue(Files.exists(first.path()), "a folder of this process");
+            first.delete();
+            second.delete();
+            assertFalse(Files.exists(first.path()) || Files.exists(second.path()));
+        } finally {
+            for (Path folder : List.of(left, other, recent)) {
+                TemporaryFolder.deleteTree(folder);
+            }
+        }
+    }
+
     @Test
     void aFolderIsDeletedByItsOwnerOrWhenTheProcessEnds() throws Exception {
         for (String[] arguments : List.of(new String[0], new String[] {"delete"})) {
