@@ -20,7 +20,8 @@ import javax.swing.JComponent;
 /**
  * Handles the keys of the focused canvas: arrows nudge the selected obstacles, or move the point of the active tool, or
  * else the view; Q and E rotate obstacles or turn the selected sensor, Insert sets a point of a tool, Enter completes
- * it. Escape cancels, and so does the key of undo during a gesture.
+ * it. Escape cancels, and so does the key of undo during a gesture. Keys that move or turn have no effect during a
+ * gesture, which would undo them with its next movement.
  */
 public final class CanvasKeys {
 
@@ -43,8 +44,8 @@ public final class CanvasKeys {
         bindNudges(canvas, "RIGHT", 1, 0);
         bindNudges(canvas, "UP", 0, 1);
         bindNudges(canvas, "DOWN", 0, -1);
-        bind(canvas, "Q", () -> turn(TURN_ANGLE));
-        bind(canvas, "E", () -> turn(-TURN_ANGLE));
+        bind(canvas, "Q", unlessDragging(() -> turn(TURN_ANGLE)));
+        bind(canvas, "E", unlessDragging(() -> turn(-TURN_ANGLE)));
         bind(canvas, "INSERT", mouse::clickKeyPoint);
         bind(canvas, "ENTER", () -> withTool(tool -> tool.confirm(mouse.keyPoint())));
         bind(canvas, "BACK_SPACE", () -> withTool(Tool::removeLastPoint));
@@ -56,8 +57,16 @@ public final class CanvasKeys {
     }
 
     private void bindNudges(JComponent canvas, String key, int right, int up) {
-        bind(canvas, key, () -> nudge(right * SMALL_NUDGE, up * SMALL_NUDGE, SMALL_PAN_PIXELS));
-        bind(canvas, "shift " + key, () -> nudge(right * BIG_NUDGE, up * BIG_NUDGE, BIG_PAN_PIXELS));
+        bind(canvas, key, unlessDragging(() -> nudge(right * SMALL_NUDGE, up * SMALL_NUDGE, SMALL_PAN_PIXELS)));
+        bind(canvas, "shift " + key, unlessDragging(() -> nudge(right * BIG_NUDGE, up * BIG_NUDGE, BIG_PAN_PIXELS)));
+    }
+
+    private Runnable unlessDragging(Runnable action) {
+        return () -> {
+            if (!mouse.isGestureActive()) {
+                action.run();
+            }
+        };
     }
 
     private void nudge(double dx, double dy, double pixels) {

@@ -89,7 +89,7 @@ public final class GesturePicker {
     private Optional<DragOperation> obstacleHandleDrag(Obstacle obstacle, Vector2 at) {
         OptionalInt resize = handleAt(ShapeHandles.positions(obstacle), at);
         if (resize.isPresent()) {
-            return Optional.of(new DragOperation.Resize(expected(obstacle), resize.getAsInt()));
+            return Optional.of(new DragOperation.Resize(expectedShape(obstacle), resize.getAsInt()));
         }
         // At a waypoint on the obstacle, the mouse moves the obstacle.
         boolean onObstacle =
@@ -102,9 +102,9 @@ public final class GesturePicker {
                 : Optional.empty();
     }
 
-    /** Returns an obstacle as it will be when the run has answered, so that a drag of a handle keeps other changes. */
-    private Obstacle expected(Obstacle obstacle) {
-        Obstacle expected = sender.pendingEdits().expected(obstacle);
+    /** Returns an obstacle as it will be when the run has answered, or as it is if it will have other handles. */
+    private Obstacle expectedShape(Obstacle obstacle) {
+        Obstacle expected = expectedState(obstacle);
         boolean sameHandles = ShapeHandles.positions(expected).size()
                 == ShapeHandles.positions(obstacle).size();
         return sameHandles ? expected : obstacle;
