@@ -130,11 +130,11 @@ public final class CampaignPlan {
         OverruledAttributes overruled = new OverruledAttributes(commonChanges, factors);
         Map<String, List<String>> found = new LinkedHashMap<>();
         for (WorldSource source : worlds.kinds()) {
-            if (source instanceof WorldSource.ScenarioFile scenario
-                    && !overruled.in(scenario).isEmpty()) {
+            if (source instanceof WorldSource.ScenarioFile scenario) {
                 found.put(scenario.label(), overruled.in(scenario));
             }
         }
+        found.values().removeIf(List::isEmpty);
         return found;
     }
 

@@ -43,11 +43,11 @@ public final class ComparisonActions {
         keepAction.setEnabled(false);
         removeAction = UiAction.of("removeGhost", this::removeOrCancel);
         removeAction.setEnabled(false);
-        progressNote = new GhostNote(controller, notes);
+        progressNote = new GhostNote(controller, notes, System::nanoTime);
     }
 
     private void removeOrCancel() {
-        if (controller.isLoading()) {
+        if (controller.pending().isPresent()) {
             controller.cancelPending();
         } else {
             controller.removeReference();
@@ -71,7 +71,7 @@ public final class ComparisonActions {
         progressNote.update();
         RunComparison comparison = controller.update(frame).orElse(null);
         keepAction.setEnabled(controller.canCapture());
-        removeAction.setEnabled(comparison != null || controller.isLoading());
+        removeAction.setEnabled(comparison != null || controller.pending().isPresent());
         if (comparison != shownComparison) {
             shownComparison = comparison;
             if (comparison == null) {

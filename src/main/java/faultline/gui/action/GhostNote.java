@@ -3,31 +3,38 @@ package faultline.gui.action;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.ComparisonController.PendingReference;
 import faultline.gui.text.Messages;
+import java.util.function.LongSupplier;
 
 /** Keeps a note about the progress of a reference run that takes longer than half a second. */
 final class GhostNote {
 
-    /** Half a second at sixty polls per second. */
-    private static final int POLLS_BEFORE_NOTE = 30;
-
+    private static final long NANOS_BEFORE_NOTE = 500_000_000;
     private static final int PERCENT = 100;
 
     private final ComparisonController controller;
     private final Notes notes;
-    private int polls;
+    private final LongSupplier nanoTime;
+    /** Null if no reference run is being made. */
+    private PendingReference pending;
+    /** The time at which the pending run was seen first. */
+    private long since;
+
     private String shown = "";
 
-    GhostNote(ComparisonController controller, Notes notes) {
+    GhostNote(ComparisonController controller, Notes notes, LongSupplier nanoTime) {
         this.controller = controller;
         this.notes = notes;
+        this.nanoTime = nanoTime;
     }
 
-    /** Updates the note; called about sixty times per second while a reference run is being made. */
+    /** Updates the note; called many times per second while a reference run is being made. */
     void update() {
-        polls = controller.isLoading() ? polls + 1 : 0;
-        String text = polls > POLLS_BEFORE_NOTE
-                ? controller.pending().map(GhostNote::format).orElse("")
-                : "";
+        long now = nanoTime.getAsLong();
+        if (controller.pending().orElse(null) != pending) {
+            pending = controller.pending().orElse(null);
+            since = now;
+        }
+        String text = pending != null && now - since > NANOS_BEFORE_NOTE ? format(pending) : "";
         if (text.equals(shown)) {
             return;
         }

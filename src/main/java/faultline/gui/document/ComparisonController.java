@@ -166,11 +166,6 @@ public final class ComparisonController implements WorkspaceListener {
         workspace.fire(WorkspaceListener::comparisonChanged);
     }
 
-    /** Returns whether a reference run is being loaded. */
-    public boolean isLoading() {
-        return pending != null;
-    }
-
     /** Returns the reference run that is being loaded. */
     public Optional<PendingReference> pending() {
         return Optional.ofNullable(pending);

@@ -100,7 +100,7 @@ final class RunPoller implements WorkspaceListener {
         boolean running = status != null && status.running();
         return changed
                 || workspace.task().isPresent()
-                || comparison.isLoading()
+                || comparison.pending().isPresent()
                 || running
                 || mainPanel.statusBar().isNoteShown();
     }

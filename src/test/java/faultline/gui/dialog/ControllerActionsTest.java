@@ -84,7 +84,7 @@ class ControllerActionsTest {
 
                 @Override
                 public void comparisonChanged() {
-                    ghosts += comparison.isLoading() ? 0 : 1;
+                    ghosts += comparison.pending().isPresent() ? 0 : 1;
                 }
             });
             comparison = new ComparisonController(workspace, run.navigator());

@@ -189,7 +189,7 @@ class ChosenProgramTest {
         HashTrace hashes = SessionFrames.frame(workspace).recording().hashTrace();
         Files.writeString(script, Files.readString(script).replace("0.1", "0.3"));
         runOnEdt(comparison::captureCurrentRun);
-        waitFor("the ghost", () -> !comparison.isLoading());
+        waitFor("the ghost", () -> comparison.pending().isEmpty());
         ReferenceRun ghost = callOnEdt(() -> SessionFrames.poll(workspace)
                 .flatMap(comparison::update)
                 .orElseThrow()

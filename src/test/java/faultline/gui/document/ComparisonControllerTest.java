@@ -273,9 +273,9 @@ class ComparisonControllerTest {
         office.withSetup(office.setup().withDuration(MANY_HOURS)).save(file);
         runOnEdt(() -> controller.loadReference(file));
         Await.until("the reference run to be replayed", () -> isReferenceRunning());
-        assertTrue(callOnEdt(controller::isLoading));
+        assertTrue(callOnEdt(() -> controller.pending().isPresent()));
         runOnEdt(controller::removeReference);
-        assertFalse(callOnEdt(controller::isLoading));
+        assertFalse(callOnEdt(() -> controller.pending().isPresent()));
         Await.until("the end of the reference run", () -> !isReferenceRunning());
         assertTrue(callOnEdt(() -> update().isEmpty()));
         assertEquals(List.of(), failures, "a cancellation is not a failure");
