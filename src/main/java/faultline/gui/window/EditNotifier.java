@@ -3,11 +3,12 @@ package faultline.gui.window;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
 import java.util.function.Consumer;
 
-/** Reports the effects of an edit on the run. */
-final class EditNotifier {
+/** Reports the effects of an edit on the run, and why an edit or Run has none. */
+final class EditNotifier implements WorkspaceListener {
 
     private final Workspace workspace;
     private final ActionRegistry actions;
@@ -36,6 +37,16 @@ final class EditNotifier {
                 .filter(collision -> collision.tick() >= since)
                 .ifPresent(collision -> notifier.accept(
                         Messages.get("edit.crashStays", keystrokeText("stepBack"), keystrokeText("restart"))));
+    }
+
+    @Override
+    public void setupChangeDeferred() {
+        notifier.accept(Messages.get("edit.deferred"));
+    }
+
+    @Override
+    public void failedRunResumed() {
+        notifier.accept(Messages.get("run.failed", keystrokeText("restart")));
     }
 
     private String keystrokeText(String action) {

@@ -194,6 +194,7 @@ public final class MainWindow extends JFrame {
 
     private void connectUndo() {
         EditNotifier editNotifier = new EditNotifier(workspace, actionRegistry, this::showNote);
+        workspace.addListener(editNotifier);
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.follow(workspace, runController);
         undoController.setUndoListener(editNotifier::editUndone);
@@ -417,18 +418,6 @@ public final class MainWindow extends JFrame {
         @Override
         public void sessionStarted() {
             mainPanel.controlPanel().setChosenController(controllerActions.chosenText());
-        }
-
-        @Override
-        public void setupChangeDeferred() {
-            showNote(Messages.get("edit.deferred"));
-        }
-
-        @Override
-        public void failedRunResumed() {
-            String restart = Keystrokes.toText(
-                    actionRegistry.get("restart").accelerator().orElseThrow());
-            showNote(Messages.get("run.failed", restart));
         }
 
         @Override
