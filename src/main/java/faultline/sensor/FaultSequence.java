@@ -9,16 +9,15 @@ import java.util.RandomAccess;
 
 /**
  * Active faults, oldest first: an immutable list whose copy with one more fault shares its storage, so that many faults
- * that are added one by one need no more time and memory than their number.
- *
- * <p>Copies must be made on one thread. Any thread may read a sequence that it has got in a safe way.
+ * that are added one by one need no more time and memory than their number. Safe for use by several threads.
  *
  * @param <F> the type of the faults
  */
 public final class FaultSequence<F> extends AbstractList<F> implements RandomAccess {
 
     /**
-     * The faults of the sequences that share it. A place is written once, before a sequence that contains it exists.
+     * The faults of the sequences that share it. A place is written once, before a sequence that contains it exists,
+     * for one of the sequences that end before it.
      */
     private static final class Storage {
         private Object[] faults;
@@ -29,11 +28,16 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
             this.size = faults.length;
         }
 
-        void add(Object fault) {
+        /** Returns an array with a fault at a place, after those before it; null if the place is taken. */
+        synchronized Object[] add(int place, Object fault) {
+            if (place != size) {
+                return null;
+            }
             if (size == faults.length) {
                 faults = Arrays.copyOf(faults, Math.max(4, 2 * size));
             }
             faults[size++] = fault;
+            return faults;
         }
     }
 
@@ -44,15 +48,15 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
     private final int from;
     private final int to;
 
-    private FaultSequence(Storage storage, int from, int to) {
+    private FaultSequence(Storage storage, Object[] faults, int from, int to) {
         this.storage = storage;
-        this.faults = storage.faults;
+        this.faults = faults;
         this.from = from;
         this.to = to;
     }
 
     private static <F> FaultSequence<F> ofArray(Object[] faults) {
-        return new FaultSequence<>(new Storage(faults), 0, faults.length);
+        return new FaultSequence<>(new Storage(faults), faults, 0, faults.length);
     }
 
     /**
@@ -84,10 +88,12 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
      */
     public FaultSequence<F> with(F fault) {
         // Places of faults that were removed are left behind when they are more than the others.
-        Storage target = storage.size == to && 2 * from <= to ? storage : new Storage(toArray());
-        int start = target == storage ? from : 0;
-        target.add(fault);
-        return new FaultSequence<>(target, start, target.size);
+        Object[] shared = 2 * from <= to ? storage.add(to, fault) : null;
+        if (shared != null) {
+            return new FaultSequence<>(storage, shared, from, to + 1);
+        }
+        Storage own = new Storage(toArray());
+        return new FaultSequence<>(own, own.add(size(), fault), 0, size() + 1);
     }
 
     /**
@@ -104,10 +110,10 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
             return Optional.empty();
         }
         if (place == from) {
-            return Optional.of(new FaultSequence<>(storage, from + 1, to));
+            return Optional.of(new FaultSequence<>(storage, faults, from + 1, to));
         }
         if (place == to - 1) {
-            return Optional.of(new FaultSequence<>(storage, from, to - 1));
+            return Optional.of(new FaultSequence<>(storage, faults, from, to - 1));
         }
         Object[] others = new Object[size() - 1];
         System.arraycopy(faults, from, others, 0, place - from);

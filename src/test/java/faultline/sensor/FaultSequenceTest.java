@@ -6,9 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.CpuTime;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
 class FaultSequenceTest {
@@ -36,6 +39,40 @@ class FaultSequenceTest {
         }
         assertEquals(lists, sequences);
         assertEquals(sequences, lists);
+    }
+
+    /** The motors of all runs of a process start with the same empty sequence. */
+    @Test
+    void twoThreadsCanAddToTheSameSequence() throws Exception {
+        List<FaultSequence<Integer>> common = new ArrayList<>();
+        for (int i = 0; i < 20_000; i++) {
+            common.add(FaultSequence.empty());
+        }
+        AtomicInteger arrived = new AtomicInteger();
+        FutureTask<List<FaultSequence<Integer>>> others = new FutureTask<>(() -> addTogether(common, 2, arrived));
+        new Thread(others).start();
+        List<FaultSequence<Integer>> own = addTogether(common, 1, arrived);
+        assertEquals(Collections.nCopies(common.size(), List.of(1, 3)), own);
+        assertEquals(Collections.nCopies(common.size(), List.of(2, 3)), others.get());
+    }
+
+    /** Adds a fault and then 3 to each sequence, at the same time as another thread. */
+    private static List<FaultSequence<Integer>> addTogether(
+            List<FaultSequence<Integer>> common, int fault, AtomicInteger arrived) {
+        List<FaultSequence<Integer>> made = new ArrayList<>();
+        try {
+            for (FaultSequence<Integer> sequence : common) {
+                arrived.incrementAndGet();
+                while (arrived.get() < 2 * (made.size() + 1)) {
+                    Thread.yield();
+                }
+                made.add(sequence.with(fault).with(3));
+            }
+        } finally {
+            // The other thread does not wait for one that has failed.
+            arrived.addAndGet(2 * common.size());
+        }
+        return made;
     }
 
     @Test
