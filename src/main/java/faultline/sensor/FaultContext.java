@@ -22,7 +22,7 @@ public final class FaultContext {
     private double[] history = NO_HISTORY;
     private long nextStored;
     private boolean inBurst;
-    private long burstTick = -1;
+    private long burstTick;
 
     /**
      * Creates the context of a fault that begins.
@@ -35,6 +35,7 @@ public final class FaultContext {
         this.onset = onset;
         this.dt = dt;
         this.heldReading = heldReading;
+        this.burstTick = onset - 1;
     }
 
     /** {@return a context in the same state, which changes independently} */
@@ -106,13 +107,27 @@ public final class FaultContext {
         return history[(int) (Math.max(0, now - delay) % size)];
     }
 
-    /** Returns whether there is a burst now: bursts begin at a rate and end after a mean length. */
+    /**
+     * Returns whether there is a burst now: bursts begin at a rate and end after a mean length, also while the sensor
+     * is off and its faults are not applied.
+     */
     boolean inBurst(double rate, double length) {
         double uniform = random.nextDouble();
         if (tick != burstTick) {
+            double begins = Math.min(1, rate * dt);
+            double ends = Math.min(1, dt / length);
+            double steps = severalSteps(begins + ends, tick - burstTick);
+            inBurst = inBurst ? uniform >= ends * steps : uniform < begins * steps;
             burstTick = tick;
-            inBurst = inBurst ? uniform >= Math.min(1, dt / length) : uniform < Math.min(1, rate * dt);
         }
         return inBurst;
+    }
+
+    /**
+     * Returns how much more probable a change of a two-state Markov chain is after several steps than after one, given
+     * the sum of the probabilities of both changes: the sum of the powers (1 - both)^k for k from 0 to steps - 1.
+     */
+    private static double severalSteps(double both, long steps) {
+        return steps == 1 ? 1 : (1 - StrictMath.pow(1 - both, steps)) / both;
     }
 }

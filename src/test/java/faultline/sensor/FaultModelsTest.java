@@ -11,6 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The formula of each fault, as docs/faults.md gives it. */
 class FaultModelsTest {
@@ -150,6 +151,38 @@ class FaultModelsTest {
     void burstsTakeTheShareOfTheirRateAndLength() {
         // A two-state chain: share = rate * length / (1 + rate * length).
         assertEquals(0.5 / 1.5, share(new SignalFault.Bursts(1, 0.5), 0.4), 0.07);
+    }
+
+    /** The reference is the probability of the chain after as many steps of one tick. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 10, 100, 100_000})
+    void burstsBeginAndEndWhileTheSensorIsOff(int steps) {
+        Fault bursts = new SignalFault.Bursts(2, 0.15);
+        double begins = 2 * DT;
+        double ends = DT / 0.15;
+        double expected = 1;
+        for (int i = 0; i < steps; i++) {
+            expected = expected * (1 - ends) + (1 - expected) * begins;
+        }
+        int runs = 0;
+        int still = 0;
+        for (long stream = 0; runs < 4000; stream++) {
+            FaultContext chain = new FaultContext(100, DT, 0.3);
+            long tick = 100;
+            while (tick < 120 && !isInBurst(bursts, chain, stream, tick)) {
+                tick++;
+            }
+            if (tick < 120) {
+                runs++;
+                still += isInBurst(bursts, chain, stream, tick + steps) ? 1 : 0;
+            }
+        }
+        assertEquals(expected, (double) still / runs, 4 * Math.sqrt(0.25 / runs));
+    }
+
+    private static boolean isInBurst(Fault bursts, FaultContext chain, long stream, long tick) {
+        SensorRandom random = SensorRandom.forTick(SensorRandom.streamKey(stream, "front"), tick);
+        return bursts.apply(0.4, chain.at(tick, RANGE, 0.2, random)) == Reading.NOTHING;
     }
 
     @Test
