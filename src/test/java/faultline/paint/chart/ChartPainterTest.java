@@ -22,6 +22,8 @@ import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Charts: nice ticks, lines clipped at the frame, and the same picture on both kinds of surface. */
 class ChartPainterTest {
@@ -116,6 +118,30 @@ class ChartPainterTest {
     }
 
     @Test
+    void theOutlineOfAHistogramBeginsAndEndsAtZero() {
+        Chart chart = Histogram.chart("", "time (s)", "runs", new double[] {0, 10});
+        List<Vector2> outline = ((Series.Line) chart.series().get(1)).points();
+        assertEquals(List.of(new Vector2(0, 0), new Vector2(0, 1)), outline.subList(0, 2));
+        assertEquals(List.of(new Vector2(10, 1), new Vector2(10, 0)), outline.subList(10, 12));
+    }
+
+    /** There are twice as many bars as the cube root of the number of values, rounded up, from 5 to 40. */
+    @ParameterizedTest
+    @CsvSource({"0, 5", "8, 5", "9, 5", "30, 7", "900, 20", "7900, 40", "100000, 40"})
+    void aHistogramOfMoreValuesHasMoreBars(int values, int bars) {
+        assertEquals(bars, Histogram.counts(Axis.linear("", 0, 1), new double[values]).length);
+    }
+
+    /** Of values that hardly differ, a twentieth of the greatest is shown, or 0.001. */
+    @ParameterizedTest
+    @CsvSource({"100, 95, 100", "-100, -105, -100", "0, -0.001, 0"})
+    void aHistogramOfEqualValuesIsNotTooNarrow(double value, double low, double high) {
+        Axis x = Histogram.chart("", "", "", new double[] {value, value}).x();
+        assertEquals(low, x.low(), 1e-12);
+        assertEquals(high, x.high(), 1e-12);
+    }
+
+    @Test
     void theFirstSixteenSeriesDifferInColourOrDashes() {
         assertEquals(
                 16,
@@ -149,6 +175,22 @@ class ChartPainterTest {
                         List.of(new Vector2(0, 0.5), new Vector2(0.25, 1)),
                         List.of(new Vector2(0.75, 1), new Vector2(1, 0.5))),
                 pieces);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3, 0.5, 1, 0.5", "-3, 0.5, 0, 0.5", "0.5, 3, 0.5, 1", "0.5, -3, 0.5, 0"})
+    void aLineEndsAtEachSideOfTheFrame(double x, double y, double endX, double endY) {
+        Vector2 middle = new Vector2(0.5, 0.5);
+        Vector2 outside = new Vector2(x, y);
+        Vector2 end = new Vector2(endX, endY);
+        assertEquals(List.of(List.of(middle, end)), LineClipper.clip(List.of(middle, outside)));
+        assertEquals(List.of(List.of(end, middle)), LineClipper.clip(List.of(outside, middle)));
+    }
+
+    @Test
+    void aLineThatOnlyTouchesACornerOfTheFrameIsNotDrawn() {
+        assertEquals(List.of(), LineClipper.clip(List.of(new Vector2(-0.5, 0.5), new Vector2(0.5, 1.5))));
+        assertEquals(List.of(), LineClipper.clip(List.of(new Vector2(-1, 1), new Vector2(-1, 0))));
     }
 
     @Test
