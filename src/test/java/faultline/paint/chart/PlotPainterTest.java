@@ -10,6 +10,7 @@ import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.RecordingSurface;
 import faultline.paint.surface.TextStyle;
 import java.awt.Color;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -174,9 +175,122 @@ class PlotPainterTest {
         ChartPainter.paint(drawn, chart, new PixelRectangle(0, 0, 400, 300), STYLE);
         double left = 16 + TextStyle.plain(11, Color.BLACK).estimateWidth("long name");
         assertEquals(left, ChartPainter.leftMargin(List.of("b", "long name")));
-        String zero = Math.round((left + 384) / 2 * 10) / 10.0 + ",";
-        assertTrue(drawn.shapes().contains(zero + "254.0 " + zero + "10.0"), drawn.shapes()::toString);
+        String zero = tenths((left + 384) / 2) + ",";
+        assertEquals(
+                List.of(zero + "254.0 " + zero + "10.0"), shapes(STYLE.palette().muted()));
         assertEquals(1, texts("long name").size());
+    }
+
+    private static String tenths(double number) {
+        return Double.toString(Math.round(number * 10) / 10.0);
+    }
+
+    private List<String> shapes(Color colour) {
+        return drawn.shapes(colour).stream()
+                .map(RecordingSurface.DrawnShape::toString)
+                .toList();
+    }
+
+    /** Returns the frame of a chart, the last polygon of its text colour. */
+    private Rectangle2D frame() {
+        List<RecordingSurface.DrawnShape> closed = drawn.shapes(STYLE.palette().text()).stream()
+                .filter(shape -> shape.toString().endsWith("closed"))
+                .toList();
+        return closed.get(closed.size() - 1).shape().getBounds2D();
+    }
+
+    @Test
+    void aChartOfNumbersHasAGridAndNoLineAtZero() {
+        Chart chart = new Chart("", Axis.linear("", -1, 1), Axis.linear("", -1, 1), List.of());
+        ChartPainter.paint(drawn, chart, new PixelRectangle(0, 0, 400, 300), STYLE);
+        assertEquals(List.of(), shapes(STYLE.palette().muted()));
+        List<String> grid = shapes(STYLE.grid());
+        assertEquals(5 + 5, grid.size(), "at every half");
+        assertEquals("62.0,254.0 62.0,10.0", grid.get(0));
+        assertEquals("62.0,132.0 384.0,132.0", grid.get(5 + 2));
+    }
+
+    /** The label has twelve digits, and its tick is 0.1 of 8.1 before the end of the axis, which is 322 pixels long. */
+    @Test
+    void thePlotEndsWhereHalfOfTheLastLabelHasRoomBesideIt() {
+        double start = 100_000_000_000.0;
+        Chart chart = new Chart("", Axis.linear("", start, start + 8.1), Axis.linear("", 0, 1), List.of());
+        ChartPainter.paint(drawn, chart, new PixelRectangle(0, 0, 400, 300), STYLE);
+        double half = TextStyle.plain(11, Color.BLACK).estimateWidth("100000000008") / 2;
+        assertTrue(half > 30, () -> "more than the usual margin: " + half);
+        assertEquals(400 - (half - 322 * 0.1 / 8.1), frame().getMaxX(), 0.01);
+    }
+
+    @Test
+    void theLegendOfAChartIsAsWideAsItsPlot() {
+        List<Series> lines =
+                List.of(new Series.Line("first name", List.of(), 0), new Series.Line("other name", List.of(), 1));
+        TextStyle text = TextStyle.plain(11, Color.BLACK);
+        double needed = 31 + text.estimateWidth("first name") + 14 + 31 + text.estimateWidth("other name");
+        Chart chart = new Chart("", Axis.linear("", 0, 1), Axis.linear("", 0, 1), lines);
+        ChartPainter.paint(drawn, chart, new PixelRectangle(0, 0, 62 + needed + 0.5 + 16, 300), STYLE);
+        assertEquals(10 + 16 + 4, frame().getMinY(), 1e-9, "one row");
+        drawn.clear();
+        ChartPainter.paint(drawn, chart, new PixelRectangle(0, 0, 62 + needed - 0.5 + 16, 300), STYLE);
+        assertEquals(10 + 2 * 16 + 4, frame().getMinY(), 1e-9, "two rows");
+    }
+
+    /** The middle of the legend is at 16, and a sample is 26 pixels wide and 10 high. */
+    @Test
+    void everyKindOfSeriesIsDrawnAndHasASampleInItsColour() {
+        Chart chart = new Chart(
+                "",
+                Axis.linear("", 0, 2),
+                Axis.linear("", 0, 1),
+                List.of(
+                        new Series.Cells(List.of("one", "two"), List.of(List.of(0, 1))),
+                        new Series.Band(
+                                "band",
+                                List.of(new Vector2(0, 1), new Vector2(2, 1)),
+                                List.of(new Vector2(0, 0.5), new Vector2(2, 0.5)),
+                                1),
+                        new Series.Points("points", List.of(new Vector2(1, 0.5)), 2)));
+        ChartPainter.paint(drawn, chart, new PixelRectangle(0, 0, 400, 300), STYLE);
+        TextStyle text = TextStyle.plain(11, Color.BLACK);
+        double two = 62 + 31 + text.estimateWidth("one") + 14;
+        double band = two + 31 + text.estimateWidth("two") + 14;
+        double points = band + 31 + text.estimateWidth("band") + 14;
+        assertEquals(
+                List.of(sample(62), "fill 62.0,254.0 223.0,254.0 223.0,30.0 62.0,30.0 closed"),
+                shapes(STYLE.classes().get(0)));
+        assertEquals(
+                List.of(sample(two), "fill 223.0,254.0 384.0,254.0 384.0,30.0 223.0,30.0 closed"),
+                shapes(STYLE.classes().get(1)));
+        assertTrue(shapes(STYLE.palette().text()).contains(sample(two).replace("fill ", "")), "its border");
+        assertEquals(
+                List.of(sample(band), "fill 62.0,30.0 384.0,30.0 384.0,142.0 62.0,142.0 closed"),
+                shapes(ChartStyle.withOpacity(STYLE.series(1), 0.2)));
+        assertEquals(List.of(triangle(points + 13, 16), triangle(223, 142)), shapes(STYLE.series(2)));
+    }
+
+    private static String sample(double left) {
+        String from = tenths(left) + ",";
+        String to = tenths(left + 26) + ",";
+        return "fill " + from + "11.0 " + to + "11.0 " + to + "21.0 " + from + "21.0 closed";
+    }
+
+    private static String triangle(double x, double y) {
+        return tenths(x) + "," + tenths(y - 4) + " " + tenths(x + 3.6) + "," + tenths(y + 3) + " " + tenths(x - 3.6)
+                + "," + tenths(y + 3) + " closed";
+    }
+
+    @Test
+    void theRowsOfALegendAreOneBelowTheOther() {
+        List<Vector2> samples = new ArrayList<>();
+        LegendRows.of(List.of("a", "b", "c"), name -> name, name -> 10, 96)
+                .paint(
+                        drawn,
+                        TextStyle.plain(11, Color.BLACK),
+                        new Vector2(5, 7),
+                        16,
+                        (name, left) -> samples.add(left));
+        assertEquals(List.of(new Vector2(5, 15), new Vector2(60, 15), new Vector2(5, 31)), samples);
+        assertEquals(List.of("a at 36.0,19.0 START", "b at 91.0,19.0 START", "c at 36.0,35.0 START"), drawn.texts());
     }
 
     @Test
