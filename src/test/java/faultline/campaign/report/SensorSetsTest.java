@@ -71,6 +71,26 @@ class SensorSetsTest {
         assertFalse(section().contains(row("left")), section());
     }
 
+    /** The interval of n of n begins at n / (n + 1.96 squared), which is 0.845 for 21 and 0.851 for 22. */
+    @Test
+    void aSetIsCertainIfItsIntervalBeginsAtEightyFivePerCent() {
+        addRuns("front", 22, 22);
+        addRuns("left", 21, 21);
+        assertTrue(section().contains(row("front") + "<td>1</td><td>yes</td>"), section());
+        assertTrue(section().contains(row("left") + "<td>1</td><td>no</td>"), section());
+        assertTrue(section().contains("; 1 are certain."), section());
+    }
+
+    @Test
+    void theSetsAreThoseOfTheMasksWhateverElseVaries() throws ScenarioException {
+        plan = SamplePlan.read(SamplePlan.text(
+                "",
+                "<worlds><scenario file=\"a.xml\"/></worlds><set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>"
+                        + "<masks sensors=\"front left\"/>"));
+        addRuns("front", 20, 20);
+        assertTrue(section().contains(row("front")), section());
+    }
+
     @Test
     void setsOfFewerSensorsComeFirstThenThoseOfGreaterShares() {
         addRuns("front left", 20, 20);
