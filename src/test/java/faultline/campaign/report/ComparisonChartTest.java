@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.RobotPath;
 import faultline.engine.SimulationSetup;
@@ -100,6 +101,65 @@ class ComparisonChartTest {
                 ComparisonChart.paths(SimulationSetup.of(ROOM.world(), new Pose(0.6, 1.2, 1)), controllers),
                 "the robot");
         assertEquals(2, places(DOT, empty).size(), "the ends");
+    }
+
+    /** The world is 3 m by 2 m: the width of 900 pixels less two margins of 14 limits its scale. */
+    @Test
+    void thePlanFillsTheWidthOrTheHeight() {
+        assertTrue(paths(3, 2).contains("width=\"900\" height=\"610\""), paths(3, 2));
+        assertTrue(paths(2, 10).contains("width=\"175\" height=\"760\""), paths(2, 10));
+    }
+
+    private static String paths(double width, double height) {
+        return ComparisonChart.paths(
+                SimulationSetup.of(new WorldSpec(width, height, true, 0, List.of()), ROOM.start()), List.of());
+    }
+
+    /** A circle of the robot is no straight line. */
+    @Test
+    void aPathIsDrawnToAQuarterOfAPixel() {
+        SimulationSetup circle =
+                ROOM.withController(new ControllerSpec.Drive(1, 3)).withDuration(4);
+        String svg =
+                ComparisonChart.paths(circle, List.of(new ControllerRuns("circle", List.of(run(circle)), List.of())));
+        String path = Pattern.compile("d=\"([^\"]*)\"[^>]*stroke-width=\"2.2\"")
+                .matcher(svg)
+                .results()
+                .map(found -> found.group(1))
+                .findFirst()
+                .orElseThrow();
+        assertTrue(path.chars().filter(letter -> letter == 'L').count() > 5, path);
+    }
+
+    /** There are two rows; the bar of an interval is 0.4 rows high, and the axis reaches the run without one at 2.7. */
+    @Test
+    void controllersHaveTheirRowsFromTheTop() {
+        ControllerRuns far = new ControllerRuns("far", List.of(run(9)), List.of());
+        ControllerRuns near = new ControllerRuns("near", List.of(run(1), run(1.5)), List.of());
+        String svg = ComparisonChart.spread(Metric.PATH, List.of(far, near));
+        String edges = "d=\"M[\\d.]+ ([\\d.]+)L[\\d.]+ [\\d.]+L[\\d.]+ ([\\d.]+)L[^\"]*Z\" ";
+        double[] frame = places(Pattern.compile(edges + "fill=\"none\" stroke=\"#1f2430\""), svg)
+                .get(0);
+        double[] bar = places(Pattern.compile(edges + "fill=\"#[0-9a-f]{6}\" fill-opacity"), svg)
+                .get(0);
+        double height = frame[0] - frame[1];
+        double dot = places(Pattern.compile("<circle cx=\"[\\d.]+\" cy=\"([\\d.]+)\""), svg)
+                .get(0)[0];
+        assertEquals(frame[1] + 0.25 * height, dot, 0.01);
+        assertEquals(frame[1] + 0.65 * height, bar[0], 0.01);
+        assertEquals(frame[1] + 0.85 * height, bar[1], 0.01);
+        assertTrue(svg.contains(">2.5</text>"), svg);
+    }
+
+    @Test
+    void theShareOfCollisionsIsShownFromNoneToAll() {
+        ControllerRuns runs = new ControllerRuns("still", List.of(run(1), run(1.5)), List.of());
+        String svg = ComparisonChart.spread(Metric.COLLISION, List.of(runs));
+        double[] frame = places(FRAME, svg).get(0);
+        double[] dots = places(DOT, svg).get(0);
+        assertEquals(frame[0], dots[0], 0.01, "no collision");
+        assertTrue(svg.contains(">1</text>"), svg);
+        assertTrue(svg.contains(">" + Metric.COLLISION.meaning() + "</text>"), svg);
     }
 
     private static long thickLines(String svg) {

@@ -1,6 +1,7 @@
 package faultline.campaign.report;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -70,5 +71,32 @@ class ReportChartsTest {
         assertPlaces(svg, INTERVAL, 0.4, 0.75, 1, 0.75, 0.1, 0.25, 0.3, 0.25);
         assertTrue(Pattern.compile(" y=\"24\"[^>]*>first<").matcher(svg).find(), svg);
         assertTrue(Pattern.compile(" y=\"44\"[^>]*>second<").matcher(svg).find(), svg);
+    }
+
+    /** A share of 0 is at 2 and one of 1 at 62 pixels. */
+    @Test
+    void aBarShowsAShareAndItsInterval() {
+        String svg = ReportCharts.intervalBar(new Survival(1, 4, new Interval(0.1, 0.75)));
+        List<String> lines = Pattern.compile("d=\"(M[^\"]*)\"")
+                .matcher(svg)
+                .results()
+                .map(found -> found.group(1))
+                .toList();
+        assertEquals(List.of("M2 4L62 4", "M8 4L47 4"), lines);
+        assertTrue(svg.contains("<circle cx=\"17\" cy=\"4\""), svg);
+    }
+
+    @Test
+    void theFrameOfRowsIsAsWideWhateverTheLengthOfTheirNames() {
+        for (String name : List.of("a", "a long name of a group")) {
+            String svg = ReportCharts.differences(
+                    "title", List.of(name), List.of(new Comparison.Difference(0, new Interval(-0.1, 0.1), 9)));
+            double[] frame = FRAME.matcher(svg)
+                    .results()
+                    .map(ReportChartsTest::numbers)
+                    .findFirst()
+                    .orElseThrow();
+            assertEquals(440 - 16, frame[2] - frame[0], 1, svg);
+        }
     }
 }
