@@ -2,9 +2,11 @@ package faultline.campaign.report;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.Column;
 import faultline.campaign.plan.SamplePlan;
 import faultline.campaign.run.Csv;
 import faultline.scenario.xml.ScenarioException;
@@ -14,6 +16,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The numbers of the cells of a campaign; all expected ones can be counted by hand. */
@@ -234,5 +237,67 @@ class CellTableTest {
         assertArrayEquals(new double[] {3}, CampaignRuns.values(campaign().rows(), FaultSections.DELAY));
         String charts = new VariantSections(campaign()).distributions();
         assertTrue(charts.contains("coverage, n 1"), charts);
+        assertFalse(charts.contains("laps"), "no run has any");
+    }
+
+    /** A variant may have the name of a total, because variants are never summed. */
+    @Test
+    void eachLevelHasCellsOfItsOwn() throws ScenarioException {
+        plan = SamplePlan.read(SamplePlan.text(
+                "",
+                "<variants><variant name=\"all\"/><variant name=\"fast\">"
+                        + "<set attribute=\"robot/@speed\" value=\"0.3\"/></variant></variants>" + PLAN));
+        lines.clear();
+        lines.add(List.of("run", "block", "world", "variant", "fault_kind", "fault_sensor", "carried_on"));
+        lines.add(List.of("0", "0", "a", "all", "off", "front", "1"));
+        lines.add(List.of("1", "0", "a", "fast", "off", "front", "0"));
+        CellTable table = new CellTable(campaign());
+        assertEquals(List.of("variant", "fault_kind", "fault_sensor"), table.labelColumns());
+        List<String> all = List.of("all,off,front,all,1,1", "all,off,all,all,1,1", "all,all,front,all,1,1");
+        assertEquals(
+                all,
+                table.csv()
+                        .lines()
+                        .skip(1)
+                        .limit(3)
+                        .map(CellTableTest::firstSix)
+                        .toList());
+        assertEquals(
+                List.of("fast,off,front,all,1,0"),
+                table.csv()
+                        .lines()
+                        .skip(5)
+                        .limit(1)
+                        .map(CellTableTest::firstSix)
+                        .toList());
+        assertFalse(table.isSum(List.of("all", "off", "front")));
+        assertTrue(table.isSum(List.of("fast", "all", "front")));
+        assertTrue(table.isSum(List.of("fast", "off", "all")));
+    }
+
+    private static String firstSix(String row) {
+        return String.join(",", Csv.cells(row).subList(0, 6));
+    }
+
+    /** Up to twelve levels are compared; more are drawn as a range, as are numbers that are drawn. */
+    @ParameterizedTest
+    @CsvSource({"1, 0, 0", "2, 1, 0", "12, 1, 0", "13, 0, 1"})
+    void aVariableIsComparedOrContinuous(int levels, int compared, int continuous) throws ScenarioException {
+        List<String> values =
+                IntStream.range(0, levels).mapToObj(i -> "0." + (10 + i)).toList();
+        plan = SamplePlan.read(SamplePlan.text(
+                "",
+                PLAN.replace(
+                        "<faults>",
+                        "<set attribute=\"robot/@speed\" name=\"speed\" value=\"" + String.join(" ", values)
+                                + "\"/><faults>")));
+        lines.clear();
+        lines.add(List.of("run", "block", "world", "speed", "fault_label"));
+        values.forEach(value -> lines.add(List.of("0", "0", "a", value, "label " + value)));
+        lines.add(List.of("0", "0", "a", "", ""));
+        assertEquals(compared, campaign().comparedFactors().size());
+        assertEquals(
+                continuous == 1 ? List.of("speed") : List.of(),
+                campaign().continuousColumns().stream().map(Column::name).toList());
     }
 }
