@@ -88,6 +88,23 @@ class FaultSectionsTest {
     }
 
     @Test
+    void eachLevelOfTheFirstComparedVariableHasAMatrixOfItsOwn() throws ScenarioException {
+        plan = SamplePlan.read(
+                SamplePlan.text("", "<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>" + PLAN));
+        lines.clear();
+        lines.add(List.of("run", "speed", "fault_kind", "fault_sensor", "carried_on", "block"));
+        lines.add(List.of("0", "0.2", "off", "front", "1", "0"));
+        lines.add(List.of("1", "0.3", "off", "front", "0", "0"));
+        String matrix = new FaultSections(new CampaignRuns(plan, lines)).matrix();
+        int fast = matrix.indexOf("<h3>speed 0.3</h3>");
+        int slow = matrix.indexOf("<h3>speed 0.2</h3>");
+        assertTrue(slow >= 0 && slow < fast, matrix);
+        assertTrue(matrix.substring(slow, fast).contains("<b>" + Html.percent(1) + "</b>"), matrix);
+        assertFalse(matrix.substring(slow, fast).contains("<b>" + Html.percent(0) + "</b>"), matrix);
+        assertTrue(matrix.substring(fast).contains("<b>" + Html.percent(0) + "</b>"), matrix);
+    }
+
+    @Test
     void theSecondFaultHasATableOfItsOwn() throws ScenarioException {
         String matrix = sectionsOfTwoFaults().matrix();
         assertTrue(matrix.contains("<th scope=\"col\">fault_kind</th><th scope=\"col\">front</th>"), matrix);
