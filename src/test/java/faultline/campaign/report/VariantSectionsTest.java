@@ -1,5 +1,6 @@
 package faultline.campaign.report;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -7,6 +8,7 @@ import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
 import faultline.scenario.xml.ScenarioException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
@@ -52,6 +54,37 @@ class VariantSectionsTest {
                 + "<th scope=\"col\">difference</th>";
         assertTrue(comparison(5, 6).contains(header), comparison(5, 6));
         assertTrue(comparison(5, 6).contains("<title>speed 0.3 less 0.2, percentage points</title>"), "a chart");
+        assertTrue(comparison(5, 6).contains("Student's t over seeds and draws"), comparison(5, 6));
+    }
+
+    @Test
+    void aLevelWithoutOthersIsNotCompared() throws ScenarioException {
+        lines.add(List.of("run", "block", "world", "speed", "carried_on"));
+        addRun(0, "0.2", "1");
+        CampaignPlan plan = plan("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
+        assertEquals("", new VariantSections(new CampaignRuns(plan, lines)).comparisons());
+    }
+
+    @Test
+    void aFaultThatHasOnlyRunsOfOneLevelHasNoDifference() throws ScenarioException {
+        CampaignPlan plan = plan("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>"
+                + "<faults><fault kind=\"off\" sensor=\"front left\" at=\"1\"/></faults>");
+        List<String> header = new ArrayList<>(List.of("run", "block", "world", "speed", "carried_on"));
+        plan.factorColumns().stream().skip(1).forEach(column -> header.add(column.name()));
+        lines.add(header);
+        String[] front = new String[header.size() - 5];
+        Arrays.fill(front, "");
+        front[0] = "off";
+        front[1] = "front";
+        String[] left = front.clone();
+        left[1] = "left";
+        addRun(0, "0.2", "1", front);
+        addRun(0, "0.3", "1", front);
+        addRun(0, "0.2", "1", left);
+        String section = new VariantSections(new CampaignRuns(plan, lines)).comparisons();
+        int start = section.indexOf("<th scope=\"row\">left off</th>");
+        String row = section.substring(start, section.indexOf("</tr>", start));
+        assertTrue(row.endsWith("<td class=\"empty\">&ndash;</td><td>&ndash;</td>"), row);
     }
 
     /**
@@ -68,7 +101,9 @@ class VariantSectionsTest {
         }
         CampaignPlan plan = plan("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
         String section = new VariantSections(new CampaignRuns(plan, lines)).comparisons();
-        assertTrue(section.contains("<th scope=\"col\">difference of 0.3</th>"), section);
+        String header = "<th scope=\"col\">number</th><th scope=\"col\">0.2</th><th scope=\"col\">0.3</th>"
+                + "<th scope=\"col\">difference of 0.3</th>";
+        assertTrue(section.contains(header), section);
         String coverage = "<th scope=\"row\">coverage</th><td>0.5 <small>n 10</small></td>"
                 + "<td>0.7 <small>n 10</small></td><td><b>+0.2</b><br><small>0.125 to 0.275; 10 pairs</small></td>";
         assertTrue(section.contains(coverage), section);
@@ -96,5 +131,22 @@ class VariantSectionsTest {
         CampaignPlan plan = plan("<faults><fault kind=\"stuck\" sensor=\"front\" value=\"0..0.8\" at=\"1\"/></faults>");
         String chart = new VariantSections(new CampaignRuns(plan, lines)).responses();
         ReportChartsTest.assertPlaces(chart, ReportChartsTest.DOT, 0.05, 1, 0.15, 1, 0.95, 0);
+    }
+
+    /** The parts of the range from 10 to 20 s begin at whole seconds. The kind of a fault does not matter here. */
+    @Test
+    void aValueBetweenTwoPartsOfARangeBelongsToTheUpperOne() throws ScenarioException {
+        lines.add(List.of("run", "block", "world", "fault_onset_s", "carried_on", "fault_kind"));
+        for (int block = 0; block < 12; block++) {
+            addRun(block, String.format(Locale.ROOT, "10.%02d", block), "1", "off");
+        }
+        addRun(12, "11", "0", "stuck");
+        addRun(13, "20", "0", "stuck");
+        addRun(14, "40", "", "stuck");
+        CampaignPlan plan = plan("<faults><fault kind=\"off stuck\" sensor=\"front\" at=\"10..40\"/></faults>");
+        String chart = new VariantSections(new CampaignRuns(plan, lines)).responses();
+        ReportChartsTest.assertPlaces(chart, ReportChartsTest.DOT, 0.05, 1, 0.15, 0, 0.95, 0);
+        assertTrue(chart.contains("<title>carried on over fault_onset_s</title>"), chart);
+        assertTrue(chart.contains(">fault_onset_s (s)</text>"), chart);
     }
 }
