@@ -16,6 +16,12 @@ class CsvTest {
     }
 
     @Test
+    void theLastCellMayBeInQuotes() {
+        assertEquals(List.of("a", "b,c"), Csv.cells("a,\"b,c\""));
+        assertEquals(List.of("a", "\""), Csv.cells("a,\"\"\"\""));
+    }
+
+    @Test
     void aLineBreakInACellBecomesABlank() {
         assertEquals("\"a b\",c\n", Csv.row(List.of("a\nb", "c")));
     }
