@@ -5,7 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -21,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Images that the JDK's readers do not read as the formats define them. */
 class MapImageReaderTest {
@@ -85,6 +91,57 @@ class MapImageReaderTest {
         for (int level = 0; level <= max; level++) {
             assertEquals(level == transparent, map.isTransparent(level, 0), "level " + level);
             assertEquals(level * 255 / max, map.sample(level, 0) * 255 / map.white(), "level " + level);
+        }
+    }
+
+    /** Returns an image of three columns and two rows, whose samples are 10 to 60 in the order of reading. */
+    private static BufferedImage twoRows(BufferedImage image) {
+        for (int i = 0; i < 6; i++) {
+            for (int band = 0; band < image.getRaster().getNumBands(); band++) {
+                image.getRaster().setSample(i % 3, i / 3, band, 10 * (i + 1));
+            }
+        }
+        return image;
+    }
+
+    private MapImage asPng(BufferedImage image) throws IOException {
+        Path file = folder.resolve("rows.png");
+        ImageIO.write(image, "png", file.toFile());
+        return MapImageReader.read(file);
+    }
+
+    private static void assertTwoRows(MapImage map) {
+        assertEquals(3, map.width());
+        assertEquals(2, map.height());
+        for (int i = 0; i < 6; i++) {
+            assertEquals(10 * (i + 1), map.sample(i % 3, i / 3) * 255 / map.white(), "pixel " + i);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_INT_RGB})
+    void everyRowOfAnImageIsInItsPlace(int type) throws IOException {
+        MapImage map = asPng(twoRows(new BufferedImage(3, 2, type)));
+        assertTwoRows(map);
+        assertFalse(map.isTransparent(0, 0));
+    }
+
+    @Test
+    void everyRowOfAGreyImageWithOpacityIsInItsPlace() throws IOException {
+        ColorModel grey = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_GRAY),
+                true,
+                false,
+                Transparency.TRANSLUCENT,
+                DataBuffer.TYPE_BYTE);
+        BufferedImage image = twoRows(new BufferedImage(grey, grey.createCompatibleWritableRaster(3, 2), false, null));
+        for (int i = 0; i < 6; i++) {
+            image.getRaster().setSample(i % 3, i / 3, 1, i == 4 ? 254 : 255);
+        }
+        MapImage map = asPng(image);
+        assertTwoRows(map);
+        for (int i = 0; i < 6; i++) {
+            assertEquals(i == 4, map.isTransparent(i % 3, i / 3), "pixel " + i);
         }
     }
 
