@@ -14,7 +14,7 @@ public final class OutlineSimplifier {
      * The number of divisions, one within another, after which ranges are halved. An outline that loses one corner in
      * each division, such as that of a comb, would take quadratic time otherwise.
      */
-    private static final int MAX_DEPTH = 500;
+    private static final int MAX_DEPTH = 501;
 
     /** The corners between two that are kept, and the number of divisions that made this range. */
     private record Range(int from, int to, int depth) {}
@@ -30,12 +30,10 @@ public final class OutlineSimplifier {
      */
     public static GridRing simplify(GridRing ring, double tolerance) {
         BitSet kept = new BitSet(ring.size());
-        int opposite = farthestFromFirst(ring);
         kept.set(0);
-        kept.set(opposite);
         Deque<Range> open = new ArrayDeque<>();
-        open.push(new Range(0, opposite, 0));
-        open.push(new Range(opposite, ring.size(), 0));
+        // The chord of the whole ring is its first corner, so that it is divided at the corner farthest from that.
+        open.push(new Range(0, ring.size(), 0));
         while (!open.isEmpty()) {
             Range range = open.pop();
             int farthest = farthestFromChord(ring, range, tolerance);
@@ -47,20 +45,6 @@ public final class OutlineSimplifier {
             }
         }
         return kept.cardinality() < 3 ? ring : ring.select(kept.stream().toArray());
-    }
-
-    private static int farthestFromFirst(GridRing ring) {
-        int farthest = 0;
-        double largest = -1;
-        for (int i = 1; i < ring.size(); i++) {
-            double x = ring.column(i) - ring.column(0);
-            double y = ring.row(i) - ring.row(0);
-            if (x * x + y * y > largest) {
-                largest = x * x + y * y;
-                farthest = i;
-            }
-        }
-        return farthest;
     }
 
     /**

@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.CpuTime;
+import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class OutlineSimplifierTest {
@@ -30,6 +32,22 @@ class OutlineSimplifierTest {
                 }
             }
         }
+    }
+
+    /**
+     * The corner farthest from the first is the fourth, the corners farthest from the chord between these two are the
+     * third and the sixth, at 7.4 and 7.8 cells, and the others are 1, 1.8 and 1.2 cells from the sides that are left.
+     */
+    @Test
+    void theCornersThatAreFarthestFromTheChordsAreKept() {
+        GridRing ring = new GridRing(new int[] {5, 15, 25, 25, 17, 14, 8}, new int[] {3, 2, 3, 11, 12, 15, 9});
+        GridRing simple = OutlineSimplifier.simplify(ring, 2);
+        assertEquals(
+                List.of("5,3", "25,3", "25,11", "14,15"),
+                IntStream.range(0, simple.size())
+                        .mapToObj(i -> simple.column(i) + "," + simple.row(i))
+                        .toList());
+        assertEquals(7, OutlineSimplifier.simplify(ring, 0.9).size());
     }
 
     @Test
