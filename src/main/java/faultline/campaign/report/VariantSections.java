@@ -200,10 +200,8 @@ final class VariantSections {
     }
 
     private String response(Column column, String group, List<RunRow> given) {
-        List<RunRow> rows = given.stream()
-                .filter(row ->
-                        row.number(column.name()).isPresent() && row.carriedOn().isPresent())
-                .toList();
+        List<RunRow> rows =
+                given.stream().filter(row -> row.carriedOn().isPresent()).toList();
         double[] values = CampaignRuns.values(rows, column.name());
         double low = Arrays.stream(values).min().orElse(0);
         double high = Arrays.stream(values).max().orElse(1);

@@ -287,10 +287,11 @@ class CellTableTest {
                 IntStream.range(0, levels).mapToObj(i -> "0." + (10 + i)).toList();
         plan = SamplePlan.read(SamplePlan.text(
                 "",
-                PLAN.replace(
-                        "<faults>",
-                        "<set attribute=\"robot/@speed\" name=\"speed\" value=\"" + String.join(" ", values)
-                                + "\"/><faults>")));
+                PLAN.replace("kind=\"off\"", "kind=\"off\" label=\"out\"")
+                        .replace(
+                                "<faults>",
+                                "<set attribute=\"robot/@speed\" name=\"speed\" value=\"" + String.join(" ", values)
+                                        + "\"/><faults>")));
         lines.clear();
         lines.add(List.of("run", "block", "world", "speed", "fault_label"));
         values.forEach(value -> lines.add(List.of("0", "0", "a", value, "label " + value)));

@@ -158,7 +158,7 @@ class ComparisonChartTest {
         double[] frame = places(FRAME, svg).get(0);
         double[] dots = places(DOT, svg).get(0);
         assertEquals(frame[0], dots[0], 0.01, "no collision");
-        assertTrue(svg.contains(">1</text>"), svg);
+        assertTrue(svg.contains(">0.8</text>"), svg);
         assertTrue(svg.contains(">" + Metric.COLLISION.meaning() + "</text>"), svg);
     }
 
@@ -174,6 +174,7 @@ class ComparisonChartTest {
         String svg = ComparisonChart.spread(Metric.PATH, controllers);
         assertTrue(svg.contains(">1</text>") && svg.contains(">2</text>"), svg);
         String legend = ComparisonChart.legend(controllers);
+        assertEquals(2, legend.split("<path d=\"M2 5L32 5\"", -1).length - 1, legend);
         assertTrue(legend.contains("<code>&lt;/code&gt;&lt;script&gt;</code>"), legend);
         assertTrue(Html.page("t", "", legend).contains("<code>a fill=&quot;#123456&quot;?</code>"), legend);
     }

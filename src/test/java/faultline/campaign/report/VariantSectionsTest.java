@@ -128,6 +128,7 @@ class VariantSectionsTest {
             addRun(block, String.format(Locale.ROOT, "0.%02d", block), "1");
         }
         addRun(13, "0.8", "0");
+        addRun(14, "", "1");
         CampaignPlan plan = plan("<faults><fault kind=\"stuck\" sensor=\"front\" value=\"0..0.8\" at=\"1\"/></faults>");
         String chart = new VariantSections(new CampaignRuns(plan, lines)).responses();
         ReportChartsTest.assertPlaces(chart, ReportChartsTest.DOT, 0.05, 1, 0.15, 1, 0.95, 0);
