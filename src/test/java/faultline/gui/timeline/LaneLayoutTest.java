@@ -74,6 +74,50 @@ class LaneLayoutTest {
         assertEquals(new LaneLayout.ItemHit(1, LaneLayout.ItemPart.BODY), lanes.hit(80 + 150, TOP + 2.5 * ROW));
     }
 
+    @Test
+    void aBarAndAMarkLieInTheirLaneAtTheirTimes() {
+        TimelineItem mark = TimelineItem.from(new Command.SwitchSensor("left", true), 8);
+        LaneLayout lanes = layout(item("left", 10, 20), mark, item("left", 30, 30.1));
+        assertEquals(new Rectangle2D.Double(180, TOP + ROW + 1, 100, 11), lanes.bounds(0));
+        assertEquals(new Rectangle2D.Double(155, TOP + ROW + 1, 10, 10), lanes.bounds(1));
+        assertEquals(new Rectangle2D.Double(380, TOP + ROW + 1, 4, 11), lanes.bounds(2));
+    }
+
+    @Test
+    void anItemOfASensorThatTheRobotLacksIsInTheLastLane() {
+        LaneLayout lanes = layout(item("nose", 10, 20));
+        assertEquals(3, lanes.laneOf(lanes.items().get(0)));
+        assertEquals(TOP + 3 * ROW + 1, lanes.bounds(0).getY());
+    }
+
+    @Test
+    void itemsInAnotherOrderThanThatOfTheirStartsShareARow() {
+        LaneLayout lanes = layout(item("left", 20, 40), item("left", 0, 20));
+        assertEquals(ROW, lanes.laneHeight(1));
+        assertEquals(new LaneLayout.LabelRoom(86, 274), lanes.labelRoom(1, 20, 6, 500));
+    }
+
+    @Test
+    void aLaneBeginsAtItsUpperEdge() {
+        LaneLayout lanes = layout();
+        assertEquals(0, lanes.laneAt(TOP));
+        assertEquals(1, lanes.laneAt(TOP + ROW));
+        assertEquals(LaneLayout.NONE, lanes.laneAt(TOP + 4 * ROW));
+    }
+
+    /** The axis shows 10 s to 20 s, 40 pixels a second. */
+    @Test
+    void whatIsBeforeAPartOfTheRunIsHidden() {
+        List<TimelineItem> items = List.of(item("left", 0, 15), item("rear", 0, 9), item("front", 21, 30));
+        LaneLayout lanes = new LaneLayout(LANES, items, new TimeAxis(80, 480, 10, 20, 40), TOP, ROW);
+        assertEquals(new Rectangle2D.Double(77, TOP + ROW + 1, 203, 11), lanes.visibleBounds(0, 3));
+        assertEquals(0, lanes.visibleBounds(1, 3).getWidth());
+        assertTrue(lanes.isVisible(0) && !lanes.isVisible(1) && !lanes.isVisible(2));
+        assertNull(lanes.hit(74, TOP + 1.5 * ROW));
+        assertEquals(0, lanes.hit(75, TOP + 1.5 * ROW).index());
+        assertNull(lanes.hit(486, TOP + 0.5 * ROW));
+    }
+
     private static LaneLayout.ItemPart partAt(double x, LaneLayout lanes) {
         LaneLayout.ItemHit hit = lanes.hit(x, TOP + 1.5 * ROW);
         return hit == null ? null : hit.part();

@@ -34,6 +34,12 @@ class TimeAxisTest {
         assertEquals(step, AXIS.step(tick));
     }
 
+    /** Two pixels are 0.51 s. */
+    @Test
+    void theNextNiceNumberIsTakenIfTheLastIsLessThanTwoPixels() {
+        assertEquals(1, new TimeAxis(30, 230, 51).step(0.01));
+    }
+
     /** 100 pixels are 25 s; the time there is in the middle. */
     @Test
     void aZoomKeepsTheTimeAtItsPlace() {
