@@ -107,15 +107,18 @@ class LaneLayoutTest {
 
     /** The axis shows 10 s to 20 s, 40 pixels a second. */
     @Test
-    void whatIsBeforeAPartOfTheRunIsHidden() {
-        List<TimelineItem> items = List.of(item("left", 0, 15), item("rear", 0, 9), item("front", 21, 30));
+    void whatIsBesideAPartOfTheRunIsHidden() {
+        List<TimelineItem> items =
+                List.of(item("left", 0, 15), item("rear", 0, 9), item("front", 21, 30), item("nose", 15, 30));
         LaneLayout lanes = new LaneLayout(LANES, items, new TimeAxis(80, 480, 10, 20, 40), TOP, ROW);
         assertEquals(new Rectangle2D.Double(77, TOP + ROW + 1, 203, 11), lanes.visibleBounds(0, 3));
         assertEquals(0, lanes.visibleBounds(1, 3).getWidth());
         assertTrue(lanes.isVisible(0) && !lanes.isVisible(1) && !lanes.isVisible(2));
         assertNull(lanes.hit(74, TOP + 1.5 * ROW));
         assertEquals(0, lanes.hit(75, TOP + 1.5 * ROW).index());
-        assertNull(lanes.hit(486, TOP + 0.5 * ROW));
+        assertEquals(new Rectangle2D.Double(280, TOP + 3 * ROW + 1, 203, 11), lanes.visibleBounds(3, 3));
+        assertEquals(3, lanes.hit(485, TOP + 3.5 * ROW).index());
+        assertNull(lanes.hit(486, TOP + 3.5 * ROW));
     }
 
     private static LaneLayout.ItemPart partAt(double x, LaneLayout lanes) {

@@ -62,6 +62,16 @@ class TimeAxisTest {
         assertEquals(new TimeAxis(30, 230, 40, 50, 50), part.showing(Double.POSITIVE_INFINITY));
     }
 
+    /** 20 pixels are a second. */
+    @Test
+    void aPartIsMovedByPixelsUpToTheEndsOfTheRun() {
+        TimeAxis part = new TimeAxis(30, 230, 10, 20, 50);
+        assertEquals(new TimeAxis(30, 230, 12, 22, 50), part.moved(40));
+        assertEquals(new TimeAxis(30, 230, 7, 17, 50), part.moved(-60));
+        assertEquals(new TimeAxis(30, 230, 0, 10, 50), part.moved(-300));
+        assertEquals(new TimeAxis(30, 230, 40, 50, 50), part.moved(3000));
+    }
+
     @Test
     void aPartStaysWhenTheRunGrowsAndTheWholeRunStaysWhole() {
         TimeAxis longer = new TimeAxis(30, 430, 60);
