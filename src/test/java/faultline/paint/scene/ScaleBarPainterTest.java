@@ -27,8 +27,11 @@ class ScaleBarPainterTest {
         assertEquals(1, bars.size());
         Rectangle2D bar = bars.get(0).shape().getBounds2D();
         assertEquals(pixels, bar.getWidth(), 1e-9);
-        assertEquals(576.5, bar.getMaxX(), 1e-9, "24 pixels from the right edge");
-        assertEquals(393.5, bar.getCenterY(), 1e-9, "7 pixels from the lower edge");
+        String left = Math.round((576.5 - pixels) * 10) / 10.0 + ",";
+        assertEquals(
+                left + "389.5 " + left + "397.5 " + left + "393.5 576.5,393.5 576.5,389.5 576.5,397.5",
+                bars.get(0).toString(),
+                "24 pixels from the right edge and 7 from the lower one");
         assertEquals(1, drawn.texts().size());
         assertTrue(drawn.texts().get(0).startsWith(name + " at "), drawn.texts()::toString);
         Rectangle2D area = ScaleBarPainter.area(context);
