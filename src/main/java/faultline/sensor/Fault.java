@@ -113,8 +113,7 @@ public sealed interface Fault
 
         @Override
         public double apply(double reading, FaultContext context) {
-            double biased = Math.max(0, reading + value);
-            return biased <= context.range() ? biased : Reading.NOTHING;
+            return Reading.encode(reading + value, context.range());
         }
     }
 

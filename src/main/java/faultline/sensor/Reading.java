@@ -29,6 +29,17 @@ public record Reading(double encoded) {
     }
 
     /**
+     * {@return the encoded reading of a measured distance: not less than 0, and {@link #NOTHING} beyond the range}
+     *
+     * @param distance the measured distance, metres; infinite for nothing
+     * @param range the range of the sensor, metres
+     */
+    public static double encode(double distance, double range) {
+        double reading = Math.max(0, distance);
+        return reading <= range ? reading : NOTHING;
+    }
+
+    /**
      * {@return whether an encoded reading is {@link #OFF}}
      *
      * @param encoded the encoded reading

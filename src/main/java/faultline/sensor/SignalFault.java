@@ -5,18 +5,12 @@ public final class SignalFault {
 
     private SignalFault() {}
 
-    /** Returns a distance as a sensor of a range can report it: not negative, and nothing beyond the range. */
-    private static double limited(double distance, double range) {
-        double reading = Math.max(0, distance);
-        return reading <= range ? reading : Reading.NOTHING;
-    }
-
     /** Always reports the last reading before the fault: file kind {@code stuck-at-last}. */
     public record StuckAtLast() implements Fault {
         @Override
         public double apply(double reading, FaultContext context) {
             double held = context.heldReading();
-            return Reading.isOff(held) ? held : limited(held, context.range());
+            return Reading.isOff(held) ? held : Reading.encode(held, context.range());
         }
     }
 
@@ -38,7 +32,7 @@ public final class SignalFault {
 
         @Override
         public double apply(double reading, FaultContext context) {
-            return limited(value * reading, context.range());
+            return Reading.encode(value * reading, context.range());
         }
     }
 
@@ -60,7 +54,7 @@ public final class SignalFault {
 
         @Override
         public double apply(double reading, FaultContext context) {
-            return limited(reading + value * context.age(), context.range());
+            return Reading.encode(reading + value * context.age(), context.range());
         }
     }
 
@@ -82,7 +76,7 @@ public final class SignalFault {
 
         @Override
         public double apply(double reading, FaultContext context) {
-            return limited(reading + value * context.random().nextGaussian(), context.range());
+            return Reading.encode(reading + value * context.random().nextGaussian(), context.range());
         }
     }
 
@@ -106,7 +100,7 @@ public final class SignalFault {
         public double apply(double reading, FaultContext context) {
             return reading == Reading.NOTHING
                     ? reading
-                    : limited(value * Math.floor(reading / value + 0.5), context.range());
+                    : Reading.encode(value * Math.floor(reading / value + 0.5), context.range());
         }
     }
 
@@ -155,7 +149,7 @@ public final class SignalFault {
 
         @Override
         public double apply(double reading, FaultContext context) {
-            return limited(context.delayed(reading, value), context.range());
+            return Reading.encode(context.delayed(reading, value), context.range());
         }
     }
 
@@ -202,7 +196,7 @@ public final class SignalFault {
         @Override
         public double apply(double reading, FaultContext context) {
             boolean mixed = context.random().nextDouble() < value;
-            return mixed ? limited(Math.min(reading, context.neighbourReading()), context.range()) : reading;
+            return mixed ? Reading.encode(Math.min(reading, context.neighbourReading()), context.range()) : reading;
         }
     }
 }

@@ -158,7 +158,6 @@ final class SensorSignal {
      */
     private double addNoise(double seen, SensorRandom random) {
         double noise = spec.noise() * random.nextGaussian();
-        double reading = Math.max(0, seen + noise);
-        return reading <= spec.range() ? reading : Reading.NOTHING;
+        return Reading.encode(seen + noise, spec.range());
     }
 }
