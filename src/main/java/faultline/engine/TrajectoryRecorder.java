@@ -34,7 +34,9 @@ final class TrajectoryRecorder {
         }
     }
 
-    /** Returns a hash with the raw bits of a number, so that a single different bit changes the hash. */
+    /**
+     * Returns a hash with the bits of a number, so that a single different bit changes the hash; any NaN is the same.
+     */
     private static long mix(long hash, double value) {
         long mixed = (hash ^ Double.doubleToLongBits(value)) * MULTIPLIER;
         return mixed ^ (mixed >>> 29);

@@ -66,7 +66,7 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
     /**
      * Calls an action for evenly spaced points of the segment, the second end last; the first end is left out.
      *
-     * @param step the greatest distance between two of them, metres
+     * @param step the greatest distance between two of them, metres; positive
      * @param action the action
      */
     public void forEachPoint(double step, Consumer<Vector2> action) {

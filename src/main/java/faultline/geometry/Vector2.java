@@ -81,7 +81,10 @@ public record Vector2(double x, double y) {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** {@return the angle of this vector in [-pi, pi], counter-clockwise from the x axis; 0 for the zero vector} */
+    /**
+     * {@return the angle of this vector in [-pi, pi], counter-clockwise from the x axis; for the zero vector, that of
+     * {@link StrictMath#atan2}, which depends on the signs of the zeros}
+     */
     public double angle() {
         return StrictMath.atan2(y, x);
     }

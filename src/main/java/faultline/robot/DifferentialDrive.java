@@ -6,7 +6,7 @@ import faultline.geometry.StrictTrig;
 /** The kinematics of the differential drive: the paper's eqs. (2) and (3), integrated exactly along the arc. */
 public final class DifferentialDrive {
 
-    /** Below this angle, radians, sin x / x = 1 - x^2 / 6 to the last bit, and the quotient itself loses digits. */
+    /** Below this angle, radians, sin x / x = 1 - x^2 / 6 to the last bit; the quotient is not defined at 0. */
     private static final double SMALL_ANGLE = 1e-4;
 
     private DifferentialDrive() {}

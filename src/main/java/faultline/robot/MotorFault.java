@@ -24,7 +24,7 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.NoDrive, 
     /**
      * Only a share of the voltage has an effect, so the wheels turn slower: file kind {@code weak}.
      *
-     * @param value the share
+     * @param value the share, 0 to 1
      */
     record Weak(double value) implements MotorFault {
         /**

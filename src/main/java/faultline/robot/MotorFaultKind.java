@@ -5,7 +5,7 @@ import java.util.function.DoubleFunction;
 
 /**
  * The kinds of fault of motors with the names that scenario files use, each with the bounds of its number. A new kind
- * needs one line here and one record.
+ * needs one line here and one record that {@link MotorFault} permits.
  */
 public enum MotorFaultKind implements FaultDescriptor<MotorFault> {
 

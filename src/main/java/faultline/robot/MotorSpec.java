@@ -74,7 +74,7 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
     }
 
     /**
-     * {@return the fraction in [0, 1) of a speed error that remains after a tick of dt seconds: exp(-dt / tau)}
+     * {@return the fraction in [0, 1] of a speed error that remains after a tick of dt seconds: exp(-dt / tau)}
      *
      * @param dt the length of a tick, in seconds, positive
      */

@@ -6,7 +6,8 @@ import java.util.stream.Collectors;
 
 /**
  * The kinds of fault with the names that scenario files use, each with the bounds of its number. A new kind needs one
- * line here and one record.
+ * line here and one record that {@link Fault} permits; {@link #changesOptics()} lists the kinds that change what is
+ * seen.
  */
 public enum FaultKind implements FaultDescriptor<Fault> {
 

@@ -1,5 +1,6 @@
 /**
  * Infrared cone sensors: their mounting and settings, their readings, and the faults that change their readings.
- * Immutable values and pure functions on any thread. Nothing here depends on what carries a sensor or uses its reading.
+ * Immutable values and pure functions on any thread, but for the random numbers of a tick and the state of an active
+ * fault, which belong to the simulation thread. Nothing here depends on what carries a sensor or uses its reading.
  */
 package faultline.sensor;

@@ -31,7 +31,7 @@ final class StepResponse implements Figure {
     private static final SimulationSetup BASE =
             StudyScenarios.load("studies/moved-wall.xml").setup();
     private static final double WALL_DISPLACEMENT = 0.055;
-    private static final double TICK = 0.01;
+    private static final double TICK = PdLoop.TICK;
     private static final Axis DISTANCE_ERROR = Axis.linear("distance error (m)", -0.06, 0.06);
 
     private static final String CAPTION =

@@ -38,8 +38,8 @@ final class NearShapes {
 
     private NearShape[] entries = new NearShape[0];
     /**
-     * For each entry the bits of its distance as a float, rounded down, and its index in the lower half. To sort
-     * numbers needs no comparator, with which the virtual machine compiled the sort several times.
+     * For each entry the bits of its distance as a float, rounded down, and its index in the lower half. A sort of
+     * numbers allocates nothing.
      */
     private long[] keys = new long[0];
 

@@ -25,7 +25,7 @@ import java.util.List;
  */
 final class RobotBody {
 
-    /** The tolerance of contact points, metres: ten times the distance at which a sweep ends. */
+    /** The tolerance of contact points, metres: ten times that at which {@link TimeOfImpact} ends. */
     private static final double CONTACT_TOLERANCE = 1e-9;
 
     private RobotSpec spec;

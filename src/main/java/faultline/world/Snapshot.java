@@ -14,13 +14,13 @@ import java.util.Optional;
  *
  * @param tick the number of ticks that have passed
  * @param time tick times dt, seconds
- * @param width the world's, metres
- * @param height the world's, metres
+ * @param width the width of the world, metres
+ * @param height the height of the world, metres
  * @param enclosed whether a wall encloses the world
- * @param robot its current construction and settings
- * @param pose the robot's
- * @param wheelSpeeds the robot's
- * @param motorFaults the faults of its motors
+ * @param robot the robot's current construction and settings
+ * @param pose the pose of the robot; its heading is not normalised
+ * @param wheelSpeeds the speeds of the robot's wheels
+ * @param motorFaults the faults of the robot's motors
  * @param sensors the sensors, in the robot's order
  * @param obstacles the obstacles, in drawing order
  * @param contacts the points where the robot touches obstacles, metres; empty before a collision
@@ -46,13 +46,13 @@ public record Snapshot(
      *
      * @param tick the number of ticks that have passed
      * @param time tick times dt, seconds
-     * @param width the world's, metres
-     * @param height the world's, metres
+     * @param width the width of the world, metres
+     * @param height the height of the world, metres
      * @param enclosed whether a wall encloses the world
-     * @param robot its current construction and settings
-     * @param pose the robot's
-     * @param wheelSpeeds the robot's
-     * @param motorFaults the faults of its motors
+     * @param robot the robot's current construction and settings
+     * @param pose the pose of the robot; its heading is not normalised
+     * @param wheelSpeeds the speeds of the robot's wheels
+     * @param motorFaults the faults of the robot's motors
      * @param sensors the sensors, in the robot's order
      * @param obstacles the obstacles, in drawing order
      * @param contacts the points where the robot touches obstacles, metres; empty before a collision

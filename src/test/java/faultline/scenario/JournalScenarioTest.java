@@ -63,6 +63,17 @@ class JournalScenarioTest {
                 scenario.withSetup(scenario.setup().withDuration(33.33)).run().trajectoryHash());
     }
 
+    /** A drag may turn the robot to -0, whose sine is -0, too. */
+    @Test
+    void aStartAtMinusZeroReplaysExactly(@TempDir Path folder) throws Exception {
+        Scenario yard = Scenario.load(Path.of("scenarios/yard.xml"));
+        Pose start = yard.setup().start();
+        Scenario scenario = yard.withSetup(yard.setup().withStart(new Pose(start.x(), start.y(), -0.0)));
+        Path file = folder.resolve("start.xml");
+        scenario.save(file);
+        assertEquals(scenario.run().trajectoryHash(), Scenario.load(file).run().trajectoryHash());
+    }
+
     @Test
     void theTimesOfAJournalLeadBackToItsTicks() throws ScenarioException {
         Scenario scenario = Scenario.load(Path.of("scenarios/every-fault.xml"));
