@@ -51,6 +51,7 @@ public final class CanvasTools {
     public void drawWall() {
         activate(new PointsTool(
                 context,
+                mouse.keyPoint(),
                 2,
                 false,
                 points -> context.placeObstacle(PointShapes.wall(context.model().newId("wall"), points))));
@@ -60,6 +61,7 @@ public final class CanvasTools {
     public void drawPolygon() {
         activate(new PointsTool(
                 context,
+                mouse.keyPoint(),
                 3,
                 true,
                 points -> context.placeObstacle(
@@ -73,8 +75,8 @@ public final class CanvasTools {
     public void drawMotionPath() {
         context.model()
                 .singleSelected()
-                .ifPresent(obstacle ->
-                        activate(new PointsTool(context, 1, true, points -> setMotionPath(obstacle.id(), points))));
+                .ifPresent(obstacle -> activate(new PointsTool(
+                        context, mouse.keyPoint(), 1, true, points -> setMotionPath(obstacle.id(), points))));
     }
 
     /** Activates a tool that measures distances and angles until it is cancelled. */

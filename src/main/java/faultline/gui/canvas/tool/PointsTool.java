@@ -22,13 +22,17 @@ public final class PointsTool implements Tool {
     private final boolean closed;
     private final Predicate<List<Vector2>> onComplete;
     private final List<Vector2> points = new ArrayList<>();
-    private Vector2 mouse = Vector2.ZERO;
+    private Vector2 mouse;
     private boolean freeHand;
     private boolean done;
 
-    /** Creates a tool that needs some points and is done when the handler has accepted them. */
-    public PointsTool(ToolContext context, int minPoints, boolean closed, Predicate<List<Vector2>> onComplete) {
+    /**
+     * Creates a tool that needs some points and is done when the handler has accepted them. The place of the next point
+     * is shown at {@code mouse} until it is moved.
+     */
+    PointsTool(ToolContext context, Vector2 mouse, int minPoints, boolean closed, Predicate<List<Vector2>> onComplete) {
         this.context = context;
+        this.mouse = mouse;
         this.minPoints = minPoints;
         this.closed = closed;
         this.onComplete = onComplete;

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -29,8 +30,11 @@ import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 
@@ -88,6 +92,39 @@ class CanvasMouseTest {
             canvas.tools().startScenario();
         });
         assertEquals(List.of(true, false), active);
+    }
+
+    @Test
+    void thePointOfAToolIsShownAtThePointerOrInTheCentreOfTheView() {
+        assertSketchedAt(new Vector2(300, 220));
+        mouse(MouseEvent.MOUSE_MOVED, new Vector2(410, 130), MouseEvent.NOBUTTON);
+        assertSketchedAt(new Vector2(410, 130));
+    }
+
+    /** Asserts that tools for points change the picture of the canvas near a point only, pixels. */
+    private void assertSketchedAt(Vector2 place) {
+        runOnEdt(() -> canvas.tools().select(List.of("box")));
+        BufferedImage before = picture();
+        for (Consumer<CanvasTools> tool : List.<Consumer<CanvasTools>>of(
+                CanvasTools::drawWall, CanvasTools::drawPolygon, CanvasTools::drawMotionPath)) {
+            runOnEdt(() -> tool.accept(canvas.tools()));
+            BufferedImage after = picture();
+            List<Vector2> changed = IntStream.range(0, before.getWidth() * before.getHeight())
+                    .mapToObj(i -> new Vector2(i % before.getWidth(), i / before.getWidth()))
+                    .filter(at -> before.getRGB((int) at.x(), (int) at.y()) != after.getRGB((int) at.x(), (int) at.y()))
+                    .toList();
+            assertFalse(changed.isEmpty());
+            assertEquals(
+                    List.of(),
+                    changed.stream().filter(at -> at.distanceTo(place) > 10).toList());
+            runOnEdt(canvas.tools()::endTool);
+        }
+    }
+
+    private BufferedImage picture() {
+        BufferedImage image = new BufferedImage(600, 440, BufferedImage.TYPE_INT_RGB);
+        runOnEdt(() -> canvas.paint(image.createGraphics()));
+        return image;
     }
 
     @Test
