@@ -25,8 +25,8 @@ final class RoutePainter {
     private static final Stroke ARROW_STROKE = DrawContext.solidStroke(1.8);
     private static final double DOT_RADIUS = 2.5;
     private static final double LABEL_GAP = 4;
-    /** The position of the speed, as a fraction of its leg; not in the middle, where a name may be. */
-    private static final double SPEED_POSITION = 0.35;
+    /** The positions of the speed, as fractions of its leg, the best one first; a name may be in the middle. */
+    private static final double[] SPEED_POSITIONS = {0.35, 0.65, 0.2, 0.8};
 
     private static final double ARROW_SIZE = 6;
     /** The minimum length of a leg with an arrow, pixels. */
@@ -34,7 +34,8 @@ final class RoutePainter {
 
     private RoutePainter() {}
 
-    static void paint(DrawContext context, WaypointPath motion) {
+    /** Paints a route, whose speed does not cover other labels if there is room, given their bounding boxes, pixels. */
+    static void paint(DrawContext context, WaypointPath motion, List<Rectangle2D> taken) {
         Color colour = context.palette().movingOutline();
         List<Vector2> points = toScreen(context.camera(), motion);
         // Between two points the way back would fill the gaps between the dashes.
@@ -47,26 +48,47 @@ final class RoutePainter {
             paintArrow(context, points.get(i - 1), points.get(i), colour);
         }
         if (points.size() > 1) {
-            paintSpeed(context, motion.speed(), points);
+            paintSpeed(context, motion.speed(), points, taken);
         }
     }
 
-    private static void paintSpeed(DrawContext context, double speed, List<Vector2> points) {
+    private static void paintSpeed(DrawContext context, double speed, List<Vector2> points, List<Rectangle2D> taken) {
         int longest = IntStream.range(1, points.size())
                 .boxed()
                 .max(Comparator.comparingDouble(i -> points.get(i).distanceTo(points.get(i - 1))))
                 .orElseThrow();
         Vector2 leg = points.get(longest).minus(points.get(longest - 1));
         String text = String.format(Locale.ROOT, "%.2f m/s", speed);
-        Rectangle2D box = context.measureText(text);
-        if (leg.length() < 2 * box.getWidth()) {
-            return;
+        Rectangle2D size = context.measureText(text);
+        if (leg.length() >= 2 * size.getWidth()) {
+            Vector2 place = speedPlace(points.get(longest - 1), leg, size, taken);
+            context.drawLabel(text, place.x(), place.y(), context.palette().text());
         }
-        // The text is to the left of the leg, at a distance at which it does not touch a leg of any direction.
+    }
+
+    /**
+     * Returns the centre of the speed beside a leg from a point: the first free place of all, or simply the first. The
+     * text is to the left of the leg, or else to the right, at a distance at which it does not touch a leg of any
+     * direction.
+     */
+    private static Vector2 speedPlace(Vector2 from, Vector2 leg, Rectangle2D size, List<Rectangle2D> taken) {
         Vector2 aside = new Vector2(leg.y(), -leg.x()).times(1 / leg.length());
-        double clear = (Math.abs(aside.x()) * box.getWidth() + Math.abs(aside.y()) * box.getHeight()) / 2 + LABEL_GAP;
-        Vector2 place = points.get(longest - 1).plus(leg.times(SPEED_POSITION)).plus(aside.times(clear));
-        context.drawLabel(text, place.x(), place.y(), context.palette().text());
+        double clear = (Math.abs(aside.x()) * size.getWidth() + Math.abs(aside.y()) * size.getHeight()) / 2 + LABEL_GAP;
+        List<Vector2> places = new ArrayList<>();
+        for (double position : SPEED_POSITIONS) {
+            Vector2 onLeg = from.plus(leg.times(position));
+            places.add(onLeg.plus(aside.times(clear)));
+            places.add(onLeg.minus(aside.times(clear)));
+        }
+        return places.stream()
+                .filter(place -> taken.stream()
+                        .noneMatch(box -> box.intersects(
+                                place.x() - size.getWidth() / 2,
+                                place.y() - size.getHeight() / 2,
+                                size.getWidth(),
+                                size.getHeight())))
+                .findFirst()
+                .orElse(places.get(0));
     }
 
     /** Returns the waypoints in the picture; those of a loop end at the first. */

@@ -86,16 +86,19 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
                     pathFrom,
                     world.pose().position());
         }
-        obstacles.forEach(obstacle -> paintMovingObstacle(context, obstacle));
+        List<SensorPainter.SensorLabel> sensorLabels = sensorLabels(context, world.sensors());
+        List<Rectangle2D> taken =
+                sensorLabels.stream().map(SensorPainter.SensorLabel::box).toList();
+        obstacles.forEach(obstacle -> paintMovingObstacle(context, obstacle, taken));
         RobotPainter.paintHalo(context, world.robot(), world.pose());
-        List<Rectangle2D> sensorLabels = paintSensors(context, world.sensors());
+        paintSensors(context, world.sensors(), sensorLabels);
         RobotPainter.paint(context, world.robot(), world.pose());
         RobotPainter.paintHeading(context, world.robot(), world.pose());
         MotorFaultPainter.paintWheels(context, world);
         if (layers.contains(Layer.INTERSECTIONS)) {
             paintIntersections(context, world.sensors());
         }
-        MotorFaultPainter.paintLabels(context.withFont(labels.font()), world, labels, sensorLabels);
+        MotorFaultPainter.paintLabels(context.withFont(labels.font()), world, labels, taken);
         CollisionPainter.paint(context, world);
     }
 
@@ -116,22 +119,31 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         }
     }
 
-    private void paintMovingObstacle(DrawContext context, Obstacle obstacle) {
+    /** Paints an obstacle with its route, whose speed does not cover the labels with some bounding boxes, pixels. */
+    private void paintMovingObstacle(DrawContext context, Obstacle obstacle, List<Rectangle2D> taken) {
         if (layers.contains(Layer.ROUTES) && obstacle.isMoving()) {
-            RoutePainter.paint(context.withFont(labels.font()), obstacle.motion());
+            RoutePainter.paint(context.withFont(labels.font()), obstacle.motion(), taken);
         }
         obstaclePainter().paint(context, obstacle);
     }
 
-    /** Paints the sensors, and returns the bounding boxes of their labels, pixels. */
-    private List<Rectangle2D> paintSensors(DrawContext context, List<SensorSnapshot> sensors) {
-        if (!layers.contains(Layer.CONES)) {
-            return List.of();
+    /** Returns the labels of the sensors, none without the cones. */
+    private List<SensorPainter.SensorLabel> sensorLabels(DrawContext context, List<SensorSnapshot> sensors) {
+        return layers.contains(Layer.CONES)
+                ? SensorPainter.labels(context.withFont(labels.font()), sensors, labels)
+                : List.of();
+    }
+
+    private void paintSensors(
+            DrawContext context, List<SensorSnapshot> sensors, List<SensorPainter.SensorLabel> sensorLabels) {
+        if (layers.contains(Layer.CONES)) {
+            for (int i = 0; i < sensors.size(); i++) {
+                SensorPainter.paintCone(context, i, sensors.get(i));
+            }
+            sensors.forEach(sensor -> SensorPainter.paintTrueReading(context, sensor));
+            DrawContext labelled = context.withFont(labels.font());
+            sensorLabels.forEach(label -> SensorPainter.paintLabel(labelled, label));
         }
-        for (int i = 0; i < sensors.size(); i++) {
-            SensorPainter.paintCone(context, i, sensors.get(i));
-        }
-        return SensorPainter.paintLabels(context.withFont(labels.font()), sensors, labels);
     }
 
     private static void paintIntersections(DrawContext context, List<SensorSnapshot> sensors) {

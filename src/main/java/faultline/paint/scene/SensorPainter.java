@@ -79,32 +79,36 @@ final class SensorPainter {
     }
 
     /**
-     * Paints what other cones must not cover. Names of faults are painted before plain numbers, and a number that would
-     * overlap a label is omitted. Returns the bounding boxes of the labels, pixels.
+     * Returns the labels of sensors. Names of faults come before plain numbers, and a number that would overlap a label
+     * is omitted.
      */
-    static List<Rectangle2D> paintLabels(DrawContext context, List<SensorSnapshot> sensors, SceneLabels labels) {
+    static List<SensorLabel> labels(DrawContext context, List<SensorSnapshot> sensors, SceneLabels labels) {
         List<SensorLabel> all = new ArrayList<>();
         for (int i = 0; i < sensors.size(); i++) {
             ScreenSector cone = ScreenSector.of(context.camera(), sensors.get(i).sector());
-            paintTrueReading(context, cone, sensors.get(i));
             if (cone.radius() >= MIN_LABELLED_RADIUS) {
                 all.add(createLabel(context, cone, i, sensors.get(i), labels));
             }
         }
         all.sort(Comparator.comparing(SensorLabel::isNumber));
-        List<Rectangle2D> used = new ArrayList<>();
+        List<SensorLabel> used = new ArrayList<>();
         for (SensorLabel label : all) {
-            if (!label.isNumber() || used.stream().noneMatch(label.box()::intersects)) {
-                used.add(label.box());
-                context.drawLabel(
-                        label.text(), label.box().getCenterX(), label.box().getCenterY(), label.colour());
+            if (!label.isNumber()
+                    || used.stream().noneMatch(other -> label.box().intersects(other.box()))) {
+                used.add(label);
             }
         }
         return used;
     }
 
-    private static void paintTrueReading(DrawContext context, ScreenSector cone, SensorSnapshot sensor) {
+    static void paintLabel(DrawContext context, SensorLabel label) {
+        context.drawLabel(label.text(), label.box().getCenterX(), label.box().getCenterY(), label.colour());
+    }
+
+    /** Paints the arc at the true distance, if a fault changes it; other cones must not cover it. */
+    static void paintTrueReading(DrawContext context, SensorSnapshot sensor) {
         if (!sensor.faults().isEmpty()) {
+            ScreenSector cone = ScreenSector.of(context.camera(), sensor.sector());
             sensor.truth().distance().stream()
                     .filter(truth -> differsFromReported(cone, truth, sensor))
                     .forEach(truth ->
@@ -158,6 +162,6 @@ final class SensorPainter {
         return faults.isEmpty() && !sensor.spec().on() ? labels.switchedOff() : faults;
     }
 
-    /** A label of a sensor and its bounding box; {@code isNumber} if it has no text but the number. */
-    private record SensorLabel(String text, boolean isNumber, Rectangle2D box, Color colour) {}
+    /** A label of a sensor and its bounding box, pixels; {@code isNumber} if it has no text but the number. */
+    record SensorLabel(String text, boolean isNumber, Rectangle2D box, Color colour) {}
 }

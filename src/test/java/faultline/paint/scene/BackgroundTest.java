@@ -100,7 +100,7 @@ class BackgroundTest {
     }
 
     private void paintRoute(boolean loop, Vector2... waypoints) {
-        RoutePainter.paint(around(0, 0), new WaypointPath(0.1, loop, List.of(waypoints)));
+        RoutePainter.paint(around(0, 0), new WaypointPath(0.1, loop, List.of(waypoints)), List.of());
     }
 
     /** The way back would fill the gaps between the dashes, so there is one line, but an arrow in each direction. */

@@ -15,6 +15,7 @@ import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.paint.surface.RecordingSurface;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorFaults;
@@ -330,6 +331,41 @@ class ScenePainterTest {
         assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(4.3, 2), 2));
         assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(3, 3), 1), "a waypoint");
         assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(4.2, 3), 10), "the arrow");
+    }
+
+    /** The leg is ahead of the robot, where the sensor looks; its speed would be at the end of the cone. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1.4, 1.5, 1.6, 1.7, 1.8, 1.9})
+    void theSpeedOfARouteAndTheLabelOfASensorAreBeside(double y) {
+        Pose robot = new Pose(2, y, 0);
+        WaypointPath motion = new WaypointPath(0.2, false, List.of(new Vector2(2.8, 2.5), new Vector2(2.8, 0.7)));
+        Obstacle visitor = new Obstacle("visitor", new ObstacleShape.CircleShape(0.1), new Pose(5, 3, 0), motion);
+        SensorSnapshot off = SampleFrames.faultySensor(
+                FRONT, robot, new Reading(0.5), new Reading(Reading.OFF), FaultKind.OFF.createFault(0));
+        Frame frame = SampleFrames.frameOf(robot, SampleFrames.pathThrough(robot.position()), List.of(off), visitor);
+        RecordingSurface drawn = new RecordingSurface();
+        DrawContext context = new DrawContext(
+                drawn, FrameRenderer.fitCamera(frame.snapshot(), 900, 600), LIGHT, DrawContext.DEFAULT_FONT);
+        new ScenePainter(EnumSet.allOf(Layer.class), SceneLabels.ENGLISH).paint(context, frame, List.of());
+        Rectangle2D speed = box(context, drawn, "0.20 m/s");
+        Rectangle2D sensor = box(context, drawn, "1 off");
+        assertFalse(speed.intersects(sensor), speed + " covers " + sensor);
+    }
+
+    /** Returns the box of a text that was drawn. */
+    private static Rectangle2D box(DrawContext context, RecordingSurface drawn, String text) {
+        String[] place = drawn.texts().stream()
+                .filter(one -> one.startsWith(text + " at "))
+                .findFirst()
+                .orElseThrow()
+                .substring(text.length() + 4)
+                .split(",");
+        Rectangle2D size = context.measureText(text);
+        return new Rectangle2D.Double(
+                Double.parseDouble(place[0]) + size.getX(),
+                Double.parseDouble(place[1]) + size.getY(),
+                size.getWidth(),
+                size.getHeight());
     }
 
     @Test

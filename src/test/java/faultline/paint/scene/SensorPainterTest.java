@@ -35,8 +35,8 @@ class SensorPainterTest {
         BufferedImage picture = new BufferedImage(900, 600, BufferedImage.TYPE_INT_RGB);
         Camera camera = FrameRenderer.fitCamera(SampleFrames.frameOf(ROBOT).snapshot(), 900, 600);
         DrawContext context = new DrawContext(picture.createGraphics(), camera, Palette.LIGHT);
-        List<Rectangle2D> labels = SensorPainter.paintLabels(context, List.of(sensor), SceneLabels.ENGLISH);
+        List<SensorPainter.SensorLabel> labels = SensorPainter.labels(context, List.of(sensor), SceneLabels.ENGLISH);
         assertEquals(1, labels.size());
-        assertTrue(new Rectangle2D.Double(0, 0, 900, 600).contains(labels.get(0)), labels::toString);
+        assertTrue(new Rectangle2D.Double(0, 0, 900, 600).contains(labels.get(0).box()), labels::toString);
     }
 }
