@@ -49,7 +49,9 @@ record LegendEntry(String name, Function<Theme, LineStyle> style) {
             TextStyle text,
             Vector2 corner,
             double rowHeight) {
-        rows.paint(surface, text, corner, rowHeight, (entry, left) -> {
+        rows.paint(surface, text, corner, rowHeight, (entry, middle) -> {
+            // In the middle of a row of pixels; between two rows a thin line would be pale.
+            Vector2 left = new Vector2(middle.x(), Math.floor(middle.y()) + 0.5);
             Vector2 right = left.plus(new Vector2(LegendRows.SAMPLE_WIDTH, 0));
             surface.draw(Shapes.polyline(List.of(left, right)), entry.style().apply(theme));
         });

@@ -215,6 +215,27 @@ class StripChartTest {
                 .toList());
     }
 
+    /** A thin line between two rows of pixels has half of its colour in each. */
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void theSampleOfALineHasItsColour(Theme theme) {
+        runOnEdt(theme::install);
+        for (int width : new int[] {WIDTH, 420}) {
+            BufferedImage picture = callOnEdt(() -> {
+                SampleRuns.render(chart, width, HEIGHT);
+                StripLegend legend = ComponentFinder.findAll(chart, StripLegend.class)
+                        .findFirst()
+                        .orElseThrow();
+                return SampleRuns.render(legend, legend.getWidth(), legend.getHeight());
+            });
+            for (ChartLine line :
+                    callOnEdt(() -> chart.view().scale().orElseThrow().signal().lines())) {
+                Color colour = line.style(theme).colour();
+                assertTrue(SampleRuns.count(picture, colour) > 5, line.name() + " at " + width);
+            }
+        }
+    }
+
     @Test
     void aLowChartHasRoomForItsLinesBeforeThatOfTheirNames() {
         TimeSpan span = TimeSpan.DEFAULT.endingAt(FRAME.snapshot().time());
