@@ -144,8 +144,13 @@ final class BatchDialog extends RunsDialog {
     /** Makes the other runs of a batch that has been stopped. */
     private void resume() {
         if (stopped && !running && writes == 0) {
+            boolean focused = resume.isFocusOwner();
             run.prepareToContinue();
             make(run);
+            if (focused) {
+                // A button that is disabled passes the focus to the next one, which saves the plan.
+                cancel.requestFocusInWindow();
+            }
         }
     }
 

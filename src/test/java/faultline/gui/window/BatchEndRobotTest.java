@@ -196,6 +196,7 @@ class BatchEndRobotTest {
         driver.click(resume);
         waitForRuns(dialog, made + 3);
         assertFalse(callOnEdt(resume::isEnabled));
+        driver.robot().waitFor("a key stops the batch again", button(dialog, "Stop")::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         answerLoss(KeyEvent.VK_RIGHT, KeyEvent.VK_ENTER);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
