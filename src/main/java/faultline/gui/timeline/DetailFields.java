@@ -45,6 +45,8 @@ final class DetailFields {
     private final double tick;
     private final ControllerForm controllerForm = new ControllerForm(this::setController);
     private ControllerSpec.BuiltIn controller;
+    /** The choice of the kind of a fault; null if the command is no fault. */
+    private JComponent kind;
 
     DetailFields(JPanel form, JComboBox<Lane> lane, RobotSpec robot, double tick) {
         this.form = form;
@@ -67,6 +69,11 @@ final class DetailFields {
         return command instanceof Command.ConfigureController configured
                 ? addController(configured)
                 : () -> Optional.of(command);
+    }
+
+    /** Returns the choice of the kind of the fault, or another field if the command is no fault. */
+    Component kindOr(Component other) {
+        return kind == null ? other : kind;
     }
 
     /** Returns a field for a number, initially a time in seconds. */
@@ -99,6 +106,7 @@ final class DetailFields {
         updateRange(fault);
         Fault old = command.fault();
         fault.setFault(old.kind(), old.value(), old.length());
+        kind = fault.kindField();
         fault.addWithDescription(form, FIRST_ROW);
         return () -> fault.commitFault().map(valid -> new Command.InjectFault(command.sensor(), valid));
     }
@@ -112,6 +120,7 @@ final class DetailFields {
     private Supplier<Optional<Command>> addMotorFault(Command.InjectMotorFault command) {
         FaultFields<MotorFaultKind, MotorFault> fault = FaultFields.forMotors();
         fault.setFault(command.fault().kind(), command.fault().value(), 0);
+        kind = fault.kindField();
         fault.addWithDescription(form, FIRST_ROW);
         return () -> fault.commitFault().map(valid -> new Command.InjectMotorFault(command.motor(), valid));
     }

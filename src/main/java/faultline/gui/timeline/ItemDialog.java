@@ -33,6 +33,8 @@ final class ItemDialog {
     private final JCheckBox ends = new JCheckBox(Messages.get("timeline.end"));
     /** Reads the command from the details. */
     private final Supplier<Optional<Command>> details;
+    /** The field that has the focus initially: the kind of a fault, which comes first, or else the start. */
+    private final Component first;
 
     private ItemDialog(List<Lane> lanes, TimelineItem item, RobotSpec robot, double tick, double newLength) {
         this.item = item;
@@ -43,7 +45,9 @@ final class ItemDialog {
         if (item.isInterval()) {
             addLaneField();
         }
-        details = new DetailFields(form, lane, robot, tick).add(item.command());
+        DetailFields fields = new DetailFields(form, lane, robot, tick);
+        details = fields.add(item.command());
+        first = fields.kindOr(from.textField());
         addTimeFields();
     }
 
@@ -93,9 +97,8 @@ final class ItemDialog {
         // Fields stay where they are when the dialog is higher than they need.
         JPanel content = new JPanel(new BorderLayout());
         content.add(form, BorderLayout.NORTH);
-        // The start has the focus initially: the kind would take the arrow keys.
-        boolean accepted = FormDialog.showDialog(
-                parent, TimelineText.dialogTitle(item), content, from.textField(), this::findProblem);
+        boolean accepted =
+                FormDialog.showDialog(parent, TimelineText.dialogTitle(item), content, first, this::findProblem);
         return accepted ? read() : Optional.empty();
     }
 

@@ -102,6 +102,7 @@ class TimelineRobotTest {
     @Test
     void everythingCanBeDoneWithKeys() throws ScenarioException {
         openNewFault();
+        tabToStart();
         enterStart(KeyEvent.VK_5);
         driver.waitForTitle("office.xml*");
         List<TimedCommand> drawn = saved();
@@ -134,6 +135,7 @@ class TimelineRobotTest {
     @Test
     void aFaultThatEndsBeforeItStartsIsRefusedWithTheReason() throws ScenarioException {
         openNewFault();
+        tabToStart();
         enterStart(KeyEvent.VK_9, KeyEvent.VK_9);
         driver.robot().waitFor("the reason", () -> isShown("The end (\"Until\") must be after the start (\"From\")."));
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
@@ -223,8 +225,18 @@ class TimelineRobotTest {
         driver.type(KeyEvent.VK_ENTER);
     }
 
+    /** Moves the focus from the kind of the fault, which is chosen first, over its number to the start. */
+    private void tabToStart() {
+        JComboBox<?> kind = ComponentFinder.find(driver.dialog(NEW_FAULT), JComboBox.class, "Fault");
+        driver.robot().waitFor("the kind has the focus", kind::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_TAB);
+        driver.robot().pressKeys(KeyEvent.VK_TAB);
+    }
+
     private void enterStart(int... digits) {
-        driver.dialog(NEW_FAULT);
+        JTextField start = ComponentFinder.find(driver.dialog(NEW_FAULT), NumberSpinner.class, "From")
+                .textField();
+        driver.robot().waitFor("the start has the focus", start::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
         for (int digit : digits) {
             driver.robot().pressKeys(digit);
