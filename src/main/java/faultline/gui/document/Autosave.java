@@ -105,7 +105,7 @@ public final class Autosave implements AutoCloseable {
     private void writeFailed(Throwable failure) {
         // The next period tries again.
         lastWriteSucceeded = false;
-        LOG.log(Level.WARNING, "the unsaved edits cannot be written to the recovery file", failure);
+        log(Level.FINE, "the unsaved edits cannot be written to the recovery file", failure);
         if (!failing && hasEdits()) {
             failing = true;
             onFailure.accept(failure);
@@ -144,6 +144,15 @@ public final class Autosave implements AutoCloseable {
         BackgroundTasks.performBeforeExit(
                 () -> replaceRecoveryFile(origin, base, kept),
                 () -> {},
-                failure -> LOG.log(Level.WARNING, "the recovery file cannot be written or deleted", failure));
+                failure -> log(Level.WARNING, "the recovery file cannot be written or deleted", failure));
+    }
+
+    /** Logs a failure. That of a file, which has a level, is no defect of the program: its stack trace is of no use. */
+    private static void log(Level ofFile, String what, Throwable failure) {
+        if (failure instanceof IOException) {
+            LOG.log(ofFile, () -> what + ": " + failure);
+        } else {
+            LOG.log(Level.WARNING, what, failure);
+        }
     }
 }

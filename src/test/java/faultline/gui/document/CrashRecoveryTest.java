@@ -31,6 +31,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -300,9 +301,12 @@ class CrashRecoveryTest {
         RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
         Path obstacle = Files.createFile(folder.resolve("kept"));
         AtomicInteger failed = new AtomicInteger();
+        AtomicBoolean printed = new AtomicBoolean();
         Logger log = Logger.getLogger(Autosave.class.getName());
+        log.setLevel(Level.FINE);
         log.setFilter(record -> {
             failed.incrementAndGet();
+            printed.set(printed.get() || record.getLevel().intValue() > Level.FINE.intValue());
             return false;
         });
         edit();
@@ -311,6 +315,8 @@ class CrashRecoveryTest {
         runOnEdt(autosave::saveUnsavedEdits);
         Await.until("the second failure", () -> failed.get() == 2);
         log.setFilter(null);
+        log.setLevel(null);
+        assertFalse(printed.get(), "the window says it");
         assertEquals(1, callOnEdt(failures::size));
         Files.delete(obstacle);
         runOnEdt(autosave::saveUnsavedEdits);
@@ -324,9 +330,12 @@ class CrashRecoveryTest {
         Path obstacle = Files.createFile(folder.resolve("kept"));
         RecoveryStore store = new RecoveryStore(obstacle.resolve("recovery"), DEAD, Instant.EPOCH);
         AtomicInteger failed = new AtomicInteger();
+        AtomicBoolean printed = new AtomicBoolean();
         Logger log = Logger.getLogger(Autosave.class.getName());
+        log.setLevel(Level.FINE);
         log.setFilter(record -> {
             failed.incrementAndGet();
+            printed.set(printed.get() || record.getLevel().intValue() > Level.FINE.intValue());
             return false;
         });
         Autosave autosave = autosave(store);
@@ -341,6 +350,8 @@ class CrashRecoveryTest {
         runOnEdt(() -> documentStore.save(file, () -> {}));
         Await.until("the save", () -> failed.get() == 3);
         log.setFilter(null);
+        log.setLevel(null);
+        assertFalse(printed.get(), "the window says it");
         assertFalse(callOnEdt(autosave::isFailing));
         assertEquals(1, callOnEdt(failures::size));
         Files.delete(obstacle);
