@@ -9,10 +9,13 @@ import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.WrappingGridLayout;
 import faultline.gui.text.CachedDegrees;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Command;
 import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import java.util.List;
 import java.util.Optional;
@@ -21,6 +24,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 
 /** Every attribute of one obstacle. Fields that do not apply to its shape are disabled. */
 final class ObstacleForm extends JPanel {
@@ -29,6 +33,8 @@ final class ObstacleForm extends JPanel {
     private static final double RIGHT_ANGLE = 90;
     private static final double USUAL_SPECULAR_ANGLE = 20;
     private static final double USUAL_SPEED = 0.2;
+    /** Fewer than there is room for. */
+    private static final int NOTE_COLUMNS = 20;
 
     private final transient CommandSender sender;
     private final NumberSpinner x = coordinate((old, value) -> new Pose(value, old.y(), old.heading()));
@@ -51,6 +57,7 @@ final class ObstacleForm extends JPanel {
             value -> change(old -> old.withMotion(old.motion().withSpeed(value))));
     private final JCheckBox loop = UiText.text(new JCheckBox(), "obstacle.loop");
     private final PointsField waypoints = new PointsField("obstacle.waypoints", this::changeWaypoints);
+    private final JTextArea planNote = UiText.wrappedText();
     private final transient CachedDegrees shownHeading = new CachedDegrees();
     private final transient CachedDegrees shownSpecularAngle = new CachedDegrees();
     /** Null if none is shown. */
@@ -63,6 +70,9 @@ final class ObstacleForm extends JPanel {
         FormConstraints.addRow(this, 1, "obstacle.y", y.withColumns(8));
         FormConstraints.addRow(this, 2, "obstacle.heading", heading.withColumns(8));
         size.addTo(this, 3);
+        planNote.setColumns(NOTE_COLUMNS);
+        RefreshSteps.add(planNote, note -> note.setText(Messages.get("obstacle.plan")));
+        add(planNote, FormConstraints.fillRow(0, 11));
         glossy.addActionListener(event -> change(old ->
                 old.withSpecularAngle(glossy.isSelected() ? Degrees.toRadians(USUAL_SPECULAR_ANGLE) : Obstacle.MATT)));
         loop.addActionListener(event -> change(old -> old.withMotion(new WaypointPath(
@@ -127,6 +137,8 @@ final class ObstacleForm extends JPanel {
         Optional<Obstacle> shown = Optional.ofNullable(obstacle).map(sender.pendingEdits()::expected);
         Stream.of(x, y, heading, waypoints).forEach(field -> field.setEnabled(shown.isPresent()));
         size.setShape(shown.map(Obstacle::shape).orElse(null));
+        planNote.setVisible(shown.filter(now -> now.shape() instanceof ObstacleShape.PlanShape)
+                .isPresent());
         glossy.setEnabled(shown.filter(now -> now.shape().isFlat()).isPresent());
         Optional<Obstacle> specular = shown.filter(Obstacle::isSpecular);
         specularAngle.setEnabled(specular.isPresent());

@@ -35,6 +35,7 @@ import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JList;
 import javax.swing.JSpinner;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -75,7 +76,10 @@ class ObstaclePanelTest {
     }
 
     private void update() {
-        Frame frame = SampleFrames.frameOf(new Pose(3, 2, 0), CRATE, VASE, FENCE, CAT);
+        show(SampleFrames.frameOf(new Pose(3, 2, 0), CRATE, VASE, FENCE, CAT));
+    }
+
+    private void show(Frame frame) {
         canvas.setFrame(frame);
         for (int i = 0; i < 6; i++) {
             panel.setObstacles(frame.snapshot().obstacles());
@@ -112,6 +116,23 @@ class ObstaclePanelTest {
         for (Obstacle obstacle : all) {
             select(obstacle.id());
             FieldExtremes.enterAll(panel, () -> FieldExtremes.save(setup, commands));
+        }
+    }
+
+    /** The pillars of a plan look like obstacles of their own. */
+    @Test
+    void itSaysThatAPlanIsOneObstacle() {
+        List<Vector2> triangle = List.of(new Vector2(0, 0), new Vector2(1, 0), new Vector2(0, 1));
+        Obstacle plan = new Obstacle("plan", new ObstacleShape.PlanShape(List.of(triangle)), new Pose(0, 0, 0));
+        String note = "An imported plan is one obstacle: it is moved, rotated and deleted as a whole.";
+        runOnEdt(() -> show(SampleFrames.frameOf(new Pose(3, 2, 0), plan, CRATE)));
+        for (Obstacle selected : List.of(plan, CRATE)) {
+            runOnEdt(() -> {
+                canvas.tools().select(List.of(selected.id()));
+                show(SampleFrames.frameOf(new Pose(3, 2, 0), plan, CRATE));
+            });
+            assertEquals(selected == plan, callOnEdt(() -> ComponentFinder.findAll(panel, JTextArea.class)
+                    .anyMatch(text -> text.isVisible() && text.getText().equals(note))));
         }
     }
 
