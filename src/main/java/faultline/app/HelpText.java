@@ -51,6 +51,8 @@ final class HelpText {
             faultline import MAP --out FILE
                                            make a scenario from a floor plan: a map_server YAML file or an image
               --resolution M               the side of a pixel in metres, for an image
+              --threshold P                the darkness from which a pixel of an image is solid, 0 to 1 (default: 0.65)
+              --negate                     light pixels of an image are solid, from this brightness
               --unknown free|wall          what unknown cells are (default: free)
               --min-cells N                drop groups of fewer solid cells
               --smooth CELLS               straighten outlines by up to this (default: 0, exact)

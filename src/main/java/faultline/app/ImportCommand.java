@@ -1,6 +1,8 @@
 package faultline.app;
 
 import faultline.floorplan.FloorPlan;
+import faultline.floorplan.FloorPlanException;
+import faultline.floorplan.FloorPlanProblem;
 import faultline.floorplan.FloorPlanScenario;
 import faultline.floorplan.MapDescription;
 import faultline.geometry.Degrees;
@@ -16,12 +18,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** {@code import}: makes a scenario from an occupancy-grid map. */
 final class ImportCommand {
 
     private static final List<String> OPTION_NAMES =
-            List.of("--out", "--resolution", "--unknown", "--min-cells", "--smooth", "--start");
+            List.of("--out", "--resolution", "--threshold", "--unknown", "--min-cells", "--smooth", "--start");
+    private static final String NEGATE = "--negate";
+    private static final List<String> IMAGE_OPTIONS = List.of("--resolution", "--threshold", NEGATE);
     private static final int MAX_CELLS = 999_999_999;
     private static final BigDecimal MAX_COORDINATE = new BigDecimal(ScenarioLimits.MAX_COORDINATE);
 
@@ -32,7 +37,7 @@ final class ImportCommand {
     }
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments parsed = new Arguments(arguments, OPTION_NAMES);
+        Arguments parsed = new Arguments(arguments, OPTION_NAMES, List.of(NEGATE));
         Path map = parsed.singleFile("import", "map or image");
         Path target = parsed.fileOption("--out")
                 .orElseThrow(() -> new UsageException("import needs --out FILE, the scenario file to write"));
@@ -45,21 +50,39 @@ final class ImportCommand {
         Optional<String> start = parsed.value("--start");
         Scenario scenario = start.isPresent()
                 ? FloorPlanScenario.create(name, plan, start(start.get()))
-                : FloorPlanScenario.create(name, plan);
+                : createWithFreeStart(name, plan, FloorPlan.isYaml(map));
         scenario.save(target);
         print(target, plan, scenario);
         return ExitCode.SUCCESS;
     }
 
+    private static Scenario createWithFreeStart(String name, FloorPlan plan, boolean yaml) throws FloorPlanException {
+        try {
+            return FloorPlanScenario.create(name, plan);
+        } catch (FloorPlanException e) {
+            String settings = yaml
+                    ? "resolution, occupied_thresh and negate in the map file, or --start"
+                    : "--resolution, --threshold, --negate or --start";
+            throw new FloorPlanException(
+                    plan.description().image(), FloorPlanProblem.SETTINGS.with(e.reason(), settings));
+        }
+    }
+
     private static FloorPlan read(Path map, Arguments parsed, FloorPlan.Options options)
             throws UsageException, IOException {
-        Optional<String> resolution = parsed.value("--resolution");
         if (FloorPlan.isYaml(map)) {
-            if (resolution.isPresent()) {
-                throw new UsageException("--resolution is for an image; " + map + " gives its own");
+            for (String option : IMAGE_OPTIONS) {
+                if (parsed.has(option)) {
+                    throw new UsageException(option + " is for an image; " + map + " gives its own");
+                }
             }
             return FloorPlan.readYaml(map, options);
         }
+        return FloorPlan.read(image(map, parsed), options);
+    }
+
+    private static MapDescription image(Path map, Arguments parsed) throws UsageException {
+        Optional<String> resolution = parsed.value("--resolution");
         if (resolution.isEmpty()) {
             throw new UsageException("an image needs --resolution M, the side of a pixel in metres");
         }
@@ -67,7 +90,12 @@ final class ImportCommand {
         if (!MapDescription.isResolution(side)) {
             throw UsageException.ofValue("--resolution", resolution.get(), MapDescription.RESOLUTIONS);
         }
-        return FloorPlan.readImage(map, side, options);
+        OptionalDouble threshold = parsed.number(
+                "--threshold",
+                share -> share.signum() >= 0 && share.compareTo(BigDecimal.ONE) <= 0,
+                FloorPlanProblem.SHARE.english());
+        return MapDescription.of(map, side)
+                .withOccupied(parsed.has(NEGATE), threshold.orElse(MapDescription.DEFAULT_OCCUPIED));
     }
 
     private static FloorPlan.Options options(Arguments parsed) throws UsageException {

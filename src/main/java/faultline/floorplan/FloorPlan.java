@@ -2,7 +2,6 @@ package faultline.floorplan;
 
 import faultline.scenario.xml.ScenarioLimits;
 import java.io.IOException;
-import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -88,18 +87,13 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
     }
 
     /**
-     * {@return the plan in an image of a known resolution}
+     * {@return the plan in an image}
      *
-     * @param image a PGM, PNG, BMP, GIF or TIFF file
-     * @param resolution the side of a pixel, metres, positive
+     * @param description names a PGM, PNG, BMP, GIF or TIFF file and says how it is read
      * @param options the options of the tracing
      * @throws IOException if the file cannot be read
      */
-    public static FloorPlan readImage(Path image, BigDecimal resolution, Options options) throws IOException {
-        return read(MapDescription.of(image, resolution), options);
-    }
-
-    private static FloorPlan read(MapDescription description, Options options) throws IOException {
+    public static FloorPlan read(MapDescription description, Options options) throws IOException {
         try {
             return trace(description, description.classify(MapImageReader.read(description.image())), options);
         } catch (OutOfMemoryError e) {

@@ -76,16 +76,17 @@ public enum FloorPlanProblem implements Message.Template {
     /** The missing number is a pixel. */
     PIXEL("pixel {0}"),
     /** The map is larger than a world. */
-    MAP_SIZE("the map measures {0} x {1} m; expected at most {2} m; the resolution may be wrong"),
+    MAP_SIZE("the map measures {0} x {1} m; expected at most {2} m;"
+            + " the resolution, which is the side of a pixel, may be wrong"),
     /** The map has too many wall segments. */
     SEGMENTS("the map has {0} wall segments; expected at most {1};"
             + " drop specks, straighten outlines or use a coarser image"),
     /** The map does not fit into the memory. */
     MEMORY("the map needs more memory than the program has; start Java with more, such as -Xmx2g"),
     /** The place that is farthest from everything solid is too small for the robot. */
-    NO_ROOM("the robot, {0} m long and {1} m wide, does not fit into the largest free disc"
-            + " about the middle or a corner of a cell, in a map of {2} x {3} m; give a start;"
-            + " the resolution, the threshold or negate may be wrong");
+    NO_ROOM("the robot, {0} m long and {1} m wide, has no room in the free space of this map of {2} x {3} m"),
+    /** A problem, and the settings that may solve it, as they are called where it is shown. */
+    SETTINGS("{0}; what may help: {1}");
 
     private final String english;
 

@@ -28,6 +28,9 @@ public record MapDescription(
     /** The allowed sides of a cell, in words. */
     public static final String RESOLUTIONS = FloorPlanProblem.RESOLUTION.english();
 
+    /** The usual value of {@code occupiedThreshold}. */
+    public static final double DEFAULT_OCCUPIED = 0.65;
+
     private static final BigDecimal MIN_RESOLUTION = new BigDecimal("0.000001");
     /** The greatest width and height of a world, metres. */
     private static final BigDecimal MAX_SIZE = new BigDecimal(ScenarioLimits.MAX_COORDINATE);
@@ -35,7 +38,6 @@ public record MapDescription(
     /** The brightness of white in map files. */
     private static final double WHITE = 255;
 
-    private static final double DEFAULT_OCCUPIED = 0.65;
     private static final double DEFAULT_FREE = 0.196;
 
     /**
@@ -73,6 +75,16 @@ public record MapDescription(
      */
     public static MapDescription of(Path image, BigDecimal resolution) {
         return new MapDescription(image, resolution, 0, MapMode.TRINARY, false, DEFAULT_OCCUPIED, DEFAULT_FREE);
+    }
+
+    /**
+     * {@return this description with another meaning of the pixels}
+     *
+     * @param whiteIsOccupied whether white is occupied, and not black
+     * @param threshold a cell of at least this occupancy is occupied, in [0, 1]
+     */
+    public MapDescription withOccupied(boolean whiteIsOccupied, double threshold) {
+        return new MapDescription(image, resolution, yaw, mode, whiteIsOccupied, threshold, freeThreshold);
     }
 
     /**

@@ -45,6 +45,8 @@ class CommandLineFuzzTest {
             "--json",
             "--out",
             "--resolution",
+            "--threshold",
+            "--negate",
             "--unknown",
             "--min-cells",
             "--smooth",

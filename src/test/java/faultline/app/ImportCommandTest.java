@@ -105,6 +105,50 @@ class ImportCommandTest {
         }
     }
 
+    /** A frame of black lines on white, or the other way round, with a wall of 37 grey cells. */
+    @ParameterizedTest
+    @CsvSource({
+        "--smooth 0, 196",
+        "--threshold 0.5, 233",
+        "--negate, 196",
+        "--negate --threshold 0.5, 233",
+        "--negate --threshold=1, 196"
+    })
+    void lightOrDarkPixelsFromAThresholdOnAreSolid(String options, int solid) throws Exception {
+        StringBuilder image = new StringBuilder("P2 50 50 255\n");
+        for (int i = 0; i < 2500; i++) {
+            boolean wall = i % 50 == 0 || i % 50 == 49 || i / 50 == 0 || i / 50 == 49;
+            int light = wall ? 255 : i % 50 == 40 && i / 50 >= 5 && i / 50 < 42 ? 150 : 0;
+            image.append(options.contains("--negate") ? light : 255 - light).append(' ');
+        }
+        Path map = Files.writeString(folder.resolve("frame.pgm"), image);
+        List<String> command = new ArrayList<>(List.of("import", map.toString(), "--out", folder + "/frame.xml"));
+        command.addAll(List.of("--resolution", "0.05", "--start", "1,1,0"));
+        command.addAll(List.of(options.split(" ")));
+        assertEquals(0, commandLine().run(command.toArray(new String[0])), err::toString);
+        assertEquals(
+                "solid_cells: " + solid,
+                out.toString(StandardCharsets.UTF_8).lines().toList().get(2));
+    }
+
+    @Test
+    void aMapWithoutRoomNamesTheOptionsOrTheKeysThatMayHelp() throws Exception {
+        Path image = Files.writeString(folder.resolve("tiny.pgm"), "P2 2 2 255 9 255 255 9");
+        Path map = Files.writeString(folder.resolve("tiny.yaml"), "image: tiny.pgm\nresolution: 0.05\n");
+        String problem =
+                "faultline: " + image + ": the robot, 0.25 m long and 0.2 m wide, has no room in the free space"
+                        + " of this map of 0.1 x 0.1 m; what may help: ";
+        assertEquals(
+                2, commandLine().run("import", image.toString(), "--out", folder + "/x.xml", "--resolution", "0.05"));
+        assertEquals(
+                problem + "--resolution, --threshold, --negate or --start\n", err.toString(StandardCharsets.UTF_8));
+        err.reset();
+        assertEquals(2, commandLine().run("import", map.toString(), "--out", folder + "/x.xml"));
+        assertEquals(
+                problem + "resolution, occupied_thresh and negate in the map file, or --start\n",
+                err.toString(StandardCharsets.UTF_8));
+    }
+
     @Test
     void theResolutionOfAYamlFileIsItsOwn() throws Exception {
         importMap("--out", "x.xml");
@@ -114,6 +158,11 @@ class ImportCommandTest {
         assertEquals(2, commandLine().run("import", map.toString(), "--out", "x.xml", "--resolution", "1"));
         assertEquals(
                 "faultline: --resolution is for an image; " + map + " gives its own (see faultline --help)\n",
+                err.toString(StandardCharsets.UTF_8));
+        err.reset();
+        assertEquals(2, commandLine().run("import", map.toString(), "--out", "x.xml", "--negate"));
+        assertEquals(
+                "faultline: --negate is for an image; " + map + " gives its own (see faultline --help)\n",
                 err.toString(StandardCharsets.UTF_8));
     }
 
@@ -144,6 +193,7 @@ class ImportCommandTest {
             --out x.xml                          | an image needs --resolution M, the side of a pixel in metres
             --out x.xml --resolution 0           | --resolution is "0"; expected a number of metres from 0.000001 to 100000
             --out x.xml --resolution 1e-400      | --resolution is "1e-400"; expected a number of metres from 0.000001 to 100000
+            --out x.xml --resolution 1 --threshold 1.1 | --threshold is "1.1"; expected a number from 0 to 1
             --out x.xml --resolution 1 --unknown no | --unknown is "no"; expected free or wall
             --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1"; expected a whole number from 0 to 999999999
             --out x.xml --resolution 1 --smooth -1 | --smooth is "-1"; expected a number of cells from 0 to 100000

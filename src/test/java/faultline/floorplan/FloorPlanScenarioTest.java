@@ -106,9 +106,8 @@ class FloorPlanScenarioTest {
         FloorPlanException problem =
                 assertThrows(FloorPlanException.class, () -> FloorPlanScenario.create("Chess", plan));
         assertEquals(
-                "none.pgm: the robot, 0.25 m long and 0.2 m wide, does not fit into the largest free disc"
-                        + " about the middle or a corner of a cell, in a map of 2 x 1.5 m; give a start;"
-                        + " the resolution, the threshold or negate may be wrong",
+                "none.pgm: the robot, 0.25 m long and 0.2 m wide, has no room in the free space"
+                        + " of this map of 2 x 1.5 m",
                 problem.getMessage());
     }
 

@@ -79,7 +79,7 @@ class FloorPlanTest {
         Path image = write("t.pgm", "P2 4 1 255 89 90 205 206\n");
         List<?> expected = List.of(OCCUPIED, UNKNOWN, UNKNOWN, FREE);
         assertEquals(expected, row(read(image, "").grid(), 0));
-        FloorPlan plain = FloorPlan.readImage(image, new BigDecimal("0.05"), FloorPlan.Options.DEFAULT);
+        FloorPlan plain = FloorPlan.read(MapDescription.of(image, new BigDecimal("0.05")), FloorPlan.Options.DEFAULT);
         assertEquals(expected, row(plain.grid(), 0));
     }
 
@@ -396,7 +396,7 @@ class FloorPlanTest {
         Path image = write("m.pgm", content.strip());
         IOException e = assertThrows(
                 FloorPlanException.class,
-                () -> FloorPlan.readImage(image, new BigDecimal("0.05"), FloorPlan.Options.DEFAULT));
+                () -> FloorPlan.read(MapDescription.of(image, new BigDecimal("0.05")), FloorPlan.Options.DEFAULT));
         assertEquals(image + ": " + expected, e.getMessage());
     }
 
@@ -409,7 +409,7 @@ class FloorPlanTest {
         assertTrue(ImageIO.write(new BufferedImage(40, 30, type), format, image.toFile()));
         IOException e = assertThrows(
                 FloorPlanException.class,
-                () -> FloorPlan.readImage(image, new BigDecimal("0.05"), FloorPlan.Options.DEFAULT));
+                () -> FloorPlan.read(MapDescription.of(image, new BigDecimal("0.05")), FloorPlan.Options.DEFAULT));
         assertEquals(
                 image + ": the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF",
                 e.getMessage());
@@ -420,9 +420,11 @@ class FloorPlanTest {
         Path image = write("m.pgm", PLAIN);
         IOException e = assertThrows(
                 FloorPlanException.class,
-                () -> FloorPlan.readImage(image, new BigDecimal("5e4"), FloorPlan.Options.DEFAULT));
+                () -> FloorPlan.read(MapDescription.of(image, new BigDecimal("5e4")), FloorPlan.Options.DEFAULT));
         assertEquals(
-                image + ": the map measures 150000 x 100000 m; expected at most 100000 m; the resolution may be wrong",
+                image
+                        + ": the map measures 150000 x 100000 m; expected at most 100000 m;"
+                        + " the resolution, which is the side of a pixel, may be wrong",
                 e.getMessage());
     }
 
@@ -431,9 +433,11 @@ class FloorPlanTest {
         Path image = write("m.pgm", PLAIN);
         IOException e = assertThrows(
                 FloorPlanException.class,
-                () -> FloorPlan.readImage(image, new BigDecimal("33333.4"), FloorPlan.Options.DEFAULT));
+                () -> FloorPlan.read(MapDescription.of(image, new BigDecimal("33333.4")), FloorPlan.Options.DEFAULT));
         assertEquals(
-                image + ": the map measures 100001 x 66667 m; expected at most 100000 m; the resolution may be wrong",
+                image
+                        + ": the map measures 100001 x 66667 m; expected at most 100000 m;"
+                        + " the resolution, which is the side of a pixel, may be wrong",
                 e.getMessage());
     }
 
@@ -444,7 +448,9 @@ class FloorPlanTest {
         IOException e =
                 assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
         assertEquals(
-                image + ": the map measures 106067 x 106067 m; expected at most 100000 m; the resolution may be wrong",
+                image
+                        + ": the map measures 106067 x 106067 m; expected at most 100000 m;"
+                        + " the resolution, which is the side of a pixel, may be wrong",
                 e.getMessage());
     }
 
@@ -460,7 +466,7 @@ class FloorPlanTest {
         Path none = folder.resolve("none.png");
         IOException alone = assertThrows(
                 FloorPlanException.class,
-                () -> FloorPlan.readImage(none, new BigDecimal("0.05"), FloorPlan.Options.DEFAULT));
+                () -> FloorPlan.read(MapDescription.of(none, new BigDecimal("0.05")), FloorPlan.Options.DEFAULT));
         assertEquals(none + ": there is no such image file", alone.getMessage());
     }
 

@@ -31,7 +31,8 @@ class MapDescriptionTest {
         assertEquals(grid, FloorPlan.readYaml(yaml, options).grid(), "with a map file");
         assertEquals(
                 grid,
-                FloorPlan.readImage(image, new BigDecimal("0.05"), options).grid(),
+                FloorPlan.read(MapDescription.of(image, new BigDecimal("0.05")), options)
+                        .grid(),
                 "an image alone");
     }
 
@@ -80,7 +81,7 @@ class MapDescriptionTest {
     @Test
     void aMapMayBeAsLargeAsAWorld() throws IOException {
         Path image = Files.writeString(folder.resolve("m.pgm"), "P2 4 1 255\n0 255 255 255\n");
-        FloorPlan plan = FloorPlan.readImage(image, new BigDecimal(25_000), FloorPlan.Options.DEFAULT);
+        FloorPlan plan = FloorPlan.read(MapDescription.of(image, new BigDecimal(25_000)), FloorPlan.Options.DEFAULT);
         assertEquals(4, plan.segmentCount());
     }
 }

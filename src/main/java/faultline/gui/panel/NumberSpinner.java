@@ -206,7 +206,7 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
     }
 
     /** Shows the text of a key, and the limits unless they are equal, as the tool tip. */
-    void setTip(String key) {
+    public void setTip(String key) {
         tipKey = key;
         updateAccessibleText();
     }

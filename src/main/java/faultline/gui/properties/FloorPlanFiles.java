@@ -1,8 +1,12 @@
 package faultline.gui.properties;
 
 import faultline.floorplan.FloorPlan;
+import faultline.floorplan.FloorPlanException;
+import faultline.floorplan.FloorPlanProblem;
 import faultline.floorplan.FloorPlanScenario;
+import faultline.floorplan.MapDescription;
 import faultline.geometry.Pose;
+import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -24,6 +28,9 @@ public final class FloorPlanFiles {
         return EXTENSIONS.stream().anyMatch(ending -> name.endsWith("." + ending));
     }
 
+    /** How an image is read: the side of a pixel, metres, and which pixels are solid from which occupancy on. */
+    record ImagePixels(double resolution, boolean whiteIsOccupied, double threshold) {}
+
     /** A floor plan, and the scenario that is made of it. */
     record ImportedPlan(FloorPlan plan, Scenario scenario) {}
 
@@ -31,17 +38,39 @@ public final class FloorPlanFiles {
      * Reads a floor plan; takes some time.
      *
      * @param file the map or image
-     * @param resolution the side of a pixel of an image, metres; a YAML file gives its own
+     * @param pixels how an image is read; a YAML file says that itself
      * @param options how the plan is traced
      * @param start the start of the robot; null for the middle of the largest free disc
      */
-    static ImportedPlan read(Path file, double resolution, FloorPlan.Options options, Pose start) throws IOException {
+    static ImportedPlan read(Path file, ImagePixels pixels, FloorPlan.Options options, Pose start) throws IOException {
         FloorPlan plan = FloorPlan.isYaml(file)
                 ? FloorPlan.readYaml(file, options)
-                : FloorPlan.readImage(file, BigDecimal.valueOf(resolution), options);
+                : FloorPlan.read(
+                        MapDescription.of(file, BigDecimal.valueOf(pixels.resolution()))
+                                .withOccupied(pixels.whiteIsOccupied(), pixels.threshold()),
+                        options);
         String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-        Scenario scenario =
-                start == null ? FloorPlanScenario.create(name, plan) : FloorPlanScenario.create(name, plan, start);
+        Scenario scenario = start == null
+                ? createWithFreeStart(name, plan, FloorPlan.isYaml(file))
+                : FloorPlanScenario.create(name, plan, start);
         return new ImportedPlan(plan, scenario);
+    }
+
+    private static Scenario createWithFreeStart(String name, FloorPlan plan, boolean yaml) throws FloorPlanException {
+        try {
+            return FloorPlanScenario.create(name, plan);
+        } catch (FloorPlanException e) {
+            String start = Messages.get("import.findsStart");
+            String settings = yaml
+                    ? Messages.get("import.settings.map", start)
+                    : Messages.get(
+                            "import.settings.image",
+                            Messages.get("import.resolution"),
+                            Messages.get("import.negate"),
+                            Messages.get("import.threshold"),
+                            start);
+            throw new FloorPlanException(
+                    plan.description().image(), FloorPlanProblem.SETTINGS.with(e.reason(), settings));
+        }
     }
 }

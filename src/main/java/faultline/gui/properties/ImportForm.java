@@ -3,6 +3,7 @@ package faultline.gui.properties;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.floorplan.FloorPlan;
+import faultline.floorplan.MapDescription;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.document.BackgroundTasks;
@@ -68,6 +69,8 @@ public final class ImportForm extends JPanel {
     private final transient Path file;
     private final NumberSpinner resolution =
             new NumberSpinner("0.00##", 0.001, MAX_RESOLUTION, 0.01, value -> startReading());
+    private final JCheckBox negate = new JCheckBox(Messages.get("import.negate"));
+    private final NumberSpinner threshold = new NumberSpinner("0.0##", 0, 1, 0.05, value -> startReading());
     private final JCheckBox unknownIsWall = new JCheckBox(Messages.get("import.unknown"));
     private final NumberSpinner minCells = new NumberSpinner("0", 1, MAX_CELLS, 1, value -> startReading());
     private final NumberSpinner smoothing = new NumberSpinner("0.0#", 0, MAX_SMOOTHING, 0.5, value -> startReading());
@@ -129,19 +132,24 @@ public final class ImportForm extends JPanel {
         JPanel fields = new JPanel(new GridBagLayout());
         if (!FloorPlan.isYaml(file)) {
             FormConstraints.addRow(fields, 0, "import.resolution", resolution.withColumns(6));
+            fields.add(UiText.tip(negate, "import.negate.tip"), FormConstraints.fillRow(0, 1));
+            FormConstraints.addRow(fields, 2, "import.threshold", threshold.withColumns(6));
+            threshold.setTip("import.threshold.tip");
         }
-        fields.add(unknownIsWall, FormConstraints.fillRow(0, 1));
-        FormConstraints.addRow(fields, 2, "import.minCells", minCells.withColumns(6));
-        FormConstraints.addRow(fields, 3, "import.smoothing", smoothing.withColumns(6));
-        fields.add(findsStart, FormConstraints.fillRow(0, 4));
-        start.addTo(fields, 5);
+        fields.add(unknownIsWall, FormConstraints.fillRow(0, 3));
+        FormConstraints.addRow(fields, 4, "import.minCells", minCells.withColumns(6));
+        FormConstraints.addRow(fields, 5, "import.smoothing", smoothing.withColumns(6));
+        fields.add(findsStart, FormConstraints.fillRow(0, 6));
+        start.addTo(fields, 7);
         start.setEnabled(false);
+        negate.addActionListener(event -> startReading());
         unknownIsWall.addActionListener(event -> startReading());
         findsStart.addActionListener(event -> {
             start.setEnabled(!findsStart.isSelected());
             startReading();
         });
         resolution.setWorldValue(USUAL_RESOLUTION);
+        threshold.setWorldValue(MapDescription.DEFAULT_OCCUPIED);
         minCells.setWorldValue(1);
         picture.setPreferredSize(PREVIEW_SIZE);
         UiText.tip(picture, "import.preview.tip");
@@ -173,13 +181,14 @@ public final class ImportForm extends JPanel {
     private void read() {
         assert EventQueue.isDispatchThread();
         int request = requests;
-        double side = resolution.doubleValue();
+        FloorPlanFiles.ImagePixels pixels =
+                new FloorPlanFiles.ImagePixels(resolution.doubleValue(), negate.isSelected(), threshold.doubleValue());
         FloorPlan.Options options =
                 new FloorPlan.Options(unknownIsWall.isSelected(), minCells.intValue(), smoothing.doubleValue());
         Pose wantedStart = findsStart.isSelected() ? null : start.pose();
         Palette palette = Theme.current().palette();
         BackgroundTasks.compute(
-                () -> preview(FloorPlanFiles.read(file, side, options, wantedStart), palette),
+                () -> preview(FloorPlanFiles.read(file, pixels, options, wantedStart), palette),
                 preview -> end(request, () -> show(preview)),
                 failure -> end(request, () -> showFailure(failure)));
     }

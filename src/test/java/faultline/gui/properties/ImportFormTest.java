@@ -27,6 +27,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
@@ -195,6 +197,42 @@ class ImportFormTest {
     }
 
     @Test
+    void anImageWithLightWallsIsImported() throws IOException {
+        String light = Stream.of(Files.readString(image).split("\\s+"))
+                .skip(4)
+                .map(value -> value.equals("0") ? "200" : "0")
+                .collect(Collectors.joining(" "));
+        Path white = Files.writeString(folder.resolve("white.pgm"), "P2 60 40 255\n" + light);
+        ImportForm form = callOnEdt(() -> new ImportForm(white));
+        awaitStatus(
+                form,
+                "The robot, 0.25 m long and 0.2 m wide, has no room in the free space of this map of 3 x 2 m;"
+                        + " what may help: \"Side of a pixel, m\", \"Light pixels are walls\","
+                        + " \"Wall threshold, 0 to 1\", or a start without \"Start in the largest free space\"");
+        runOnEdt(() -> ComponentFinder.find(form, JCheckBox.class, "Light pixels are walls")
+                .doClick());
+        awaitStatus(form, "Cells: 60 × 40 (3.00 × 2.00 m), outlines: 4");
+        runOnEdt(() -> ComponentFinder.find(form, JSpinner.class, "Wall threshold, 0 to 1")
+                .setValue(0.9));
+        awaitStatus(form, "Cells: 60 × 40 (3.00 × 2.00 m), outlines: 0");
+    }
+
+    @Test
+    void aMapFileWithoutRoomNamesItsKeys() throws IOException {
+        Files.writeString(folder.resolve("tiny.pgm"), "P2 2 2 255 9 255 255 9");
+        Path map = Files.writeString(folder.resolve("tiny.yaml"), "image: tiny.pgm\nresolution: 0.05\n");
+        ImportForm form = callOnEdt(() -> new ImportForm(map));
+        awaitStatus(form, folder.resolve("tiny.pgm") + ": the robot, 0.25 m long and 0.2 m wide, has no room");
+        assertTrue(
+                form.status()
+                        .endsWith("what may help: resolution, occupied_thresh and negate in the map file,"
+                                + " or a start without \"Start in the largest free space\""),
+                form.status());
+        assertFalse(callOnEdt(() -> ComponentFinder.findAll(form, JCheckBox.class)
+                .anyMatch(box -> box.getText().equals("Light pixels are walls"))));
+    }
+
+    @Test
     void aFileThatIsNoPlanGivesASentence() throws IOException {
         Path broken = Files.writeString(folder.resolve("broken.pgm"), "P5\nhello");
         ImportForm form = callOnEdt(() -> new ImportForm(broken));
@@ -211,7 +249,7 @@ class ImportFormTest {
             broken.png  | hello                  | Format obrazu nie jest obsługiwany; dozwolone: PGM (P2, P5), PNG, BMP, GIF lub TIFF
             broken.yaml | resolution: fast       | FILE:1:1: brakuje "image"; plik mapy musi to zawierać
             broken.yaml | {image: a, mode: trinar, resolution: 1} | FILE:1:18: mode to "trinar"; dozwolone: trinary, scale, raw; czy chodziło o "trinary"?
-            tiny.pgm    | P2 2 2 255 9 255 255 9 | Robot o długości 0.25 m i szerokości 0.2 m nie mieści się w największym wolnym kole wokół środka lub rogu komórki na mapie o wymiarach 0.1 x 0.1 m; podaj start; być może rozdzielczość, próg lub negate są błędne
+            tiny.pgm    | P2 2 2 255 9 255 255 9 | Robot o długości 0.25 m i szerokości 0.2 m nie mieści się w wolnym miejscu tej mapy o wymiarach 0.1 x 0.1 m; może pomóc: "Bok piksela, m", "Jasne piksele to ściany", "Próg ściany, od 0 do 1" lub start bez opcji "Start w największym wolnym miejscu"
             """)
     void aBrokenPlanIsReportedInPolish(String name, String content, String sentence) throws IOException {
         Messages.setLanguage(Language.POLISH);
