@@ -1,9 +1,6 @@
 package faultline.gui.dialog;
 
-import faultline.gui.document.FileNames;
 import faultline.gui.document.TaskProgress;
-import faultline.gui.document.WorkspaceTask;
-import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
@@ -24,15 +21,16 @@ import javax.swing.LayoutFocusTraversalPolicy;
  * Shows the progress of a slow task. Its button, Escape and closing the dialog cancel the task. The dialog opens while
  * the user may be typing, so the button has the focus only after Tab.
  */
-final class ProgressDialog extends JDialog {
+public final class ProgressDialog extends JDialog {
 
     private static final int PROGRESS_STEPS = 1000;
     private static final int WIDTH = 380;
 
     private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
 
-    ProgressDialog(Window owner, WorkspaceTask task, Runnable cancel) {
-        super(owner, Messages.get("wait.title"), ModalityType.APPLICATION_MODAL);
+    /** Creates a dialog that is not yet visible, given what its sentence says and what cancels the task. */
+    public ProgressDialog(Window owner, String title, ModalityType modality, String sentence, Runnable cancel) {
+        super(owner, title, modality);
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
             @Override
@@ -40,7 +38,6 @@ final class ProgressDialog extends JDialog {
                 cancel.run();
             }
         });
-        String sentence = Messages.get("wait." + task.kind(), FileNames.lastOf(task.name()));
         progressBar.getAccessibleContext().setAccessibleName(sentence);
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
@@ -56,7 +53,7 @@ final class ProgressDialog extends JDialog {
                 return progressBar;
             }
         });
-        setProgress(task.progress());
+        progressBar.setIndeterminate(true);
         pack();
         setSize(new Dimension(Math.max(TextSize.scaled(WIDTH), getWidth()), getHeight()));
         setResizable(false);
@@ -64,7 +61,7 @@ final class ProgressDialog extends JDialog {
     }
 
     /** Shows the completed share. */
-    void setProgress(TaskProgress progress) {
+    public void setProgress(TaskProgress progress) {
         OptionalDouble share = progress.fraction();
         progressBar.setIndeterminate(share.isEmpty());
         share.ifPresent(known -> progressBar.setValue((int) (PROGRESS_STEPS * known)));

@@ -1,6 +1,8 @@
 package faultline.gui.dialog;
 
+import faultline.gui.document.FileNames;
 import faultline.gui.document.WorkspaceTask;
+import faultline.gui.text.Messages;
 import java.awt.Dialog;
 import java.awt.EventQueue;
 import java.awt.Window;
@@ -37,7 +39,7 @@ public final class ProgressDialogs {
             dialog.setProgress(task.progress());
         }
         if (polls == POLLS_BEFORE_DIALOG) {
-            ProgressDialog created = new ProgressDialog(owner, task, cancelHandler);
+            ProgressDialog created = createDialog(task);
             dialog = created;
             // Asynchronously: the caller must be able to poll again while the modal dialog is open.
             EventQueue.invokeLater(() -> {
@@ -46,6 +48,14 @@ public final class ProgressDialogs {
                 }
             });
         }
+    }
+
+    private ProgressDialog createDialog(WorkspaceTask task) {
+        String sentence = Messages.get("wait." + task.kind(), FileNames.lastOf(task.name()));
+        ProgressDialog created = new ProgressDialog(
+                owner, Messages.get("wait.title"), Dialog.ModalityType.APPLICATION_MODAL, sentence, cancelHandler);
+        created.setProgress(task.progress());
+        return created;
     }
 
     /** Closes the dialog, because no task runs. */

@@ -1,26 +1,32 @@
 package faultline.gui.export;
 
+import faultline.gui.dialog.ProgressDialog;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.FileNames;
 import faultline.gui.document.TaskProgress;
 import faultline.gui.text.Messages;
 import faultline.io.AtomicFile;
 import java.awt.Component;
+import java.awt.Dialog;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.Window;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
-import javax.swing.ProgressMonitor;
+import javax.swing.JOptionPane;
 import javax.swing.Timer;
 
 /** Writes an export in the background. A long one shows its progress and can be cancelled, which leaves no file. */
 final class ExportTask {
 
-    /** Fine, because the dialog opens with the first step, and a step of a long animation can take a minute. */
-    private static final int MAX_PROGRESS = 1000;
-
     private static final int POLL_MILLIS = 50;
+
+    /** The time after which the dialog opens. */
+    private static final long NANOS_BEFORE_DIALOG = 700_000_000;
+
+    /** The time that an export takes at least, by its progress so far, if the dialog opens. */
+    private static final double NANOS_WITH_DIALOG = 2e9;
 
     private final FileExport export;
     private final Path file;
@@ -28,9 +34,12 @@ final class ExportTask {
     private final Consumer<Path> onWritten;
     private final Consumer<Throwable> onFailed;
     private final TaskProgress progress = new TaskProgress();
-    private final ProgressMonitor monitor;
-    private final Timer timer = new Timer(POLL_MILLIS, event -> updateMonitor());
-    private int shownProgress;
+    private final Component parent;
+    private final Timer timer = new Timer(POLL_MILLIS, event -> updateDialog());
+    /** On the clock of {@link System#nanoTime}. */
+    private long startNanos;
+    /** Null before it opens. */
+    private ProgressDialog dialog;
 
     /**
      * Creates a task; {@code onEnd} runs when it has ended. If it was cancelled, {@code onFailed} receives a
@@ -44,21 +53,17 @@ final class ExportTask {
             Consumer<Path> onWritten,
             Consumer<Throwable> onFailed) {
         assert EventQueue.isDispatchThread();
+        this.parent = parent;
         this.export = export;
         this.file = file;
         this.onEnd = onEnd;
         this.onWritten = onWritten;
         this.onFailed = onFailed;
-        monitor = new ProgressMonitor(
-                parent, Messages.get("export.writing", FileNames.lastOf(file)), "", 0, MAX_PROGRESS);
-        if (GraphicsEnvironment.isHeadless()) {
-            // Without a display, its dialog, which a slow export opens, would end the task.
-            monitor.setMillisToDecideToPopup(Integer.MAX_VALUE);
-        }
     }
 
     /** Starts the task, and keeps the program from exiting before it has ended. */
     void start() {
+        startNanos = System.nanoTime();
         timer.start();
         BackgroundTasks.performBeforeExit(this::write, this::written, this::failed);
     }
@@ -68,16 +73,43 @@ final class ExportTask {
         return !timer.isRunning();
     }
 
-    private void updateMonitor() {
-        int reached = (int) (MAX_PROGRESS * progress.fraction().orElse(0));
-        if (reached > shownProgress) {
-            shownProgress = reached;
-            // The last step would close the monitor before the file is complete.
-            monitor.setProgress(Math.min(reached, MAX_PROGRESS - 1));
+    /** Returns the name of the file. */
+    String name() {
+        return FileNames.lastOf(file);
+    }
+
+    /** Cancels the task, which ends soon afterwards. */
+    void cancel() {
+        progress.cancel();
+    }
+
+    private void updateDialog() {
+        if (dialog == null && needsDialog()) {
+            openDialog();
         }
-        if (monitor.isCanceled()) {
-            progress.cancel();
+        if (dialog != null) {
+            dialog.setProgress(progress);
         }
+    }
+
+    /** Returns whether the task is slow. Without a display, no dialog can open. */
+    private boolean needsDialog() {
+        long elapsed = System.nanoTime() - startNanos;
+        return progress.isActive()
+                && elapsed >= NANOS_BEFORE_DIALOG
+                && elapsed >= NANOS_WITH_DIALOG * progress.fraction().orElse(0)
+                && !GraphicsEnvironment.isHeadless();
+    }
+
+    private void openDialog() {
+        Window owner = JOptionPane.getFrameForComponent(parent);
+        dialog = new ProgressDialog(
+                owner,
+                Messages.get("export.title"),
+                Dialog.ModalityType.MODELESS,
+                Messages.get("export.writing", name()),
+                this::cancel);
+        dialog.setVisible(true);
     }
 
     private void write() throws IOException {
@@ -100,7 +132,9 @@ final class ExportTask {
 
     private void end() {
         timer.stop();
-        monitor.close();
+        if (dialog != null) {
+            dialog.dispose();
+        }
         onEnd.run();
     }
 }

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A long export shows its progress long before one per cent is done. */
+/** A long export shows its progress within a second, long before one per cent is done. */
 @DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "opens a dialog, which needs a display")
 class ExportProgressRobotTest {
 
@@ -37,10 +37,23 @@ class ExportProgressRobotTest {
 
     @Test
     void anExportCanBeCancelledBeforeItsFirstPercent() {
+        assertCancellable(ExportProgressRobotTest::writeSlowly);
+    }
+
+    @Test
+    void anExportWhoseFirstStepIsSlowShowsItsDialogAndCanBeCancelled() {
+        assertCancellable((out, progress) -> {
+            while (progress.isActive()) {
+                LockSupport.parkNanos(STEP_NANOS);
+            }
+            progress.throwIfCancelled();
+        });
+    }
+
+    private void assertCancellable(FileExport export) {
         Path file = folder.resolve("long.gif");
         List<Object> ends = new ArrayList<>();
-        ExportTask task = callOnEdt(
-                () -> new ExportTask(null, ExportProgressRobotTest::writeSlowly, file, () -> {}, ends::add, ends::add));
+        ExportTask task = callOnEdt(() -> new ExportTask(null, export, file, () -> {}, ends::add, ends::add));
         runOnEdt(task::start);
         Await.until("the dialog", () -> shownDialog().isPresent());
         runOnEdt(() -> ComponentFinder.findAll(shownDialog().orElseThrow(), JButton.class)
