@@ -4,6 +4,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.FileNames;
 import faultline.gui.document.Workspace;
@@ -28,6 +29,7 @@ import java.awt.print.PrinterAbortException;
 import java.awt.print.PrinterJob;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -35,6 +37,8 @@ import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.function.ToIntFunction;
+import java.util.stream.Collectors;
 import javax.print.PrintService;
 import javax.swing.JOptionPane;
 
@@ -63,6 +67,10 @@ public final class ExportController implements WorkspaceListener {
     private Supplier<PrintService[]> printers = PrinterJob::lookupPrintServices;
     private Supplier<Optional<Boolean>> discardQuestion = () -> Optional.of(true);
     private Consumer<String> errorDialog = this::showErrorDialog;
+    private ToIntFunction<String> exitQuestion = this::askToExit;
+    private final List<ExportTask> tasks = new ArrayList<>();
+    /** What waits until all exports are complete, null for nothing. */
+    private Runnable afterExports;
     /** The first tick of the newest recording, or {@link #NO_RECORDING}. */
     private long recordingStart = NO_RECORDING;
 
@@ -105,6 +113,11 @@ public final class ExportController implements WorkspaceListener {
     /** Sets what shows the sentence of a failure. */
     void setErrorDialog(Consumer<String> newDialog) {
         errorDialog = newDialog;
+    }
+
+    /** Sets what asks whether to exit, given a sentence: 0 to wait before that, 1 to cancel the exports. */
+    void setExitQuestion(ToIntFunction<String> newQuestion) {
+        exitQuestion = newQuestion;
     }
 
     /** Returns the actions of the controller. */
@@ -232,6 +245,41 @@ public final class ExportController implements WorkspaceListener {
         });
     }
 
+    /**
+     * Runs an action that closes the window, after asking whether to wait for the exports that are being written. The
+     * action does not run if the user wants to stay, or waits for an export that fails or is cancelled.
+     */
+    public void runIfExportsHandled(Runnable action) {
+        afterExports = null;
+        if (tasks.isEmpty()) {
+            action.run();
+            return;
+        }
+        String names = tasks.stream().map(ExportTask::name).collect(Collectors.joining(", "));
+        int answer = exitQuestion.applyAsInt(Messages.get("export.exit", names));
+        if (answer == 0 && !tasks.isEmpty()) {
+            afterExports = action;
+        } else if (answer == 0 || answer == 1) {
+            action.run();
+        }
+    }
+
+    private int askToExit(String question) {
+        return Dialogs.ask(
+                parent,
+                Messages.get("export.title"),
+                question,
+                "export.exit.wait",
+                "export.exit.cancel",
+                "export.exit.stay");
+    }
+
+    /** Cancels the exports that are being written, because the window closes. */
+    public void close() {
+        afterExports = null;
+        tasks.forEach(ExportTask::cancel);
+    }
+
     private void saveRecording(RenderRequest request, Runnable then) {
         recording(request).ifPresent(recording -> {
             Runnable written = () -> {
@@ -310,22 +358,36 @@ public final class ExportController implements WorkspaceListener {
     private void write(Path file, FileExport export, Runnable then, Runnable otherwise) {
         String writing = Messages.get("export.writing", FileNames.lastOf(file));
         notes.show(writing);
-        new ExportTask(
-                        parent,
-                        export,
-                        file,
-                        () -> notes.remove(writing),
-                        written -> {
-                            onWritten.accept(written);
-                            then.run();
-                        },
-                        failure -> {
-                            otherwise.run();
-                            if (!(failure instanceof CancellationException)) {
-                                errorDialog.accept(failureText(file, failure));
-                            }
-                        })
-                .start();
+        ExportTask task = new ExportTask(
+                parent,
+                export,
+                file,
+                () -> {
+                    tasks.removeIf(ExportTask::isDone);
+                    notes.remove(writing);
+                },
+                written -> {
+                    onWritten.accept(written);
+                    then.run();
+                    runAfterExports();
+                },
+                failure -> {
+                    afterExports = null;
+                    otherwise.run();
+                    if (!(failure instanceof CancellationException)) {
+                        errorDialog.accept(failureText(file, failure));
+                    }
+                });
+        tasks.add(task);
+        task.start();
+    }
+
+    private void runAfterExports() {
+        Runnable action = afterExports;
+        if (tasks.isEmpty() && action != null) {
+            afterExports = null;
+            action.run();
+        }
     }
 
     private void showErrorDialog(String sentence) {

@@ -320,19 +320,21 @@ public final class MainWindow extends JFrame {
     }
 
     private void quit() {
-        batchActions.runIfResultsHandled(() -> fileController.runIfChangesHandled(() -> {
-            windowBounds.save();
-            dispose();
-        }));
+        exportController.runIfExportsHandled(
+                () -> batchActions.runIfResultsHandled(() -> fileController.runIfChangesHandled(() -> {
+                    windowBounds.save();
+                    dispose();
+                })));
     }
 
     ActionRegistry actions() {
         return actionRegistry;
     }
 
-    /** Ends the run with the window. */
+    /** Ends the run and the exports with the window. */
     @Override
     public void dispose() {
+        exportController.close();
         runPoller.stop();
         fileWatch.close();
         controllerActions.close();

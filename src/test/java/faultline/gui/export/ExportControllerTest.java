@@ -309,6 +309,60 @@ class ExportControllerTest {
         });
     }
 
+    @Test
+    void theWindowClosesAtOnceIfNothingIsBeingWritten() throws IOException {
+        exportToFile("exportCsv", ".csv");
+        runOnEdt(() -> {
+            controller.setExitQuestion(question -> {
+                throw new AssertionError(question);
+            });
+            controller.runIfExportsHandled(() -> sentences.add("closed"));
+        });
+        assertEquals(List.of("closed"), sentences);
+    }
+
+    /** An export ends on the event dispatch thread, so it is being written as long as that is busy. */
+    @Test
+    void theWindowClosesWhenTheExportIsCompleteIfTheUserWaits() {
+        runOnEdt(() -> {
+            controller.setExitQuestion(question -> sentences.add(question) ? 0 : -1);
+            perform("exportCsv");
+            controller.runIfExportsHandled(() -> sentences.add("closed, " + written.size() + " written"));
+            assertEquals(List.of("Faultline is still writing out.csv. Wait before closing?"), sentences);
+        });
+        Await.until("the end", () -> sentences.size() > 1);
+        assertEquals("closed, 1 written", sentences.get(1));
+        assertTrue(Files.exists(folder.resolve("out.csv")));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-1, 1, 2})
+    void theWindowStaysOrClosesWhileAnExportIsBeingWritten(int answer) {
+        runOnEdt(() -> {
+            controller.setExitQuestion(question -> answer);
+            perform("exportCsv");
+            controller.runIfExportsHandled(() -> sentences.add("closed"));
+            assertEquals(answer == 1 ? List.of("closed") : List.of(), sentences);
+        });
+        Await.until("the end", () -> !written.isEmpty());
+        runOnEdt(() -> assertEquals(answer == 1 ? 1 : 0, sentences.size(), "closed later"));
+    }
+
+    @Test
+    void theWindowStaysIfTheExportFailsThatTheUserWaitsFor() throws IOException {
+        Files.createDirectory(folder.resolve("out.csv"));
+        runOnEdt(() -> {
+            controller.setErrorDialog(sentences::add);
+            controller.setExitQuestion(question -> 0);
+            perform("exportCsv");
+            controller.runIfExportsHandled(() -> sentences.add("closed"));
+        });
+        Await.until("the failure", () -> !sentences.isEmpty());
+        runOnEdt(() -> perform("exportPng"));
+        Await.until("the next export", () -> !written.isEmpty());
+        runOnEdt(() -> assertEquals(1, sentences.size(), sentences::toString));
+    }
+
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void aRecordingThatCannotBeWrittenIsKept(boolean leaves) throws IOException {
