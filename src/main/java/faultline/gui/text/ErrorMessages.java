@@ -5,24 +5,35 @@ import faultline.io.Message;
 import faultline.io.MessageException;
 import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.ScenarioException;
+import java.awt.print.PrinterException;
+import java.awt.print.PrinterIOException;
+import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletionException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Describes exceptions to users. */
 public final class ErrorMessages {
+
+    /** The beginning of the JDK's message about a program, such as the one that sends pages to a printer. */
+    private static final Pattern NOT_STARTED = Pattern.compile("^Cannot run program \"([^\"]+)\"");
 
     private ErrorMessages() {}
 
     /** Describes an exception by a phrase without a full stop, in the user's language if the message is known. */
     public static String describe(Throwable exception) {
         if (exception.getCause() != null
-                && (exception instanceof CompletionException || exception instanceof UncheckedIOException)) {
+                && (exception instanceof CompletionException
+                        || exception instanceof UncheckedIOException
+                        || exception instanceof PrinterIOException)) {
             return describe(exception.getCause());
         }
         if (exception instanceof ScenarioException bad) {
@@ -40,10 +51,22 @@ public final class ErrorMessages {
         if (exception instanceof FileSystemException file) {
             return describeFileError(file);
         }
-        return Optional.ofNullable(exception.getMessage())
-                .filter(message -> !message.isBlank())
-                .orElseGet(
-                        () -> Messages.get("reason.inside", exception.getClass().getSimpleName()));
+        return describeMessage(exception);
+    }
+
+    /** Describes an exception by its message. */
+    private static String describeMessage(Throwable exception) {
+        String message = Objects.requireNonNullElse(exception.getMessage(), "");
+        Matcher program = NOT_STARTED.matcher(message);
+        if (exception instanceof IOException && program.find()) {
+            return Messages.get("reason.program", program.group(1));
+        }
+        if (!message.isBlank()) {
+            return message;
+        }
+        return exception instanceof PrinterException
+                ? Messages.get("reason.printer")
+                : Messages.get("reason.inside", exception.getClass().getSimpleName());
     }
 
     /** Returns the reason why a scenario cannot be saved, because what shows it says that it cannot be saved. */

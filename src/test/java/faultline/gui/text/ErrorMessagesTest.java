@@ -11,6 +11,8 @@ import faultline.io.WriteProblem;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.ScenarioException;
+import java.awt.print.PrinterException;
+import java.awt.print.PrinterIOException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
@@ -37,6 +39,20 @@ class ErrorMessagesTest {
     @AfterEach
     void setEnglish() {
         Messages.setLanguage(Language.ENGLISH);
+    }
+
+    static Stream<Arguments> printerExceptions() {
+        return Stream.of(
+                Arguments.of(
+                        new PrinterIOException(new IOException(
+                                "Cannot run program \"/usr/bin/lpr\": error=2, No such file or directory")),
+                        "the program /usr/bin/lpr cannot be started; it may not be installed",
+                        "nie można uruchomić programu /usr/bin/lpr; może nie jest zainstalowany"),
+                Arguments.of(
+                        new PrinterIOException(new IOException("No such printer")),
+                        "No such printer",
+                        "No such printer"),
+                Arguments.of(new PrinterException(), "the printer reports an error", "błąd drukarki"));
     }
 
     static Stream<Arguments> exceptions() {
@@ -74,7 +90,7 @@ class ErrorMessagesTest {
     }
 
     @ParameterizedTest
-    @MethodSource("exceptions")
+    @MethodSource({"exceptions", "printerExceptions"})
     void anExceptionIsAPhraseInTheUsersLanguage(Throwable why, String english, String polish) {
         assertEquals(english, ErrorMessages.describe(why));
         Messages.setLanguage(Language.POLISH);
