@@ -136,6 +136,8 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
                 }
             }
         });
+        // A space would replace the text if it is selected, and has no meaning in a number.
+        text.getInputMap().put(KeyStroke.getKeyStroke(' '), "none");
         // As when the field gets the focus, so that the next number replaces this one.
         text.addActionListener(event -> text.selectAll());
         text.addPropertyChangeListener("editValid", event -> {
@@ -322,7 +324,12 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
     }
 
     private boolean isTyping() {
-        return textField().isFocusOwner() && !textField().getText().equals(formatter.format(doubleValue()));
+        return textField().isFocusOwner() && isEdited();
+    }
+
+    /** Returns whether the text is not that of the number, because it has not been applied. */
+    public boolean isEdited() {
+        return !textField().getText().equals(formatter.format(doubleValue()));
     }
 
     public double doubleValue() {

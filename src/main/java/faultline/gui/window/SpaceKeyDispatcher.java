@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.panel.NumberSpinner;
 import java.awt.Component;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
@@ -9,14 +10,16 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
+import javax.swing.JFormattedTextField;
 import javax.swing.JTabbedPane;
 import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 
 /**
  * Makes Space run and pause the simulation although a button, a closed combo box or a tab has the focus; otherwise it
- * would press the control that was clicked last. Enter presses the focused button instead. In text fields, lists, open
- * menus and dialogs, keys keep their usual meaning.
+ * would press the control that was clicked last. Enter presses the focused button instead. Space also runs and pauses
+ * from a number field whose number is applied. In other text fields, lists, open menus and dialogs, keys keep their
+ * usual meaning.
  */
 final class SpaceKeyDispatcher implements KeyEventDispatcher {
 
@@ -70,7 +73,11 @@ final class SpaceKeyDispatcher implements KeyEventDispatcher {
     private static boolean takesSpace(Component focused) {
         return focused instanceof AbstractButton
                 || focused instanceof JTabbedPane
-                || focused instanceof JComboBox<?> box && !box.isPopupVisible();
+                || focused instanceof JComboBox<?> box && !box.isPopupVisible()
+                || focused instanceof JFormattedTextField
+                        && SwingUtilities.getAncestorOfClass(NumberSpinner.class, focused)
+                                instanceof NumberSpinner number
+                        && !number.isEdited();
     }
 
     private static boolean isSpace(KeyEvent event) {

@@ -137,8 +137,11 @@ class ControlsRobotTest {
     }
 
     @Test
-    void spaceAndPointAreTypedWhileAFieldHasTheFocusAndActOtherwise() {
-        driver.typeInto("Linear velocity", KeyEvent.VK_SPACE, KeyEvent.VK_PERIOD, KeyEvent.VK_P);
+    void keysAreTypedWhileANumberIsEditedAndActOtherwise() {
+        driver.typeInto("Linear velocity", KeyEvent.VK_7, KeyEvent.VK_SPACE, KeyEvent.VK_PERIOD, KeyEvent.VK_P);
+        JTextField field = ComponentFinder.find(driver.window(), JTextField.class, "Linear velocity");
+        driver.robot()
+                .waitFor("the text without the space", () -> field.getText().equals("7.p"));
         assertFalse(callOnEdt(driver::isRunning));
         assertEquals(0, driver.frame().snapshot().tick());
         assertTrue(callOnEdt(() -> driver.canvas().isLayerOn(Layer.PATH)));
@@ -147,6 +150,20 @@ class ControlsRobotTest {
         driver.waitForFrame("one tick is made", frame -> frame.snapshot().tick() == 1);
         driver.robot().pressKeys(KeyEvent.VK_SPACE);
         driver.robot().waitFor("time runs", driver::isRunning);
+    }
+
+    @Test
+    void spaceRunsAfterEnterHasAppliedANumber() {
+        driver.typeInto(
+                "Linear velocity",
+                KeyEvent.VK_0,
+                KeyEvent.VK_PERIOD,
+                KeyEvent.VK_2,
+                KeyEvent.VK_ENTER,
+                KeyEvent.VK_SPACE);
+        driver.robot().waitFor("time runs", driver::isRunning);
+        JTextField field = ComponentFinder.find(driver.window(), JTextField.class, "Linear velocity");
+        assertEquals("0.20", callOnEdt(field::getText));
     }
 
     @Test

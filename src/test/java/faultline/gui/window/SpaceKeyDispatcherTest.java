@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.gui.panel.NumberSpinner;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -30,8 +31,12 @@ class SpaceKeyDispatcherTest {
     }
 
     private boolean press(Component focused, int key, char character) {
+        runOnEdt(() -> window.add(focused));
+        return pressIn(focused, key, character);
+    }
+
+    private boolean pressIn(Component focused, int key, char character) {
         return callOnEdt(() -> {
-            window.add(focused);
             SpaceKeyDispatcher dispatcher = new SpaceKeyDispatcher(window, () -> log.add("run"));
             boolean pressed =
                     dispatcher.dispatchKeyEvent(new KeyEvent(focused, KeyEvent.KEY_PRESSED, 0, 0, key, character));
@@ -54,6 +59,16 @@ class SpaceKeyDispatcherTest {
         assertEquals(true, press(callOnEdt(JTabbedPane::new), KeyEvent.VK_SPACE, ' '));
         assertEquals(true, press(callOnEdt(() -> new JComboBox<String>()), KeyEvent.VK_SPACE, ' '));
         assertEquals(List.of("run", "run", "run", "run"), log);
+    }
+
+    @Test
+    void spaceStartsTheRunInANumberFieldUnlessItsTextIsEdited() {
+        NumberSpinner number = callOnEdt(() -> new NumberSpinner("0.0", 0, 9, 1, value -> {}));
+        runOnEdt(() -> window.add(number));
+        assertEquals(true, pressIn(number.textField(), KeyEvent.VK_SPACE, ' '));
+        runOnEdt(() -> number.textField().setText("0."));
+        assertEquals(false, pressIn(number.textField(), KeyEvent.VK_SPACE, ' '));
+        assertEquals(List.of("run"), log);
     }
 
     @Test
