@@ -19,6 +19,7 @@ import java.awt.Component;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -36,10 +37,8 @@ public final class BatchActions {
     private final FileController files;
     private final ControllerActions controllers;
     private final Consumer<String> note;
-    /** The dialog that is hidden because one of its runs is in the window, null for none. */
-    private RunsDialog hidden;
-    /** The run in the window that has hidden the dialog. */
-    private Scenario hiding;
+    /** The dialogs that are hidden because one of their runs has been opened in the window, the newest at the end. */
+    private final List<RunsDialog> hidden = new ArrayList<>();
 
     /** Creates the actions of a window; {@code note} shows a sentence to the user. */
     public BatchActions(Window owner, FileController files, ControllerActions controllers, Consumer<String> note) {
@@ -71,28 +70,23 @@ public final class BatchActions {
                 .filter(BatchDialog::isDisplayable);
     }
 
-    /**
-     * Called when a scenario has been opened. Unless it is the run that has hidden its results, they show again, behind
-     * the focus.
-     */
-    public void scenarioOpened(Scenario opened) {
-        if (hidden != null && !opened.equals(hiding)) {
-            hidden.showWithoutFocus();
-            forgetHidden();
+    /** Called when a scenario has been opened. Hidden results stay hidden; a note says how they show again. */
+    public void scenarioOpened() {
+        if (!hidden.isEmpty()) {
+            note.accept(Keystrokes.withMenuModifier(Messages.get("batch.hidden")));
         }
     }
 
-    private void forgetHidden() {
-        hidden = null;
-        hiding = null;
+    private RunsDialog newestHiddenOrNull() {
+        return hidden.isEmpty() ? null : hidden.get(hidden.size() - 1);
     }
 
     /**
-     * Shows the results again that the run in the window was opened from, or else the dialog of the open scenario as it
-     * is now; a batch of another scenario keeps its own dialog.
+     * Shows the results again that were hidden last, or else the dialog of the open scenario as it is now; a batch of
+     * another scenario keeps its own dialog.
      */
     private void showDialog() {
-        if (hidden instanceof ResultsDialog results) {
+        if (newestHiddenOrNull() instanceof ResultsDialog results) {
             bringToFront(results);
             return;
         }
@@ -120,8 +114,9 @@ public final class BatchActions {
         if (!owner.isDisplayable()) {
             return;
         }
+        RunsDialog newest = newestHiddenOrNull();
         dialogs()
-                .filter(dialog -> hidden == null ? dialog.isFor(open.scenario()) : dialog == hidden)
+                .filter(dialog -> newest == null ? dialog.isFor(open.scenario()) : dialog == newest)
                 .findFirst()
                 .ifPresentOrElse(
                         known -> {
@@ -161,7 +156,7 @@ public final class BatchActions {
         files.runIfChangesHandled(() -> {
             controllers.select(new ControllerChoice(name, kept));
             files.openGeneratedWithoutAsking(run, () -> {
-                hide(dialog, run);
+                hide(dialog);
                 // Opening removes the notes about the scenario before.
                 note.accept(Keystrokes.withMenuModifier(Messages.get("batch.opened")));
             });
@@ -169,16 +164,14 @@ public final class BatchActions {
     }
 
     private void bringToFront(RunsDialog dialog) {
-        if (dialog == hidden) {
-            forgetHidden();
-        }
+        hidden.remove(dialog);
         dialog.bringToFront();
     }
 
-    private void hide(RunsDialog dialog, Scenario run) {
+    private void hide(RunsDialog dialog) {
         if (dialog.isDisplayable()) {
-            hidden = dialog;
-            hiding = run;
+            hidden.remove(dialog);
+            hidden.add(dialog);
             dialog.runOpened();
         }
     }
@@ -224,9 +217,7 @@ public final class BatchActions {
     }
 
     private void dispose(Window dialog) {
-        if (dialog == hidden) {
-            forgetHidden();
-        }
+        hidden.removeIf(other -> other == dialog);
         dialog.dispose();
     }
 

@@ -20,10 +20,7 @@ import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.Timer;
 
-/**
- * A non-modal dialog that makes many runs of a scenario and shows their results. It is hidden while the user looks at
- * one of its runs in the window.
- */
+/** A non-modal dialog that makes many runs of a scenario and shows their results. */
 final class BatchDialog extends RunsDialog {
 
     private static final int POLL_MILLIS = 200;

@@ -21,7 +21,8 @@ import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 
 /**
- * A non-modal dialog with the results of many runs. It is hidden while the user looks at one of the runs in the window.
+ * A non-modal dialog with the results of many runs. It is hidden when one of the runs is opened in the window, until
+ * the user asks for it.
  */
 abstract class RunsDialog extends JDialog {
 
@@ -136,13 +137,6 @@ abstract class RunsDialog extends JDialog {
         if (resultTabs != null) {
             resultTabs.focusTable();
         }
-    }
-
-    /** Shows the dialog where the user left it, but does not give it the focus. */
-    final void showWithoutFocus() {
-        setAutoRequestFocus(false);
-        setVisible(true);
-        setAutoRequestFocus(true);
     }
 
     /** Opens the run of a row in the window. */

@@ -412,7 +412,7 @@ public final class MainWindow extends JFrame {
         public void scenarioOpened() {
             workspace.scenario().ifPresent(scenario -> {
                 mainPanel.startScenario();
-                batchActions.scenarioOpened(scenario);
+                batchActions.scenarioOpened();
             });
             workspace.file().ifPresent(preferences.recentFiles()::add);
         }

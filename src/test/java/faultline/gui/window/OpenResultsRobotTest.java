@@ -122,13 +122,20 @@ class OpenResultsRobotTest {
     }
 
     @Test
-    void resultsAreHiddenOnlyWhileTheirRunIsInTheWindow() {
+    void hiddenResultsDoNotCoverAnotherScenarioUntilTheUserGoesBackToThem() {
         JDialog dialog = openResults();
         openRun(dialog);
         assertFalse(dialog.isShowing());
         runOnEdt(() -> driver.window().open(folder.resolve("short.xml")));
         driver.waitForTitle("short.xml");
-        driver.robot().waitFor("the results show again", dialog::isShowing);
+        driver.robot().waitFor("the way back is named", () -> driver.statusNote()
+                .equals("Ctrl+B goes back to the results of the batch"));
+        assertFalse(dialog.isShowing());
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
+        assertSame(dialog, driver.dialog(TITLE));
+        driver.robot().waitFor("the results have the focus", dialog::isFocused);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
         driver.dialog("Batch of Yard");
     }
