@@ -30,9 +30,12 @@ import java.util.zip.ZipFile;
 
 /**
  * Loads classes and resources from copies of jars in memory. The jars are closed when they have been read, so they can
- * be replaced while their classes are in use.
+ * be replaced while their classes are in use. What a jar has replaces what the class path has under the same name,
+ * except the classes of this program and of the JDK, which the jar shares with the program.
  */
 final class JarClassLoader extends ClassLoader {
+
+    private static final String PROGRAM_FOLDER = "faultline/";
 
     /** A file in a jar. */
     private record Content(ProtectionDomain jar, URL url, byte[] bytes) {}
@@ -43,7 +46,7 @@ final class JarClassLoader extends ClassLoader {
      * Reads jars, and the readable ones that their manifests name as their class path.
      *
      * @param jars the jar files, in the order in which they are searched
-     * @param parent the class loader that is asked first
+     * @param parent the class loader of what the jars do not have, and of the program
      * @throws ControllerStartException if one of these jars cannot be read
      */
     JarClassLoader(List<Path> jars, ClassLoader parent) {
@@ -119,8 +122,34 @@ final class JarClassLoader extends ClassLoader {
     }
 
     @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+        String file = classFile(name);
+        if (!isOwn(file) || ClassLoader.getPlatformClassLoader().getResource(file) != null) {
+            return super.loadClass(name, resolve);
+        }
+        synchronized (getClassLoadingLock(name)) {
+            Class<?> loaded = findLoadedClass(name);
+            return loaded == null ? findClass(name) : loaded;
+        }
+    }
+
+    private static String classFile(String className) {
+        return className.replace('.', '/') + ".class";
+    }
+
+    /** Whether a file is that of a jar, also if the class path has one of the same name. */
+    private boolean isOwn(String file) {
+        return !file.startsWith(PROGRAM_FOLDER) && contents.containsKey(file);
+    }
+
+    @Override
+    public URL getResource(String name) {
+        return isOwn(name) ? findResource(name) : super.getResource(name);
+    }
+
+    @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
-        List<Content> found = contents.get(name.replace('.', '/') + ".class");
+        List<Content> found = contents.get(classFile(name));
         if (found == null) {
             throw new ClassNotFoundException(name);
         }
