@@ -113,7 +113,7 @@ public final class ControllerProviders {
             return new StateTracker(controller, MessageText.name(name));
         } catch (ExecutionException e) {
             throw new RunFailedException(
-                    RunProblem.NOT_CREATED.with(name, e.getCause().toString()), e.getCause());
+                    RunProblem.NOT_CREATED.with(name, RunFailedException.describe(e.getCause())), e.getCause());
         } catch (TimeoutException e) {
             throw new RunFailedException(
                     RunProblem.NOT_CREATED.with(name, ControllerThread.silence("create", timeout)), e);
@@ -164,7 +164,9 @@ public final class ControllerProviders {
         if (cause instanceof ExceptionInInitializerError && cause.getCause() != null) {
             cause = cause.getCause();
         }
-        return cause == null ? String.valueOf(error.getMessage()) : error.getMessage() + ": " + cause;
+        return cause == null
+                ? String.valueOf(error.getMessage())
+                : error.getMessage() + ": " + RunFailedException.describe(cause);
     }
 
     private static String name(ControllerProvider provider, double timeout) {
@@ -172,7 +174,7 @@ public final class ControllerProviders {
         try {
             name = ControllerThread.call(timeout, provider::name);
         } catch (ExecutionException e) {
-            throw nameless(provider, e.getCause().toString(), e.getCause());
+            throw nameless(provider, RunFailedException.describe(e.getCause()), e.getCause());
         } catch (TimeoutException e) {
             throw nameless(provider, ControllerThread.silence("name", timeout), e);
         }

@@ -3,6 +3,8 @@ package faultline.engine;
 import faultline.control.RecordEndedException;
 import faultline.io.Message;
 import faultline.io.MessageText;
+import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * Thrown if a run cannot continue: its controller threw an exception or does not answer. The message is one sentence
@@ -60,13 +62,34 @@ public class RunFailedException extends RuntimeException {
                 cause);
     }
 
-    /** Returns an exception of a controller as text, which its own methods may fail to give. */
-    private static String describe(Throwable exception) {
+    /**
+     * Returns an exception of a controller as text, which its own methods may fail to give, and the place in the
+     * controller's code that threw it, if there is one.
+     */
+    static String describe(Throwable exception) {
         try {
             String text = exception.toString();
-            return text.length() > MAX_LENGTH ? MessageText.start(text, MAX_LENGTH) + "..." : text;
+            String start = text.length() > MAX_LENGTH ? MessageText.start(text, MAX_LENGTH) + "..." : text;
+            return place(exception.getStackTrace(), Thread.currentThread().getStackTrace())
+                    .map(place -> start + " at " + MessageText.start(place.toString(), MAX_LENGTH))
+                    .orElse(start);
         } catch (RuntimeException | Error e) {
             return exception.getClass().getName() + ", whose text cannot be read";
         }
+    }
+
+    /**
+     * Returns the innermost frame of neither the JDK, whose classes are in modules, nor this program. The frames that
+     * the caller of the controller is in itself, such as those of a test, are not the controller's.
+     */
+    private static Optional<StackTraceElement> place(StackTraceElement[] thrown, StackTraceElement[] caller) {
+        int own = thrown.length;
+        for (int i = caller.length; own > 0 && i > 0 && thrown[own - 1].equals(caller[i - 1]); i--) {
+            own--;
+        }
+        return Arrays.stream(thrown, 0, own)
+                .filter(frame ->
+                        frame.getModuleName() == null && !frame.getClassName().startsWith("faultline."))
+                .findFirst();
     }
 }

@@ -75,6 +75,20 @@ class ControllerHostTest {
         assertTrue(message.length() < 500);
     }
 
+    @Test
+    void anExceptionIsGivenWithTheInnermostPlaceInTheControllersCode() {
+        IllegalStateException thrown = new IllegalStateException("lost");
+        StackTraceElement inJdk = new StackTraceElement("", "java.base", "17", "java.util.List", "get", "List.java", 3);
+        StackTraceElement inProgram = new StackTraceElement("faultline.robot.RobotSpec", "sensor", "RobotSpec.java", 4);
+        StackTraceElement inController = new StackTraceElement("own.WallBot", "decide", "WallBot.java", 17);
+        StackTraceElement outside = new StackTraceElement("own.WallBot", "drive", "WallBot.java", 9);
+        thrown.setStackTrace(new StackTraceElement[] {inJdk, inProgram, inController, outside});
+        assertEquals(
+                "the controller broke at tick 7: java.lang.IllegalStateException: lost"
+                        + " at own.WallBot.decide(WallBot.java:17)",
+                RunFailedException.ofController(7, thrown).getMessage());
+    }
+
     /** An exception whose text cannot be read. */
     private static final class Unspeakable extends RuntimeException {
         private static final long serialVersionUID = 1L;
