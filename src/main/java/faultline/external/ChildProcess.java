@@ -56,6 +56,9 @@ final class ChildProcess implements AutoCloseable {
     /** Only its first exception is reported. Used by the thread that reads the errors. */
     private boolean consumerFailed;
 
+    /** Used by the calling thread. */
+    private boolean hasWrittenLine;
+
     /** The time at which the write in progress began, or the maximum value if there is none. */
     private volatile long writeStart = Long.MAX_VALUE;
 
@@ -226,6 +229,7 @@ final class ChildProcess implements AutoCloseable {
         ResponseTimeout timeout = new ResponseTimeout(process.toHandle(), seconds);
         for (String line = output.next(); ; line = output.next()) {
             if (line != null) {
+                hasWrittenLine = true;
                 return line;
             }
             if (!output.fill()) {
@@ -246,8 +250,7 @@ final class ChildProcess implements AutoCloseable {
             throw endOfOutput();
         }
         if (timeout.isExhausted()) {
-            throw new ProtocolException(
-                    ControllerProblem.SILENT, seconds, output.hasPart() ? ControllerProblem.OPEN_LINE.with() : "");
+            throw new ProtocolException(ControllerProblem.SILENT, seconds, silenceHint());
         }
         if (Thread.currentThread().isInterrupted()) {
             // Waiting would end at once, and so would use a whole processor.
@@ -257,6 +260,13 @@ final class ChildProcess implements AutoCloseable {
             output.lookForEnd();
         }
         LockSupport.parkNanos(Math.min(LONGEST_SLEEP, (long) waited / 8));
+    }
+
+    private Object silenceHint() {
+        if (output.hasPart()) {
+            return ControllerProblem.OPEN_LINE.with();
+        }
+        return hasWrittenLine ? "" : ControllerProblem.UNFLUSHED.with();
     }
 
     /**

@@ -68,6 +68,8 @@ public enum ControllerProblem implements Message.Template {
     SILENT("{0} has not answered for {2} s{1}{3}"),
     /** The answer has only begun. */
     OPEN_LINE("; its last line has no end"),
+    /** The hint for a child that has never answered. */
+    UNFLUSHED("; a program must flush its standard output after each line"),
 
     /** Another version of the protocol. */
     PROTOCOL("{0} speaks protocol {2}{1}; expected {3}"),
