@@ -90,7 +90,7 @@ public final class PeriodicController implements Controller, AutoCloseable {
                 if (e instanceof InterruptedException) {
                     Thread.currentThread().interrupt();
                 }
-                throw new IllegalStateException("the controller cannot be closed: " + e, e);
+                throw new IllegalStateException(e);
             }
         }
     }

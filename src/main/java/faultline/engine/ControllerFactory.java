@@ -108,13 +108,20 @@ public final class ControllerFactory {
                 ControllerThread.call(timeout, Executors.callable(closeable::close));
             }
         } catch (IllegalStateException e) {
-            throw new RunFailedException(e.getMessage(), e.getCause());
+            throw notClosed(e);
         } catch (ExecutionException e) {
-            throw new RunFailedException(e.getCause().getMessage(), e.getCause().getCause());
+            throw notClosed(e.getCause());
         } catch (TimeoutException e) {
             throw new RunFailedException(
                     "the controller cannot be closed: " + ControllerThread.silence("close", timeout), e);
         }
+    }
+
+    /** Returns the exception for a failure of {@link PeriodicController#close}, whose cause is the controller's. */
+    private static RunFailedException notClosed(Throwable failure) {
+        return new RunFailedException(
+                "the controller cannot be closed: " + RunFailedException.describe(failure.getCause()),
+                failure.getCause());
     }
 
     private static Decision failNotChosen() {

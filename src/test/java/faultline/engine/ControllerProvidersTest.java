@@ -185,7 +185,10 @@ class ControllerProvidersTest {
                 if (how.equals("never")) {
                     waitForEver();
                 }
-                throw new AssertionError(how);
+                AssertionError error = new AssertionError(how);
+                error.setStackTrace(
+                        new StackTraceElement[] {new StackTraceElement("own.WallBot", "close", "WallBot.java", 8)});
+                throw error;
             }
         }
 
@@ -337,7 +340,8 @@ class ControllerProvidersTest {
     void anErrorOfCloseEndsTheRunAsAnExceptionDoes() throws Exception {
         addProvider(EndlessClose.class);
         assertFails(
-                "the controller cannot be closed: java.lang.AssertionError: at the end",
+                "the controller cannot be closed: java.lang.AssertionError: at the end"
+                        + " at own.WallBot.close(WallBot.java:8)",
                 () -> run("endless-close", Map.of("close", "at the end")));
     }
 
